@@ -1,0 +1,30 @@
+"""Normal contact with the ground, y = 0: the contract that every contact law fulfils.
+
+A law is a ``NamedTuple`` of dimensionless numbers with ``node_weight`` and ``corner_weight``, the
+factors that its force is multiplied with at a node of the beam and at a corner of the frame.
+Lengths are in L, forces in EI/L^2.
+"""
+
+from typing import Any
+
+from snapjump.number.dispatch import family_function
+
+
+@family_function
+def contact_reach(contact: Any) -> Any:
+    """The gap beyond which the law gives no force (0 for no contact at all)."""
+
+
+@family_function
+def contact_energy(contact: Any, gap: Any) -> Any:
+    """Energy stored at a gap within reach, before the weight."""
+
+
+@family_function
+def contact_force(contact: Any, gap: Any) -> Any:
+    """Repulsive force -dE/dgap and stiffness d2E/dgap2 at a gap within reach, before the weight."""
+
+
+@family_function
+def has_contact(contact: Any) -> Any:
+    """Whether contact terms are compiled in."""

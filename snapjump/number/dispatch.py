@@ -1,0 +1,46 @@
+"""Kernel functions chosen by the class of their first argument, in Python and in numba alike.
+
+A member of a family (a contact law, say) is a ``NamedTuple`` of numbers. A family declares a
+function once with :func:`family_function`; each member registers its own version. numba resolves
+the call while it compiles, so that a choice costs nothing at run time.
+"""
+
+import functools
+from collections.abc import Callable
+from typing import Any
+
+from numba.extending import overload, register_jitable
+
+Function = Callable[..., Any]
+
+
+def member_class(kind: Any) -> Any:
+    """The Python class behind a numba named-tuple type, or the type itself."""
+    return getattr(kind, "instance_class", kind)
+
+
+def family_function(declaration: Function) -> Any:
+    """Turn a declaration (docstring and arguments) into a function with one version a member."""
+    versions: dict[Any, Function] = {}
+
+    @functools.wraps(declaration)
+    def call(member: Any, *args: Any) -> Any:
+        return versions[type(member)](member, *args)
+
+    def member(cls: type) -> Callable[[Function], Function]:
+        """Register the decorated function as the version for members of class ``cls``."""
+
+        def register(function: Function) -> Function:
+            versions[cls] = register_jitable(function)
+            return function
+
+        return register
+
+    call.member = member  # type: ignore[attr-defined]
+    call.versions = versions  # type: ignore[attr-defined]
+
+    @overload(call, strict=False)
+    def _resolve(member: Any, *args: Any) -> Any:
+        return versions.get(member_class(member))
+
+    return call

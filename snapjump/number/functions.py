@@ -1,0 +1,163 @@
+"""Functions of one number that work on Python numbers, numba scalars and lanes.
+
+In plain Python they also take complex numbers, so that tests can differentiate by a complex step.
+"""
+
+import cmath
+import math
+from typing import Any
+
+from llvmlite import ir
+from numba.core import types
+from numba.extending import intrinsic, overload
+
+from snapjump.number.lane import (
+    LaneType,
+    MaskType,
+    each_lane,
+    lane_type,
+    splat,
+    vector_intrinsic,
+)
+
+
+def _elementwise(name: str, vectorised: bool, in_python: Any) -> Any:
+    """A function of one number: ``llvm.<name>`` in numba, ``in_python`` outside it."""
+
+    def function(x: Any) -> Any:
+        return in_python(x)
+
+    function.__name__ = function.__qualname__ = name
+
+    @intrinsic
+    def of_number(typingctx: Any, x: Any) -> Any:
+        kind = x if isinstance(x, LaneType) else types.float64
+
+        def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+            value = context.cast(builder, args[0], sig.args[0], kind)
+            double = ir.DoubleType()
+            scalar = builder.module.declare_intrinsic(f"llvm.{name}", [double])
+            if not isinstance(kind, LaneType):
+                return builder.call(scalar, [value])
+            if vectorised:
+                return vector_intrinsic(builder, name, value)
+            return each_lane(builder, value, lambda v: builder.call(scalar, [v]))
+
+        return kind(x), codegen
+
+    @overload(function, strict=False)
+    def _in_numba(x: Any) -> Any:
+        return lambda x: of_number(x)
+
+    return function
+
+
+sqrt = _elementwise("sqrt", True, lambda x: cmath.sqrt(x) if isinstance(x, complex) else math.sqrt(x))
+log = _elementwise("log", False, lambda x: cmath.log(x) if isinstance(x, complex) else math.log(x))
+exp = _elementwise("exp", False, lambda x: cmath.exp(x) if isinstance(x, complex) else math.exp(x))
+sin = _elementwise("sin", False, lambda x: cmath.sin(x) if isinstance(x, complex) else math.sin(x))
+cos = _elementwise("cos", False, lambda x: cmath.cos(x) if isinstance(x, complex) else math.cos(x))
+absolute = _elementwise("fabs", True, lambda x: x if getattr(x, "real", x) >= 0 else -x)
+
+
+def where(mask: Any, a: Any, b: Any) -> Any:
+    """``a`` in the lanes where ``mask`` is true, ``b`` elsewhere."""
+    return a if mask else b
+
+
+@intrinsic
+def _select(typingctx: Any, mask: Any, a: Any, b: Any) -> Any:
+    lane = LaneType(mask.width)
+
+    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        x = context.cast(builder, args[1], sig.args[1], lane)
+        y = context.cast(builder, args[2], sig.args[2], lane)
+        return builder.select(args[0], x, y)
+
+    return lane(mask, a, b), codegen
+
+
+@overload(where, strict=False)
+def _where(mask: Any, a: Any, b: Any) -> Any:
+    if isinstance(mask, MaskType):
+        return lambda mask, a, b: _select(mask, a, b)
+    return lambda mask, a, b: a if mask else b
+
+
+def fma(a: Any, b: Any, c: Any) -> Any:
+    """a b + c rounded once in compiled code, so that every lane width rounds alike."""
+    return a * b + c
+
+
+@intrinsic
+def _fused(typingctx: Any, a: Any, b: Any, c: Any) -> Any:
+    kind = lane_type(a, b, c) or types.float64
+
+    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        values = [context.cast(builder, v, t, kind) for v, t in zip(args, sig.args, strict=True)]
+        if isinstance(kind, LaneType):
+            return vector_intrinsic(builder, "fma", *values)
+        return builder.fma(*values)
+
+    return kind(a, b, c), codegen
+
+
+@overload(fma, strict=False)
+def _fma(a: Any, b: Any, c: Any) -> Any:
+    return lambda a, b, c: _fused(a, b, c)
+
+
+def minimum(a: Any, b: Any) -> Any:
+    """The smaller number, lane by lane; ``b`` where ``a`` is NaN."""
+    return where(a < b, a, b)
+
+
+def maximum(a: Any, b: Any) -> Any:
+    """The larger number, lane by lane; ``b`` where ``a`` is NaN."""
+    return where(a > b, a, b)
+
+
+overload(minimum)(lambda a, b: lambda a, b: where(a < b, a, b))
+overload(maximum)(lambda a, b: lambda a, b: where(a > b, a, b))
+
+
+def any_true(mask: Any) -> bool:
+    """Whether the mask is true in at least one lane."""
+    return bool(mask)
+
+
+def negate(mask: Any) -> Any:
+    """The mask with every lane inverted."""
+    return not mask
+
+
+@intrinsic
+def _mask_any(typingctx: Any, mask: Any) -> Any:
+    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        bits = builder.bitcast(args[0], ir.IntType(mask.width))
+        return builder.icmp_unsigned("!=", bits, ir.Constant(bits.type, 0))
+
+    return types.boolean(mask), codegen
+
+
+@intrinsic
+def _mask_not(typingctx: Any, mask: Any) -> Any:
+    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        ones = splat(builder, ir.Constant(ir.IntType(1), 1), mask.width)
+        return builder.xor(args[0], ones)
+
+    return mask(mask), codegen
+
+
+@overload(any_true, strict=False)
+def _any_true(mask: Any) -> Any:
+    if isinstance(mask, MaskType):
+        return lambda mask: _mask_any(mask)
+    return lambda mask: bool(mask)
+
+
+@overload(negate, strict=False)
+def _negate(mask: Any) -> Any:
+    if isinstance(mask, MaskType):
+        return lambda mask: _mask_not(mask)
+    return lambda mask: not mask

@@ -1,0 +1,38 @@
+"""The environment: what a jump meets."""
+
+from dataclasses import dataclass
+
+from snapjump.checks import ParameterError, check_number
+from snapjump.parameters.robot import Robot
+
+
+@dataclass(frozen=True)
+class Environment:
+    """Friction coefficient mu, and the robot's whole mass as m_bar = m g L^2 / EI."""
+
+    mu: float = 0.3
+    mass_bar: float = 0.768
+
+    def __post_init__(self) -> None:
+        check_number("environment.mu", self.mu, 0.0)
+        check_number("environment.mass_bar", self.mass_bar, 0.0, above=True)
+
+    def mass_kg(self, robot: Robot) -> float:
+        """The robot's whole mass.
+
+        Raises ParameterError if that is no more than the beam's own mass, or if there is no
+        gravity to define m_bar with.
+        """
+        if robot.gravity_m_s2 == 0.0:
+            raise ParameterError(
+                "robot.gravity_m_s2", 0.0, "positive, since m_bar = m g L^2/EI defines the mass"
+            )
+        per_mass = robot.gravity_m_s2 * robot.length_m**2 / robot.bending_stiffness_N_m2
+        lightest = robot.beam_mass_kg * per_mass
+        if self.mass_bar <= lightest:
+            raise ParameterError(
+                "environment.mass_bar",
+                self.mass_bar,
+                f"above {lightest:.6g}, the mass of the beam alone",
+            )
+        return self.mass_bar / per_mass

@@ -1,0 +1,85 @@
+"""The robot: what is built once, in SI units, with the values of the paper's table."""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from snapjump.checks import ParameterError, check_number
+from snapjump.units import Scales
+
+
+@dataclass(frozen=True)
+class Robot:
+    """A beam clamped in a rigid frame (leg, top, leg).
+
+    ``mount_height`` is the height of the clamps above the feet: a number in metres, or
+    ``"optimal"`` for the depth h1(epsilon) of the beam's lowest point as it snaps, so that it
+    just touches the ground then.
+    """
+
+    length_m: float = 0.02
+    width_m: float = 0.01
+    thickness_m: float = 5e-5
+    youngs_modulus_Pa: float = 2e11  # noqa: N815 (the unit is a capital)
+    density_kg_m3: float = 5000.0
+    frame_height_m: float = 0.01
+    gravity_m_s2: float = 10.0
+    rotation_rate_rad_s: float = 20.0
+    rotation_end_rad: float = 1.5
+    mount_height: float | Literal["optimal"] = "optimal"
+
+    def __post_init__(self) -> None:
+        for name in (
+            "length_m",
+            "width_m",
+            "thickness_m",
+            "youngs_modulus_Pa",
+            "density_kg_m3",
+            "frame_height_m",
+        ):
+            unit = name.rsplit("_", 1)[1].replace("kg", "kg/m^3") if name[-1] != "3" else "kg/m^3"
+            check_number(f"robot.{name}", getattr(self, name), 0.0, above=True, unit=unit)
+        check_number("robot.gravity_m_s2", self.gravity_m_s2, 0.0, unit="m/s^2")
+        check_number(
+            "robot.rotation_rate_rad_s", self.rotation_rate_rad_s, 0.0, above=True, unit="rad/s"
+        )
+        check_number("robot.rotation_end_rad", self.rotation_end_rad, 0.0, math.pi / 2, unit="rad")
+        if self.thickness_m > 0.1 * self.length_m:
+            raise ParameterError(
+                "robot.thickness_m",
+                self.thickness_m,
+                f"a slender beam: at most a tenth of robot.length_m = {self.length_m:g} m",
+            )
+        if isinstance(self.mount_height, str):
+            if self.mount_height != "optimal":
+                raise ParameterError(
+                    "robot.mount_height", self.mount_height, "'optimal' or a number of metres"
+                )
+        else:
+            check_number(
+                "robot.mount_height",
+                self.mount_height,
+                0.0,
+                self.frame_height_m,
+                above=True,
+                unit="m (up to robot.frame_height_m), or 'optimal'",
+            )
+
+    @property
+    def bending_stiffness_N_m2(self) -> float:  # noqa: N802
+        return self.youngs_modulus_Pa * self.width_m * self.thickness_m**3 / 12.0
+
+    @property
+    def beam_mass_kg(self) -> float:
+        return self.density_kg_m3 * self.width_m * self.thickness_m * self.length_m
+
+    @property
+    def stretching_stiffness_bar(self) -> float:
+        """EA L^2 / EI = 12 (L/b)^2."""
+        return 12.0 * (self.length_m / self.thickness_m) ** 2
+
+    @property
+    def scales(self) -> Scales:
+        """Length L, time T = L^2 sqrt(rho A / EI), mass rho A L."""
+        time_s = math.sqrt(self.beam_mass_kg * self.length_m**3 / self.bending_stiffness_N_m2)
+        return Scales(self.length_m, time_s, self.beam_mass_kg)
