@@ -1,0 +1,95 @@
+"""static.png and cantilever.png: equilibria along the clamp angle, their energy and shapes."""
+
+import pathlib
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from snapjump.plots import palette
+from snapjump.plots.saving import picture
+
+SHAPE_COLOURS = (palette.BEAM, palette.FORCE, palette.CENTRE, palette.CLAMP, palette.VIOLET)
+
+
+def branches_picture(
+    arrays: dict[str, Any], headline: str, critical_rad: float | None, path: pathlib.Path
+) -> pathlib.Path:
+    """Draw those of the three panels that there are arrays for.
+
+    ``branch_*`` are 1-D with NaN between branches, ``shapes_*_bar`` are (S, N+1) in L.
+    """
+    arrays = {name: np.asarray(values) for name, values in arrays.items()}
+    curves = [
+        (f"branch_{name}_bar", label)
+        for name, label in (
+            ("midpoint", "height of the middle, y / L"),
+            ("energy", "elastic energy (EI/L)"),
+        )
+        if f"branch_{name}_bar" in arrays and "branch_alpha_rad" in arrays
+    ]
+    shapes = "shapes_x_bar" in arrays and "shapes_y_bar" in arrays
+    with picture(path, (12.0, 6.5), headline) as figure:
+        for place, (name, label) in enumerate(curves):
+            box = (0.07, 0.11, 0.40, 0.76) if place == 0 else (0.57, 0.57, 0.41, 0.30)
+            axes = figure.add_axes(box)
+            _draw_branches(axes, arrays, arrays[name], critical_rad, legend=place == 0)
+            axes.set_ylabel(label)
+        if shapes:
+            box = (0.57, 0.11, 0.41, 0.33) if curves else (0.07, 0.11, 0.9, 0.76)
+            _draw_shapes(figure.add_axes(box), arrays)
+    return path
+
+
+def stable_runs(alpha: Any, negative: Any) -> Iterator[tuple[slice, bool]]:
+    """Pieces of equal stability, parted at NaN; each reaches the next one's first point."""
+    broken = ~np.isfinite(alpha)
+    stable = np.asarray(negative) == 0
+    start = 0
+    for end in range(1, len(alpha) + 1):
+        if end == len(alpha) or broken[end] != broken[start] or stable[end] != stable[start]:
+            if not broken[start]:
+                joined = end < len(alpha) and not broken[end]
+                yield slice(start, end + joined), bool(stable[start])
+            start = end
+
+
+def _draw_branches(
+    axes: Any, arrays: dict[str, Any], values: Any, critical_rad: float | None, legend: bool
+) -> None:
+    """Solid where no pivot is negative (stable), dashed where one is."""
+    alpha = arrays["branch_alpha_rad"]
+    negative = arrays.get("branch_negative_pivots", np.zeros(len(alpha)))
+    for piece, stable in stable_runs(alpha, negative):
+        if stable:
+            axes.plot(alpha[piece], values[piece], color=palette.BEAM, lw=2.4, zorder=3)
+        else:
+            axes.plot(alpha[piece], values[piece], color=palette.FORCE, lw=1.7, ls=(0, (3, 2)))
+    axes.grid(True)
+    axes.set_xlabel("clamp angle α (rad)")
+    if critical_rad is not None:
+        axes.axvline(critical_rad, color=palette.QUIET, lw=1.0, zorder=1)
+    if legend:
+        axes.plot([], [], color=palette.BEAM, lw=2.4, label="stable")
+        axes.plot([], [], color=palette.FORCE, lw=1.7, ls=(0, (3, 2)), label="unstable")
+        if critical_rad is not None:
+            label = f"critical, {critical_rad:.6f} rad"
+            axes.plot([], [], color=palette.QUIET, lw=1.0, label=label)
+        axes.legend(loc="best")
+
+
+def _draw_shapes(axes: Any, arrays: dict[str, Any]) -> None:
+    """Shapes of the beam, to scale."""
+    x, y = np.atleast_2d(arrays["shapes_x_bar"]), np.atleast_2d(arrays["shapes_y_bar"])
+    labels = np.atleast_1d(arrays.get("shapes_label", [""] * len(x)))
+    for k in range(len(x)):
+        label = str(labels[k]) if k < len(labels) else ""
+        colour = SHAPE_COLOURS[k % len(SHAPE_COLOURS)]
+        axes.plot(x[k], y[k], color=colour, lw=2.2, label=label)
+    ends = x[:, [0, -1]].ravel(), y[:, [0, -1]].ravel()
+    axes.plot(*ends, "o", ms=4, mfc=palette.PAPER, mec=palette.INK)
+    axes.set(xlabel="x / L", ylabel="y / L")
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.grid(True)
+    if any(str(label) for label in labels):
+        axes.legend(loc="center left", bbox_to_anchor=(0.0, 0.5), fontsize=9.5)

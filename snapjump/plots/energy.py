@@ -1,0 +1,91 @@
+"""energy.png: where the energy is, where it goes, and that the books balance."""
+
+import pathlib
+from typing import Any
+
+import numpy as np
+
+from snapjump.plots import palette
+from snapjump.plots.books import Books
+from snapjump.plots.saving import picture
+
+LINES: dict[str, tuple[str, dict[str, Any]]] = {
+    "elastic": ("elastic", {"color": palette.BEAM, "lw": 2.2}),
+    "kinetic": ("kinetic", {"color": palette.CLAMP, "lw": 2.2}),
+    "gravitational": ("gravitational", {"color": palette.CENTRE, "lw": 2.0}),
+    "contact": ("contact", {"color": palette.FORCE, "lw": 1.6}),
+    "friction_loss": ("lost to friction", {"color": palette.FORCE, "lw": 2.2}),
+    "damping_loss": ("lost to damping", {"color": palette.VIOLET, "lw": 2.2}),
+    "numerical_loss": ("lost to time stepping", {"color": palette.SKY, "lw": 2.2}),
+}
+
+
+def energy_picture(
+    books: Books, headline: str, window: tuple[float, float] | None, path: pathlib.Path
+) -> pathlib.Path:
+    """Stored energies above, work and losses below; on the right the same, close to `window`."""
+    with picture(path, (12.0, 8.0), headline) as figure:
+        columns: list[tuple[float, float, tuple[float, float] | None]] = [(0.06, 0.335, None)]
+        if window is None:
+            columns = [(0.06, 0.69, None)]
+        else:
+            columns.append((0.415, 0.335, window))
+        for place, (left, width, zoom) in enumerate(columns):
+            upper = figure.add_axes((left, 0.43, width, 0.46))
+            lower = figure.add_axes((left, 0.08, width, 0.28))
+            _draw_stored(upper, books)
+            _draw_balance(lower, books)
+            for axes in (upper, lower):
+                axes.grid(True)
+                axes.set_xlim(zoom or (books.time[0], books.time[-1]))
+            upper.tick_params(labelbottom=False)
+            lower.set_xlabel("time from the start (ms)")
+            upper.set_title("whole run" if zoom is None else "snap and strike", loc="left")
+            if place == 0:
+                lower.set_title("balance = stored − initial − work + losses", loc="left")
+            if place > 0:
+                upper.tick_params(labelleft=False)
+                lower.tick_params(labelleft=False)
+            else:
+                upper.set_ylabel("stored energy (EI/L)")
+                lower.set_ylabel("work and losses (EI/L)")
+                if window is not None:
+                    for axes in (upper, lower):
+                        axes.axvspan(*window, color=palette.SHADE, zorder=0)
+        _second_scale(upper, books)
+        _second_scale(lower, books)
+        for axes, top in ((upper, 0.89), (lower, 0.36)):
+            handles, labels = axes.get_legend_handles_labels()
+            figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.812, top + 0.015))
+    return path
+
+
+def _draw_stored(axes: Any, books: Books) -> None:
+    """Each stored energy and their sum."""
+    for name, values in books.stored.items():
+        label, style = LINES[name]
+        axes.plot(books.time, values, label=label, **style)
+    axes.plot(books.time, books.total, color=palette.INK, lw=1.6, ls="--", label="total stored")
+    axes.axhline(0.0, color=palette.QUIET, lw=0.8, zorder=1)
+
+
+def _draw_balance(axes: Any, books: Books) -> None:
+    """Work of the clamps, losses, and the balance, which is zero."""
+    axes.plot(books.time, books.work, color=palette.QUIET, lw=2.2, label="work of the clamps")
+    for name, values in books.lost.items():
+        label, style = LINES[name]
+        axes.plot(books.time, values, label=label, **style)
+    worst = float(np.max(np.abs(books.balance)))
+    label = f"balance (within {worst:.0e})"
+    axes.plot(books.time, books.balance, color=palette.INK, lw=1.6, ls=":", label=label, zorder=5)
+
+
+def _second_scale(axes: Any, books: Books) -> None:
+    """The same energies in millijoule, or microjoule, on the right."""
+    name, factor = ("mJ", 1e3) if books.unit_J > 2e-4 else ("µJ", 1e6)
+    right = axes.secondary_yaxis(
+        "right",
+        functions=(lambda e: e * books.unit_J * factor, lambda e: e / books.unit_J / factor),
+    )
+    right.spines["right"].set_visible(True)
+    axes.text(1.03, 1.02, name, transform=axes.transAxes, va="bottom")

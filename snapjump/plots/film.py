@@ -1,0 +1,136 @@
+"""jump.gif and snap.gif: slow motion of the snap and strike, then the flight to the apex."""
+
+import io
+import pathlib
+
+import numpy as np
+
+from snapjump.plots import palette
+from snapjump.plots.camera import View, views
+from snapjump.plots.canvas import Canvas
+from snapjump.plots.moments import snap_interval
+from snapjump.plots.motion import Array, Motion, Poses, poses
+from snapjump.plots.robot_drawing import clamp_stubs
+from snapjump.plots.saving import save_bytes
+from snapjump.plots.trajectory import flight_end
+
+SIZE = (420, 460)
+BAR = 34  # pixels of the caption
+FRAME_MS = 40  # a frame's time on the screen
+HOLD_MS = 2000  # the last frame's
+LEAD, ACTION, FLIGHT = 14, 62, 36  # frames before the snap, of snap and strike, of the flight
+
+
+def film_times(motion: Motion, apex_ms: float | None) -> tuple[Array, int]:
+    """The instants shown (ms), and how many of them come before the flight."""
+    first, last = 0.0, float(motion.time[-1])
+    interval = snap_interval(motion)
+    begin = float(motion.time[interval[0]]) if interval is not None else first
+    lead = np.linspace(first, begin, LEAD, endpoint=False) if begin > first else np.array([])
+    near = np.concatenate([lead, np.linspace(begin, last, ACTION)])
+    end = flight_end(motion, apex_ms)
+    if end <= last:
+        return near, len(near)
+    return np.concatenate([near, np.linspace(last, end, FLIGHT + 1)[1:]]), len(near)
+
+
+def draw_film(
+    motion: Motion,
+    apex_ms: float | None,
+    apex: tuple[float, float] | None,
+    path: pathlib.Path,
+) -> pathlib.Path:
+    """Draw and write the film."""
+    times, close = film_times(motion, apex_ms)
+    shown = poses(motion, times)
+    cameras = views(motion, shown, close, SIZE, BAR)
+    largest = float(motion.push.max(initial=0.0))
+    pictures = []
+    for k, camera in enumerate(cameras):
+        canvas = Canvas(*SIZE)
+        _draw_world(canvas, camera, motion, shown, k, apex if k == len(cameras) - 1 else None)
+        _draw_robot(canvas, camera, shown, k)
+        if largest > 0.0 and times[k] <= motion.time[-1]:
+            _draw_push(canvas, camera, motion, times[k], largest)
+        _draw_caption(canvas, camera, motion, times, k)
+        pictures.append(canvas.picture())
+    durations = [FRAME_MS] * (len(pictures) - 1) + [HOLD_MS]
+    buffer = io.BytesIO()
+    pictures[0].save(
+        buffer, "GIF", save_all=True, append_images=pictures[1:], duration=durations, loop=0,
+        optimize=False,
+    )  # fmt: skip
+    return save_bytes(buffer.getvalue(), path)
+
+
+def _draw_world(
+    canvas: Canvas,
+    view: View,
+    motion: Motion,
+    shown: Poses,
+    k: int,
+    apex: tuple[float, float] | None,
+) -> None:
+    """Ground, the way of the centre of mass so far, and at the end the apex."""
+    if motion.centre is None or shown.centre is None:
+        return
+    surface = view.origin_y
+    canvas.rectangle((0.0, surface, canvas.width, canvas.height), palette.GROUND)
+    canvas.line([0.0, canvas.width], [surface, surface], palette.INK, 1.0)
+    if k > 0:
+        canvas.line(*view.at(*shown.centre[: k + 1].T), palette.CENTRE, 1.5)
+    if apex is not None:
+        x, y = view.at(np.array(apex[0]), np.array(apex[1]))
+        canvas.disc(float(x), float(y), 4.0, palette.FORCE)
+        to_left = x > 0.5 * canvas.width
+        mark = f"apex ({apex[0]:.2f}, {apex[1]:.2f}) L"
+        place = (
+            float(x) - 0.6 * view.scale - 12.0 if to_left else float(x) + 0.6 * view.scale + 12.0
+        )
+        canvas.text(place, float(y), mark, palette.INK, 14, "rm" if to_left else "lm")
+
+
+def _draw_robot(canvas: Canvas, view: View, shown: Poses, k: int) -> None:
+    """Frame, clamps, beam and centre of mass, with lines that thin out as the camera retreats."""
+    thin = float(np.clip(view.scale / 200.0, 0.3, 1.0))
+    if shown.corner_x is not None and shown.corner_y is not None:
+        corners = view.at(shown.corner_x[k], shown.corner_y[k])
+        canvas.line(*corners, palette.FRAME, 6.0 * thin)
+    x, y = shown.node_x[k], shown.node_y[k]
+    if thin > 0.5:
+        bars_x, bars_y = view.at(*clamp_stubs(x, y, 0.05))
+        for part in (slice(0, 2), slice(3, 5)):
+            canvas.line(bars_x[part], bars_y[part], palette.CLAMP, 8.0 * thin)
+    line_x, line_y = view.at(x, y)
+    canvas.line(line_x, line_y, palette.BEAM, 4.0 * thin)
+    if thin > 0.5:
+        for end in (0, -1):
+            canvas.disc(line_x[end], line_y[end], 4.5 * thin, palette.PAPER, palette.INK)
+    if shown.centre is not None:
+        at = view.at(*shown.centre[k])
+        canvas.disc(float(at[0]), float(at[1]), 2.0 + 3.0 * thin, palette.CENTRE)
+
+
+def _draw_push(canvas: Canvas, view: View, motion: Motion, time: float, largest: float) -> None:
+    """Arrows where the ground pushes, at the sample nearest in time."""
+    sample = int(np.argmin(abs(motion.time - time)))
+    for x, force in zip(motion.pad_x[sample], motion.pad_force[sample], strict=True):
+        vector = 0.25 * force / largest
+        if np.hypot(*vector) > 0.02:
+            tail, tip = np.array([x, 0.0]) - vector, np.array([x, 0.0])
+            canvas.arrow(view.at(*tail), view.at(*tip), palette.FORCE)
+
+
+def _draw_caption(canvas: Canvas, view: View, motion: Motion, times: Array, k: int) -> None:
+    """Clock, slow-down, and a bar of a round number of L."""
+    canvas.rectangle((0.0, 0.0, canvas.width, BAR), palette.SHADE)
+    canvas.text(12, BAR / 2, f"{times[k]:.2f} ms", palette.INK, 16, "lm")
+    step = times[min(k + 1, len(times) - 1)] - times[min(k, len(times) - 2)]
+    if step > 0.0:
+        slow = float(f"{FRAME_MS / step:.2g}")
+        canvas.text(0.5 * canvas.width, BAR / 2, f"slowed {slow:.0f} ×", palette.QUIET, 14, "mm")
+    sizes = np.array([0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0])
+    bar = float(sizes[np.argmin(abs(sizes * view.scale - 60.0))])
+    right, left = canvas.width - 60.0, canvas.width - 60.0 - bar * view.scale
+    canvas.line([left, right], [BAR / 2] * 2, palette.INK, 2.0)
+    canvas.text(right + 8, BAR / 2, f"{bar:g} L", palette.INK, 14, "lm")

@@ -1,0 +1,49 @@
+"""bounce.png and slide.png: where one node goes, and what the ground does to it."""
+
+import pathlib
+from typing import Any
+
+import numpy as np
+
+from snapjump.plots import palette
+from snapjump.plots.motion import Motion
+from snapjump.plots.saving import picture
+
+
+def point_picture(
+    arrays: dict[str, Any], motion: Motion, headline: str, path: pathlib.Path
+) -> pathlib.Path:
+    """Position along and above the ground, speed, and the ground's forces, against time."""
+    x, y = motion.node_x[:, 0], motion.node_y[:, 0]
+    rows = [("x / L", [(x, palette.BEAM, "")]), ("height y / L", [(y, palette.BEAM, "")])]
+    if motion.count > 2:
+        speeds = [
+            (np.gradient(column * motion.length_m, 1e-3 * motion.time), colour, name)
+            for column, colour, name in ((x, palette.CLAMP, "along"), (y, palette.CENTRE, "up"))
+        ]
+        rows.append(("speed (m/s)", speeds))
+    forces = [
+        (np.asarray(arrays[name]).reshape(-1), colour, label)
+        for name, colour, label in (
+            ("node_normal_N", palette.FORCE, "normal"),
+            ("node_friction_N", palette.VIOLET, "friction"),
+        )
+        if np.size(arrays.get(name, ())) == motion.count
+    ]
+    if forces:
+        rows.append(("force (N)", forces))
+    with picture(path, (10.0, 8.0), headline) as figure:
+        height = 0.87 / len(rows)
+        for place, (label, curves) in enumerate(rows):
+            axes = figure.add_axes((0.09, 0.94 - (place + 1) * height, 0.89, 0.86 * height))
+            for values, colour, name in curves:
+                axes.plot(motion.time, values, color=colour, lw=2.0, label=name)
+            axes.set_ylabel(label)
+            axes.grid(True)
+            axes.set_xlim(motion.time[0], max(motion.time[-1], motion.time[0] + 1e-9))
+            if len(curves) > 1:
+                axes.legend(loc="upper right")
+            if place < len(rows) - 1:
+                axes.tick_params(labelbottom=False)
+        axes.set_xlabel("time from the start (ms)")
+    return path

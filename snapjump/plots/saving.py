@@ -1,0 +1,38 @@
+"""Files written whole: a reader never sees half a picture."""
+
+import contextlib
+import io
+import os
+import pathlib
+from collections.abc import Iterator
+from typing import Any
+
+from snapjump.plots import palette
+
+DPI = 120
+
+
+def save_bytes(content: bytes, path: pathlib.Path) -> pathlib.Path:
+    """Write a temporary file beside `path`, then move it there."""
+    partial = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        partial.write_bytes(content)
+        os.replace(partial, path)
+    finally:
+        partial.unlink(missing_ok=True)
+    return path
+
+
+@contextlib.contextmanager
+def picture(path: pathlib.Path, size: tuple[float, float], title: str) -> Iterator[Any]:
+    """A matplotlib figure (inches) with a title line to draw on; written as a PNG at the end."""
+    import matplotlib
+    from matplotlib.figure import Figure
+
+    with matplotlib.rc_context(palette.STYLE):
+        figure = Figure(figsize=size, dpi=DPI)
+        figure.text(0.18 / size[0], 1.0 - 0.3 / size[1], title, fontsize=14, va="center")
+        yield figure
+        buffer = io.BytesIO()
+        figure.savefig(buffer, format="png", dpi=DPI, pil_kwargs={"compress_level": 4})
+    save_bytes(buffer.getvalue(), path)

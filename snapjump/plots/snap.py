@@ -1,0 +1,41 @@
+"""snap.png: a filmstrip of the snap, and the motion of the beam's middle."""
+
+import pathlib
+
+import numpy as np
+
+from snapjump.plots import palette
+from snapjump.plots.filmstrip import draw_filmstrip
+from snapjump.plots.moments import middle_height
+from snapjump.plots.motion import Array, Motion
+from snapjump.plots.saving import picture
+
+
+def middle_angle(motion: Motion) -> Array:
+    """Tangent angle at the middle in rad (K,): over the two elements that meet there."""
+    middle = motion.node_x.shape[1] // 2
+    left, right = max(middle - 1, 0), min(middle + 1, motion.node_x.shape[1] - 1)
+    if motion.node_x.shape[1] % 2 == 0:
+        right = middle  # an odd number of elements: the middle one
+    rise = motion.node_y[:, right] - motion.node_y[:, left]
+    return np.arctan2(rise, motion.node_x[:, right] - motion.node_x[:, left])
+
+
+def snap_picture(motion: Motion, headline: str, path: pathlib.Path) -> pathlib.Path:
+    """Filmstrip on the left; height and angle of the middle against time on the right."""
+    with picture(path, (12.0, 8.0), headline) as figure:
+        draw_filmstrip(figure, motion, None, (0.015, 0.02, 0.60, 0.91))
+        curves = (
+            ("height of the middle over the clamps, y / L", middle_height(motion), palette.BEAM),
+            ("tangent angle at the middle (rad)", middle_angle(motion), palette.VIOLET),
+        )
+        for place, (label, values, colour) in enumerate(curves):
+            axes = figure.add_axes((0.685, 0.53 - 0.455 * place, 0.3, 0.36))
+            axes.plot(motion.time, values, color=colour, lw=2.2)
+            axes.set_title(label, loc="left")
+            axes.grid(True)
+            axes.axhline(0.0, color=palette.QUIET, lw=0.8, zorder=1)
+            axes.set_xlim(0.0, max(float(motion.time[-1]), 1e-9))
+            if place == 1:
+                axes.set_xlabel("time from the start (ms)")
+    return path

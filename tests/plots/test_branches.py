@@ -1,0 +1,44 @@
+"""Branches: solid where stable, dashed where not, parted at NaN."""
+
+import pathlib
+from typing import Any
+
+import numpy as np
+from PIL import Image
+
+from snapjump.plots import figures
+from snapjump.plots.branches import stable_runs
+
+
+def test_runs_part_at_nan_and_join_at_a_change_of_stability() -> None:
+    nan = np.nan
+    alpha = np.array([0.0, 0.1, 0.2, 0.3, nan, 0.0, 0.1, nan, nan])
+    negative = np.array([0, 0, 1, 1, 0, 0, 0, 0, 0])
+    runs = [(run.start, run.stop, stable) for run, stable in stable_runs(alpha, negative)]
+    assert runs == [(0, 3, True), (2, 4, False), (5, 7, True)]
+    assert list(stable_runs(np.array([]), np.array([]))) == []
+
+
+def test_static_and_cantilever(jump: Any, tmp_path: pathlib.Path) -> None:
+    alpha = np.linspace(0.0, 1.2, 60)
+    arch = 0.28 - 0.05 * alpha**2
+    arrays = {
+        "branch_alpha_rad": np.concatenate([alpha, [np.nan], alpha]),
+        "branch_midpoint_bar": np.concatenate([arch, [np.nan], -0.3 - 0.05 * alpha]),
+        "branch_energy_bar": np.concatenate([5.0 + 3.0 * alpha, [np.nan], 9.0 - 3.0 * alpha]),
+        "branch_negative_pivots": np.concatenate([alpha > 0.9, [0], 0 * alpha]),
+    }
+    x = np.linspace(-0.4, 0.4, 50)
+    arrays["shapes_x_bar"] = np.stack([x, x])
+    arrays["shapes_y_bar"] = np.stack([0.2 * np.cos(4 * x) ** 2, -0.3 * np.cos(3.9 * x)])
+    arrays["shapes_label"] = np.array(["critical, 0.9117 rad", "snapped"])
+    base = vars(jump.simulation)
+    for scene, keep in (("static", ""), ("cantilever", "shapes"), ("static", "branch")):
+        simulation = type(jump.simulation)(**{**base, "scene_name": scene})
+        kept = {name: values for name, values in arrays.items() if name.startswith(keep)}
+        summary = {"alpha_critical_rad": 0.911665}
+        result = type(jump)(status="ok", summary=summary, arrays=kept, simulation=simulation)
+        paths = figures(result, tmp_path / f"{scene}{keep}")
+        assert [path.name for path in paths] == [f"{scene}.png"]
+        with Image.open(paths[0]) as image:
+            assert image.size == (1440, 780)

@@ -1,0 +1,62 @@
+"""Instants, interpolation and the ballistic flight that the pictures show."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from snapjump.plots.moments import middle_height, moments, snap_interval
+from snapjump.plots.motion import poses, read_motion
+from snapjump.plots.trajectory import flight_end
+
+
+def test_samples_are_met_and_halfway_is_the_mean(jump: Any) -> None:
+    motion = read_motion(jump)
+    assert motion is not None
+    at = poses(motion, motion.time)
+    assert at.node_y == pytest.approx(motion.node_y, abs=1e-12)
+    half = poses(motion, 0.5 * (motion.time[1:] + motion.time[:-1]))
+    assert half.node_x == pytest.approx(0.5 * (motion.node_x[1:] + motion.node_x[:-1]), abs=1e-9)
+
+
+def test_flight_ends_at_the_apex_and_keeps_shape_and_turning(jump: Any) -> None:
+    motion = read_motion(jump)
+    assert motion is not None
+    assert motion.turning == pytest.approx(-0.06, rel=1e-6)
+    end = flight_end(motion, None)
+    assert end == pytest.approx(1e3 * jump.summary["apex_time_s"])
+    flown = poses(motion, np.array([motion.time[-1], end]))
+    assert flown.centre is not None and flown.corner_x is not None and flown.corner_y is not None
+    assert flown.centre[1] == pytest.approx([jump.summary["x_bar"], jump.summary["y_bar"]])
+    width = np.hypot(np.diff(flown.corner_x[:, 1:3])[:, 0], np.diff(flown.corner_y[:, 1:3])[:, 0])
+    assert width == pytest.approx(0.8)
+    angle = np.arctan2(np.diff(flown.corner_y[:, 1:3]), np.diff(flown.corner_x[:, 1:3]))[:, 0]
+    turned = (angle[1] - angle[0] - motion.turning * (end - motion.time[-1])) / (2 * np.pi)
+    assert turned == pytest.approx(round(turned), abs=1e-9)
+
+
+def test_middle_height_is_measured_in_the_frame(jump: Any) -> None:
+    """Turning and moving everything changes nothing."""
+    motion = read_motion(jump)
+    assert motion is not None
+    height = middle_height(motion)
+    assert height[0] == pytest.approx(motion.node_y[0, 32] - motion.node_y[0, 0])
+    flown = poses(motion, np.array([motion.time[-1], motion.time[-1] + 50.0]))
+    both = read_motion(jump)
+    assert both is not None
+    object.__setattr__(both, "node_x", flown.node_x)
+    object.__setattr__(both, "node_y", flown.node_y)
+    assert np.ptp(middle_height(both)) < 1e-12
+
+
+def test_moments_are_named_in_order_and_eight(jump: Any) -> None:
+    motion = read_motion(jump)
+    assert motion is not None
+    snap = snap_interval(motion)
+    assert snap is not None and snap[0] < snap[1]
+    chosen = moments(motion, 6.0)
+    assert len(chosen) == 8
+    assert [index for index, _ in chosen] == sorted({index for index, _ in chosen})
+    wanted = ["start", "snap begins", "at clamp level", "beam strikes", "hardest push", "lift-off"]
+    assert [name for _, name in chosen if name] == [*wanted, "in flight"]
+    assert len(moments(motion, None, wanted=3)) >= 3
