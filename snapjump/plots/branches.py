@@ -89,7 +89,17 @@ def _draw_shapes(axes: Any, arrays: dict[str, Any]) -> None:
     ends = x[:, [0, -1]].ravel(), y[:, [0, -1]].ravel()
     axes.plot(*ends, "o", ms=4, mfc=palette.PAPER, mec=palette.INK)
     axes.set(xlabel="x / L", ylabel="y / L")
-    axes.set_aspect("equal", adjustable="datalim")
     axes.grid(True)
+    _leave_room(axes, x, y)
     if any(str(label) for label in labels):
-        axes.legend(loc="center left", bbox_to_anchor=(0.0, 0.5), fontsize=9.5)
+        axes.legend(loc="upper right")
+
+
+def _leave_room(axes: Any, x: Any, y: Any) -> None:
+    """Equal scales, the shapes on the left, and room on their right for the legend."""
+    box = axes.get_window_extent()
+    low, high = np.nanmin(y) - 0.05, np.nanmax(y) + 0.05
+    left, right = np.nanmin(x) - 0.08, np.nanmax(x) + 0.08
+    width = max(1.7 * (right - left), (high - low) * box.width / box.height)
+    extra = width * box.height / box.width - (high - low)
+    axes.set(xlim=(left, left + width), ylim=(low - 0.5 * extra, high + 0.5 * extra))

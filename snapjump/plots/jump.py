@@ -34,12 +34,18 @@ def apex_of(result: Any) -> tuple[float, float] | None:
 def headline(result: Any) -> str:
     """What was simulated: scene, design, environment, and how it ended if not well."""
     simulation = result.simulation
-    text = f"{simulation.scene_name.capitalize()}:  $\\varepsilon$ = {simulation.design.epsilon:g}"
-    text += f",  $\\Delta\\alpha$ = {simulation.design.delta_alpha:g} rad"
-    if simulation.scene_name == "jump":
-        text += f",  $\\mu$ = {simulation.environment.mu:g}"
-        text += f",  $\\bar m$ = {simulation.environment.mass_bar:g}"
-        text += f",  L = {1e3 * simulation.robot.length_m:g} mm"
+    scene, design, environment = simulation.scene_name, simulation.design, simulation.environment
+    parts = []
+    if scene in ("jump", "snap", "static"):
+        parts.append(f"ε = {design.epsilon:g}")
+        parts.append(f"Δα = {design.delta_alpha:g} rad")
+    if scene in ("jump", "slide"):
+        parts.append(f"μ = {environment.mu:g}")
+    if scene == "jump":
+        parts.append(f"m\u0304 = {environment.mass_bar:g}")
+    if scene != "bounce" and scene != "slide":
+        parts.append(f"L = {1e3 * simulation.robot.length_m:g} mm")
+    text = scene.capitalize() + (":  " + ",  ".join(parts) if parts else "")
     return text if result.status == "ok" else f"{text}   ({result.status})"
 
 

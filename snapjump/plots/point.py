@@ -15,7 +15,10 @@ def point_picture(
 ) -> pathlib.Path:
     """Position along and above the ground, speed, and the ground's forces, against time."""
     x, y = motion.node_x[:, 0], motion.node_y[:, 0]
-    rows = [("x / L", [(x, palette.BEAM, "")]), ("height y / L", [(y, palette.BEAM, "")])]
+    rows: list[tuple[str, list[tuple[Any, str, str]]]] = []
+    for label, column in (("x / L", x), ("height y / L", y)):
+        if np.ptp(column) > 1e-9:
+            rows.append((label, [(column, palette.BEAM, "")]))
     if motion.count > 2:
         speeds = [
             (np.gradient(column * motion.length_m, 1e-3 * motion.time), colour, name)
@@ -32,6 +35,7 @@ def point_picture(
     ]
     if forces:
         rows.append(("force (N)", forces))
+    rows = rows or [("height y / L", [(y, palette.BEAM, "")])]
     with picture(path, (10.0, 8.0), headline) as figure:
         height = 0.87 / len(rows)
         for place, (label, curves) in enumerate(rows):

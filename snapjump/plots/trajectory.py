@@ -40,24 +40,26 @@ def draw_trajectory(
         if shown.corner_x is not None and shown.corner_y is not None:
             corners = shown.corner_x[k], shown.corner_y[k]
         draw_robot(axes, shown.node_x[k], shown.node_y[k], corners, scale=0.5, alpha=0.75)
+    flies = end > motion.time[-1]
     axes.plot(
         *flight.centre.T, ls=(0, (4, 2.5)), lw=1.6, color=palette.CENTRE, alpha=0.75, zorder=7,
-        label="ballistic flight",
+        label="ballistic flight" if flies else None,
     )  # fmt: skip
     axes.plot(*motion.centre.T, lw=2.8, color=palette.CENTRE, zorder=8, label="simulated")
     if apex is not None:
         _mark_apex(axes, apex, motion.length_m)
     axes.set(xlabel="x / L", ylabel="y / L", aspect="equal")
     axes.grid(True)
-    axes.set_title("centre of mass, from start to apex", loc="left", pad=6)
-    rightward = top[0] >= motion.centre[0, 0]
-    low, high = axes.get_ylim()
-    axes.legend(
-        loc="lower right" if rightward else "lower left",
-        bbox_to_anchor=(1.0 if rightward else 0.0, -low / (high - low)),
-        handlelength=1.8,
-        borderaxespad=0.3,
+    axes.set_title(
+        "centre of mass, from start to apex" if flies else "centre of mass", loc="left", pad=6
     )
+    if flies:
+        side, room = ("right", 1.0) if top[0] >= motion.centre[0, 0] else ("left", 0.0)
+        low, high = axes.get_ylim()
+        place = {"loc": f"lower {side}", "bbox_to_anchor": (room, -low / (high - low))}
+    else:
+        place = {"loc": "upper right"}
+    axes.legend(handlelength=1.8, borderaxespad=0.3, **place)
 
 
 def _silhouettes(motion: Motion, end: float) -> Poses:
