@@ -5,7 +5,7 @@ A law is a ``NamedTuple`` of dimensionless numbers. Forces are in EI/L^2, veloci
 
 from typing import Any
 
-from snapjump.number.dispatch import family_function
+from snapjump.number.dispatch import family_function, kernel
 from snapjump.number.functions import absolute, where
 
 
@@ -28,6 +28,7 @@ def slip(friction: Any, velocity: Any, previous: Any) -> Any:
     """
 
 
+@kernel
 def regularised_sign(velocity: Any, threshold: Any) -> Any:
     """Smoothed sign of the velocity and its slope: 2 v/e - v|v|/e^2 for |v| < e.
 

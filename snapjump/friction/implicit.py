@@ -2,12 +2,12 @@
 
 from typing import Any, NamedTuple
 
-from numba.extending import register_jitable
+
 
 from snapjump.friction.base import has_friction, is_lagged, regularised_sign, slip
 from snapjump.number.functions import where
 
-regularised = register_jitable(regularised_sign)
+
 
 
 class ImplicitFriction(NamedTuple):
@@ -29,7 +29,7 @@ def _is_lagged(friction: ImplicitFriction) -> bool:
 
 @slip.member(ImplicitFriction)
 def _slip(friction: ImplicitFriction, velocity: Any, previous: Any) -> Any:
-    sign, slope = regularised(velocity, friction.velocity_threshold)
+    sign, slope = regularised_sign(velocity, friction.velocity_threshold)
     # Newton would jump to and fro across the stick zone: after a change of sign, use the slope
     # at rest, the steepest there is.
     slope = where(velocity * previous < 0.0, 2.0 / friction.velocity_threshold, slope)

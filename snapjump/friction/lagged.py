@@ -5,11 +5,11 @@ It is explicit, hence unstable for steps above eps_v m / (mu N).
 
 from typing import Any, NamedTuple
 
-from numba.extending import register_jitable
+
 
 from snapjump.friction.base import has_friction, is_lagged, regularised_sign, slip
 
-regularised = register_jitable(regularised_sign)
+
 
 
 class LaggedFriction(NamedTuple):
@@ -31,5 +31,5 @@ def _is_lagged(friction: LaggedFriction) -> bool:
 
 @slip.member(LaggedFriction)
 def _slip(friction: LaggedFriction, velocity: Any, previous: Any) -> Any:
-    sign, _ = regularised(velocity, friction.velocity_threshold)
+    sign, _ = regularised_sign(velocity, friction.velocity_threshold)
     return friction.mu * sign, 0.0 * sign

@@ -14,6 +14,9 @@ from numba.extending import overload, register_jitable
 Function = Callable[..., Any]
 
 
+kernel = register_jitable  # a plain Python function that compiled code may call
+
+
 def member_class(kind: Any) -> Any:
     """The Python class behind a numba named-tuple type, or the type itself."""
     return getattr(kind, "instance_class", kind)

@@ -1,0 +1,85 @@
+"""Discretizations of the beam: the contract that every one fulfils.
+
+A discretization is a ``NamedTuple`` of dimensionless numbers (EI = rho A = L = 1). The beam is a
+chain of N elements and N + 1 nodes with two coordinates each, all of them in the state vector
+(x_0, y_0, x_1, y_1, ...). Nodes at clamps are slaves of the frame, which condenses their rows and
+columns onto its own coordinates (:mod:`snapjump.frame`).
+
+The tangent matrix is symmetric and stored as a lower band, column by column: ``band[j, k]`` is
+the entry of row j + k and column j, for k = 0 ... HALF_BANDWIDTH.
+"""
+
+from typing import Any, NamedTuple
+
+from snapjump.number.dispatch import family_function
+
+HALF_BANDWIDTH = 5
+
+
+class EndTangents(NamedTuple):
+    """Prescribed unit tangents at both ends and the rates of their directions (rad/T).
+
+    Where ``right_free`` is 1 the last tangent is free and only feels ``right_moment``.
+    """
+
+    left_x: Any
+    left_y: Any
+    left_rate: Any
+    right_x: Any
+    right_y: Any
+    right_rate: Any
+    right_free: Any
+    right_moment: Any
+
+
+class EndHinge(NamedTuple):
+    """A hinge between a prescribed tangent and an end edge.
+
+    ``moment`` is dE/dphi, ``stiffness`` its derivative, and (``slope_x``, ``slope_y``) the
+    gradient of the edge's direction with respect to the edge vector (rad/L).
+    """
+
+    moment: Any
+    stiffness: Any
+    slope_x: Any
+    slope_y: Any
+
+
+@family_function
+def has_elements(discretization: Any) -> Any:
+    """Whether there is a beam at all (False for loose nodes)."""
+
+
+@family_function
+def clamp_offset(discretization: Any) -> Any:
+    """Distance from the mount, along the clamped tangent, at which the chain begins (in L)."""
+
+
+@family_function
+def add_internal_forces(
+    discretization: Any,
+    damping: Any,
+    position: Any,
+    origin: Any,
+    rate_factor: Any,
+    tangents: Any,
+    residual: Any,
+    band: Any,
+) -> Any:
+    """Add gradient and tangent of the elastic (and viscous) energy to residual and band.
+
+    Velocities are ``(position - origin) * rate_factor``, as in every stage of an integrator.
+    Returns the two end hinges and the largest element force, a scale for residuals.
+    """
+
+
+@family_function
+def internal_energy(discretization: Any, position: Any, tangents: Any) -> Any:
+    """Elastic energy of the chain, stretching and bending (in EI/L)."""
+
+
+@family_function
+def damping_power(
+    discretization: Any, damping: Any, position: Any, velocity: Any, tangents: Any
+) -> Any:
+    """Power that damping takes out of the chain (in EI/(L T)), and the moments of both clamps."""

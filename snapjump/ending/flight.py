@@ -1,0 +1,93 @@
+"""The ending of a jump: nothing can touch the ground any more before the apex.
+
+The centre of mass moves ballistically once nothing touches. The robot fits a box that turns with
+the frame; a corner of it at height y with velocity w, at distance r from the centre of mass and
+turning at rate Omega, stays above y + w t - (g + Omega^2 r) t^2 / 2. That bound is concave, so it
+is positive up to some moment if it is so now and then; the moment is the apex, or the time from
+which the centre of mass is higher than the box's radius.
+"""
+
+from typing import Any, NamedTuple
+
+from snapjump.contact.base import contact_reach
+from snapjump.ending.base import judge, time_limit
+from snapjump.engine.centre_of_mass import centre_of_mass
+from snapjump.engine.clock import COM_VX, COM_VY, COM_X, COM_Y, GAP, TIME
+from snapjump.engine.status import NO_JUMP, OK, RUNNING
+from snapjump.load.base import gravity
+from snapjump.number.dispatch import kernel
+from snapjump.number.functions import absolute, any_true, cos, maximum, minimum, sin, sqrt, where
+
+# The beam's vibration makes the frame's rotation waver; its mass is a few percent of the frame's.
+TURN_MARGIN = 0.25
+# Nodes of a stretched beam may lie a little outside the ellipse of an inextensible one.
+REACH_MARGIN = 1.02
+
+
+class FlightEnding(NamedTuple):
+    """The last moment (T), at which a robot still on the ground has not jumped."""
+
+    duration: float
+
+
+@time_limit.member(FlightEnding)
+def _time_limit(ending: FlightEnding) -> Any:
+    return ending.duration
+
+
+@kernel
+def clear_of_ground(model: Any, work: Any, com_x: Any, com_y: Any, rise: Any) -> Any:
+    """Whether the box cannot touch the ground before the apex (see the module's text)."""
+    frame = model.frame
+    state = work.state
+    fall = gravity(model.load)
+    reach = contact_reach(model.contact)
+    turn = work.velocity[0, 2]
+    c = cos(state[2])
+    s = sin(state[2])
+    depth = 0.5 * REACH_MARGIN * sqrt(1.0 - 4.0 * frame.half_span * frame.half_span)
+    low = minimum(frame.foot_y, frame.mount_y - depth)
+    high = maximum(frame.top_y, frame.mount_y + depth)
+    half_width = 0.5 * REACH_MARGIN
+
+    radius = 0.0 * c
+    for corner in range(4):
+        x = -half_width if corner < 2 else half_width
+        y = low if corner % 2 == 0 else high
+        rx = state[0] + c * x - s * y - com_x
+        ry = state[1] + s * x + c * y - com_y
+        radius = maximum(radius, sqrt(rx * rx + ry * ry))
+    missing = maximum(radius + reach - com_y, 0.0 * c)
+    discriminant = rise * rise - 2.0 * fall * missing
+    apex = rise / fall
+    horizon = where(
+        discriminant > 0.0, (rise - sqrt(maximum(discriminant, 0.0 * c))) / fall, apex
+    )
+    clear = rise > 0.0
+    for corner in range(4):
+        x = -half_width if corner < 2 else half_width
+        y = low if corner % 2 == 0 else high
+        rx = state[0] + c * x - s * y - com_x
+        height = state[1] + s * x + c * y - reach
+        climb = rise + turn * rx - TURN_MARGIN * absolute(turn) * radius
+        bend = fall + turn * turn * radius
+        later = height + climb * horizon - 0.5 * bend * horizon * horizon
+        clear = clear & (height > 0.0) & (later > 0.0)
+    return clear
+
+
+@judge.member(FlightEnding)
+def _judge(ending: FlightEnding, model: Any, masses: Any, work: Any) -> Any:
+    clock = work.clock
+    over = clock[TIME] >= ending.duration * (1.0 - 1e-12)
+    airborne = clock[GAP] >= contact_reach(model.contact)
+    status = where(over, 1.0 * NO_JUMP, 1.0 * RUNNING)
+    if any_true(airborne | over):
+        x, y, vx, vy = centre_of_mass(model, masses, work.state, work.velocity[0])
+        clock[COM_X] = x
+        clock[COM_Y] = y
+        clock[COM_VX] = vx
+        clock[COM_VY] = vy
+        clear = airborne & clear_of_ground(model, work, x, y, vy)
+        status = where(clear, 1.0 * OK, status)
+    return status

@@ -1,0 +1,46 @@
+"""Static equilibrium: the stage problem without inertia, followed along the clamps' rotation."""
+
+from typing import Any
+
+from snapjump.clamp.base import clamp_angles
+from snapjump.discretization.base import clamp_offset
+from snapjump.engine.assemble import Motion
+from snapjump.engine.clock import BACKTRACKS, ITERATION, RESIDUAL, SIZE
+from snapjump.engine.newton import newton_iteration
+from snapjump.frame.base import frame_dofs, place_ends
+from snapjump.number.dispatch import kernel
+from snapjump.number.functions import any_true, maximum, negate, where
+
+TOLERANCE = 1e-10  # of the last correction (L)
+ANCHOR = 1e3  # spring that holds the x that statics leaves undetermined (EI/L^3)
+MOST_ITERATIONS = 60
+
+
+@kernel
+def settle(model: Any, masses: Any, work: Any, time: Any) -> Any:
+    """Newton's method from ``work.state`` to the equilibrium at the clamps' angles of ``time``.
+
+    Returns the number of negative pivots (0: stable) and the mask of lanes that failed.
+    """
+    clock = work.clock
+    zero = 0.0 * clock[ITERATION]
+    motion = Motion(time + zero, zero, zero + ANCHOR)
+    clock[ITERATION] = zero
+    clock[SIZE] = zero
+    clock[BACKTRACKS] = zero
+    dofs = frame_dofs(model.frame)
+    angles = clamp_angles(model.clamp, motion.time)
+    place_ends(model.frame, clamp_offset(model.discretization), angles, work.state)
+    for i in range(dofs, work.state.shape[0]):
+        work.origin[i] = work.state[i]
+    negative = zero
+    done = zero > 1.0
+    failed = zero > 1.0
+    for _ in range(MOST_ITERATIONS):
+        step = newton_iteration(model, motion, masses, work, TOLERANCE, 1.0 * MOST_ITERATIONS, 0.0)
+        negative = where(done, negative, step.negative_pivots)
+        done = done | step.converged
+        failed = failed | step.failed
+        if not any_true(negate(done | failed)):
+            break
+    return negative, negate(done)

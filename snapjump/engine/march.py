@@ -1,0 +1,294 @@
+"""The time loop: lanes full of robots, each with its own time, step and stage.
+
+One pass of the loop is one Newton iteration of every lane. Whatever a lane's iteration calls for
+next (another one, the next stage, the next step, a repetition, the next robot in the queue)
+happens under masks, so that no lane waits for another.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from snapjump.ending.base import judge, time_limit
+from snapjump.engine.assemble import Motion
+from snapjump.engine.clock import (
+    ACTIVE,
+    ERROR,
+    FAILURES,
+    GAP,
+    ITERATIONS,
+    LARGEST_RESIDUAL,
+    LAST_CONTACT,
+    REJECTED,
+    RESIDUAL,
+    SMALLEST_GAP,
+    STAGE,
+    STATUS,
+    STEP,
+    STEPS,
+    TIME,
+)
+from snapjump.engine.model import with_numbers
+from snapjump.engine.newton import newton_iteration
+from snapjump.engine.stage import (
+    begin_stage,
+    commit_step,
+    contact_frequency,
+    estimate_error,
+    pick,
+    store_stage,
+)
+from snapjump.engine.start import follow_branch
+from snapjump.engine.status import (
+    ITERATION_LIMIT,
+    NOT_FINITE,
+    RUNNING,
+    STEP_UNDERFLOW,
+)
+from snapjump.contact.base import contact_reach
+from snapjump.number.dispatch import kernel
+from snapjump.number.functions import any_true, maximum, minimum, negate, where
+from snapjump.number.lane import view_numbers
+from snapjump.engine.work import System, Work
+from snapjump.recorder.base import record_start, record_step, tally_stage
+from snapjump.stepping.base import (
+    accepts,
+    first_step,
+    newton_tolerance,
+    next_step,
+    smallest_step,
+    step_after_failure,
+)
+
+MOST_BACKTRACKS = 4.0  # in one stage
+
+
+class Queue(NamedTuple):
+    """Robots to be simulated and what became of them, R in all.
+
+    numbers (R, P): of each model; state, velocity, acceleration (R, D): at its beginning;
+    status (R): 0 to march, else skipped; outcome (R, ROWS): the lane's clock at its end;
+    cursor (2): next robot, robots still under way; carried (W): which robot each lane carries.
+    """
+
+    numbers: NDArray[np.float64]
+    state: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    acceleration: NDArray[np.float64]
+    status: NDArray[np.float64]
+    outcome: NDArray[np.float64]
+    cursor: NDArray[np.int64]
+    carried: NDArray[np.int64]
+
+
+class Limits(NamedTuple):
+    """Newton iterations of a stage, and of a whole march."""
+
+    of_a_stage: float
+    of_a_march: float
+
+
+@kernel
+def view_work(work: Any, lanes: Any) -> Work:
+    """The memory as arrays of numbers, one lane or many."""
+    system = System(
+        view_numbers(work.system.residual, lanes),
+        view_numbers(work.system.band, lanes),
+        view_numbers(work.system.border, lanes),
+        view_numbers(work.system.square, lanes),
+    )
+    return Work(
+        view_numbers(work.state, lanes),
+        view_numbers(work.start, lanes),
+        view_numbers(work.origin, lanes),
+        view_numbers(work.drift, lanes),
+        view_numbers(work.change, lanes),
+        view_numbers(work.velocity, lanes),
+        view_numbers(work.acceleration, lanes),
+        view_numbers(work.slip, lanes),
+        view_numbers(work.clock, lanes),
+        view_numbers(work.numbers, lanes),
+        system,
+    )
+
+
+@kernel
+def load_robot(memory: Any, lane: int, queue: Any, robot: int, step: float) -> None:
+    """Put a robot of the queue into a lane."""
+    for k in range(memory.numbers.shape[0]):
+        memory.numbers[k, lane] = queue.numbers[robot, k]
+    for i in range(memory.state.shape[0]):
+        memory.state[i, lane] = queue.state[robot, i]
+        memory.start[i, lane] = queue.state[robot, i]
+        memory.velocity[0, i, lane] = queue.velocity[robot, i]
+        memory.acceleration[0, i, lane] = queue.acceleration[robot, i]
+    for k in range(memory.clock.shape[0]):
+        memory.clock[k, lane] = 0.0
+    memory.clock[STEP, lane] = step
+    memory.clock[STAGE, lane] = 1.0
+    memory.clock[SMALLEST_GAP, lane] = 1e30
+    memory.clock[ACTIVE, lane] = 1.0
+
+
+@kernel
+def refill(memory: Any, lane: int, queue: Any, step: float) -> None:
+    """Give a lane the next robot of the queue, or let it idle on the one it has."""
+    while queue.cursor[0] < queue.status.shape[0]:
+        robot = queue.cursor[0]
+        queue.cursor[0] += 1
+        if queue.status[robot] == RUNNING:
+            load_robot(memory, lane, queue, robot, step)
+            queue.carried[lane] = robot
+            queue.cursor[1] += 1
+            return
+        queue.outcome[robot, STATUS] = queue.status[robot]
+    memory.clock[ACTIVE, lane] = 0.0
+    queue.carried[lane] = -1
+
+
+@njit(cache=True, error_model="numpy")
+def find_starts(template: Any, masses: Any, memory: Any, queue: Queue, lanes: Any) -> None:
+    """Follow every queued robot's static branch from the guess in ``queue.state`` to its start."""
+    width = memory.clock.shape[1]
+    robots = queue.status.shape[0]
+    work = view_work(memory, lanes)
+    for first in range(0, robots, width):
+        for lane in range(width):
+            robot = min(first + lane, robots - 1)
+            load_robot(memory, lane, queue, robot, 1.0)
+        model = with_numbers(template, work.numbers)
+        work.clock[STATUS] = follow_branch(model, masses, work)
+        for lane in range(width):
+            robot = first + lane
+            if robot < robots:
+                queue.status[robot] = memory.clock[STATUS, lane]
+                for i in range(memory.state.shape[0]):
+                    queue.state[robot, i] = memory.start[i, lane]
+                    queue.velocity[robot, i] = memory.velocity[0, i, lane]
+                    queue.acceleration[robot, i] = memory.acceleration[0, i, lane]
+
+
+@njit(cache=True, error_model="numpy")
+def march(
+    template: Any,
+    masses: Any,
+    tableau: Any,
+    stepping: Any,
+    ending: Any,
+    limits: Limits,
+    recorder: Any,
+    memory: Any,
+    queue: Queue,
+    lanes: Any,
+    passes: int,
+) -> bool:
+    """Simulate the queue's robots for at most ``passes`` passes; True when none is left.
+
+    All state is in ``memory`` and ``queue``: calling again goes on. ``lanes`` is a tuple whose
+    length is the number of lanes (see :func:`snapjump.number.lane.view_numbers`).
+    """
+    width = memory.clock.shape[1]
+    work = view_work(memory, lanes)
+    clock = work.clock
+    last_stage = 1.0 * (tableau.nodes.shape[0] - 1)
+    step = first_step(stepping)
+    if queue.cursor[0] == 0:
+        for lane in range(width):
+            load_robot(memory, lane, queue, 0, step)
+            refill(memory, lane, queue, step)
+        model = with_numbers(template, work.numbers)
+        begin_stage(model, tableau, masses, work, clock[ACTIVE] >= 0.0)
+        record_start(recorder, work)
+
+    for _ in range(passes):
+        if queue.cursor[1] == 0:
+            return True
+        model = with_numbers(template, work.numbers)
+        active = clock[ACTIVE] > 0.0
+        h = clock[STEP]
+        motion = Motion(
+            clock[TIME] + pick(tableau.nodes, clock[STAGE]) * h, 1.0 / (tableau.gamma * h), 0.0 * h
+        )
+        outcome = newton_iteration(
+            model, motion, masses, work, newton_tolerance(stepping), limits.of_a_stage, MOST_BACKTRACKS
+        )
+        clock[ITERATIONS] = clock[ITERATIONS] + where(active, 1.0, 0.0)
+        converged = outcome.converged & active
+        failed = outcome.failed & active
+        restage = failed
+        status = 0.0 * h
+        if any_true(failed):
+            smaller = step_after_failure(stepping, h)
+            clock[STEP] = where(failed, smaller, clock[STEP])
+            clock[STAGE] = where(failed, 1.0, clock[STAGE])
+            clock[FAILURES] = clock[FAILURES] + where(failed, 1.0, 0.0)
+            under = failed & (smaller < smallest_step(stepping))
+            status = where(under, 1.0 * STEP_UNDERFLOW, status)
+        if any_true(converged):
+            restage = restage | converged
+            store_stage(tableau, work, converged)
+            tally_stage(recorder, model, masses, motion, tableau, work)
+            clock[LARGEST_RESIDUAL] = where(
+                converged, maximum(clock[LARGEST_RESIDUAL], clock[RESIDUAL]), clock[LARGEST_RESIDUAL]
+            )
+            ended = converged & (clock[STAGE] >= last_stage)
+            clock[STAGE] = where(converged, clock[STAGE] + 1.0, clock[STAGE])
+            if any_true(ended):
+                status = finish_step(
+                    model, masses, tableau, stepping, ending, recorder, work, ended, status
+                )
+        exhausted = active & (clock[ITERATIONS] >= limits.of_a_march) & (status == 0.0)
+        status = where(exhausted, 1.0 * ITERATION_LIMIT, status)
+        leaving = active & (status > 0.0)
+        if any_true(leaving):
+            clock[STATUS] = where(leaving, status, 0.0)
+            for lane in range(width):
+                if memory.clock[STATUS, lane] > 0.0:
+                    for k in range(memory.clock.shape[0]):
+                        queue.outcome[queue.carried[lane], k] = memory.clock[k, lane]
+                    queue.cursor[1] -= 1
+                    refill(memory, lane, queue, step)
+                    memory.clock[STATUS, lane] = 0.0
+            model = with_numbers(template, work.numbers)
+        if any_true(restage):
+            begin_stage(model, tableau, masses, work, restage)
+    return queue.cursor[1] == 0
+
+
+@kernel
+def finish_step(
+    model: Any, masses: Any, tableau: Any, stepping: Any, ending: Any, recorder: Any, work: Any,
+    ended: Any, status: Any,
+) -> Any:
+    """Judge the steps that have just ended; returns the status of every lane."""
+    clock = work.clock
+    h = clock[STEP]
+    error = estimate_error(tableau, work)
+    rate = contact_frequency(work)
+    good = ended & accepts(stepping, error, h, rate)
+    bad = ended & negate(good)
+    clock[ERROR] = error
+    clock[STEPS] = clock[STEPS] + where(good, 1.0, 0.0)
+    clock[REJECTED] = clock[REJECTED] + where(bad, 1.0, 0.0)
+    clock[FAILURES] = where(good, 0.0, clock[FAILURES])
+    clock[STAGE] = where(ended, 1.0, clock[STAGE])
+    clock[SMALLEST_GAP] = where(
+        good, minimum(clock[SMALLEST_GAP], clock[GAP]), clock[SMALLEST_GAP]
+    )
+    commit_step(tableau, work, good)
+    record_step(recorder, work)
+    touching = good & (clock[GAP] < contact_reach(model.contact))
+    clock[LAST_CONTACT] = where(touching, clock[TIME], clock[LAST_CONTACT])
+    verdict = judge(ending, model, masses, work)
+    status = where(good, verdict, status)
+    finite = clock[TIME] + error < 1e30
+    status = where(ended & negate(finite), 1.0 * NOT_FINITE, status)
+    proposed = next_step(stepping, error, tableau.error_order, h, rate)
+    remaining = maximum(time_limit(ending) - clock[TIME], smallest_step(stepping) + 0.0 * h)
+    clock[STEP] = where(ended, minimum(proposed, remaining), clock[STEP])
+    under = bad & (clock[STEP] < smallest_step(stepping))
+    return where(under, 1.0 * STEP_UNDERFLOW, status)
+
+

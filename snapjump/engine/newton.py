@@ -1,0 +1,117 @@
+"""One Newton iteration of every lane: assemble, solve, keep every gap open, step."""
+
+from typing import Any, NamedTuple
+
+from snapjump.clamp.base import clamp_angles
+from snapjump.contact.base import has_contact
+from snapjump.discretization.base import clamp_offset, has_elements
+from snapjump.engine.assemble import Motion, assemble
+from snapjump.engine.clock import (
+    BACKTRACKS,
+    FASTEST,
+    GAP,
+    ITERATION,
+    RESIDUAL,
+    SHARE,
+    SIZE,
+)
+from snapjump.frame.base import frame_dofs, limit_frame_step, place_ends
+from snapjump.linear_solver.banded import solve_bordered, solve_nodes
+from snapjump.number.dispatch import kernel
+from snapjump.number.functions import absolute, any_true, maximum, minimum, negate, where
+
+GAP_FRACTION = 0.15  # of its gap that every point keeps in one correction
+GROWTH_LIMIT = 2.0  # of the correction, above which the last one is halved
+LARGEST_CORRECTION = 0.3  # of the beam's length
+
+
+class Correction(NamedTuple):
+    """Masks and figures of an iteration: converged, failed lanes, and the sign of the pivots."""
+
+    converged: Any
+    failed: Any
+    negative_pivots: Any
+
+
+@kernel
+def allowed_share(model: Any, masses: Any, state: Any, change: Any) -> Any:
+    """Share of ``state += change`` (at most 1) by which no gap shrinks below GAP_FRACTION."""
+    share = limit_frame_step(model.frame, state, change, GAP_FRACTION)
+    if has_contact(model.contact):
+        offset = frame_dofs(model.frame)
+        for node in range(masses.shape[0]):
+            if masses[node] == 0.0:
+                continue
+            i = 2 * node + offset + 1
+            allowed = (1.0 - GAP_FRACTION) * state[i]
+            beyond = -change[i] > allowed
+            if any_true(beyond):
+                share = minimum(share, where(beyond, allowed / absolute(change[i]), 1.0))
+    return share
+
+
+@kernel
+def residual_size(model: Any, residual: Any, size: Any) -> Any:
+    """Largest component of the residual (EI/L^2)."""
+    largest = 0.0 * residual[0]
+    for i in range(size):
+        largest = maximum(largest, absolute(residual[i]))
+    return largest
+
+
+@kernel
+def newton_iteration(
+    model: Any, motion: Motion, masses: Any, work: Any, tolerance: Any, most_iterations: Any,
+    most_backtracks: Any,
+) -> Correction:
+    """Correct ``work.state`` in every lane; lanes without a robot must be masked by the caller."""
+    clock = work.clock
+    size = work.state.shape[0]
+    dofs = frame_dofs(model.frame)
+    assembly = assemble(model, motion, masses, work)
+    clock[GAP] = assembly.smallest_gap
+    clock[FASTEST] = assembly.contact_rate_squared
+    x = work.system.residual
+    tiny = 1e-300 + 0.0 * motion.rate_factor
+    clock[RESIDUAL] = residual_size(model, x, size) / maximum(assembly.largest_force, tiny)
+    if dofs > 0:
+        negative = solve_bordered(work.system)
+    else:
+        negative = solve_nodes(work.system)
+
+    correction = 0.0 * motion.rate_factor
+    for i in range(size):
+        x[i] = -x[i]
+        weight = 0.5 if dofs > 0 and i == 2 else 1.0
+        correction = maximum(correction, weight * absolute(x[i]))
+    finite = correction < 1e30
+    first = clock[ITERATION] == 0.0
+    grew = (correction > GROWTH_LIMIT * clock[SIZE]) & negate(first)
+    back = grew & (clock[BACKTRACKS] < most_backtracks) & finite
+    # A correction that outgrows the last one tells that the last one went too far: halve that.
+    half = 0.5 * clock[SHARE]
+    share = minimum(
+        allowed_share(model, masses, work.state, x),
+        LARGEST_CORRECTION / maximum(correction, tiny),
+    )
+    share = where(finite, share, 0.0)
+    moving = where(back, 0.0, share)
+    undoing = where(back, half, 0.0)
+    for i in range(size):
+        step = where(finite, x[i], 0.0)
+        work.state[i] = work.state[i] + moving * step - undoing * work.change[i]
+        work.change[i] = where(back, work.change[i], step)
+    if has_elements(model.discretization):
+        angles = clamp_angles(model.clamp, motion.time)
+        place_ends(model.frame, clamp_offset(model.discretization), angles, work.state)
+
+    # The error left is about the correction times the rate of convergence.
+    rate = where(first, 1.0, minimum(correction / maximum(clock[SIZE], tiny), 1.0 + 0.0 * tiny))
+    converged = (rate * correction <= tolerance) & (share >= 1.0) & negate(back) & finite
+    iteration = clock[ITERATION] + 1.0
+    failed = (iteration >= most_iterations) & negate(converged) | negate(finite)
+    clock[ITERATION] = iteration
+    clock[SIZE] = where(back, clock[SIZE], correction)
+    clock[SHARE] = where(back, half, share)
+    clock[BACKTRACKS] = clock[BACKTRACKS] + where(back, 1.0, 0.0)
+    return Correction(converged, failed, negative)

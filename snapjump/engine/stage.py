@@ -1,0 +1,119 @@
+"""Stages and steps: what happens when a lane's Newton iteration has converged or failed."""
+
+from typing import Any
+
+from snapjump.clamp.base import clamp_angles
+from snapjump.discretization.base import clamp_offset, has_elements
+from snapjump.engine.clock import (
+    BACKTRACKS,
+    FASTEST,
+    ITERATION,
+    SIZE,
+    STAGE,
+    STEP,
+    TIME,
+)
+from snapjump.engine.newton import allowed_share
+from snapjump.frame.base import place_ends
+from snapjump.number.dispatch import kernel
+from snapjump.number.functions import absolute, any_true, maximum, sqrt, where
+
+
+@kernel
+def pick(table: Any, stage: Any) -> Any:
+    """The table's entry at every lane's own stage."""
+    value = 0.0 * stage
+    for k in range(table.shape[0]):
+        value = where(stage == 1.0 * k, table[k] + value, value)
+    return value
+
+
+@kernel
+def store_stage(tableau: Any, work: Any, mask: Any) -> None:
+    """Keep velocity and acceleration of the stage that has just converged."""
+    clock = work.clock
+    rate = 1.0 / (tableau.gamma * clock[STEP])
+    for k in range(1, tableau.nodes.shape[0]):
+        here = mask & (clock[STAGE] == 1.0 * k)
+        if any_true(here):
+            velocity = work.velocity[k]
+            acceleration = work.acceleration[k]
+            for i in range(work.state.shape[0]):
+                v = (work.state[i] - work.origin[i]) * rate
+                a = (v - work.drift[i]) * rate
+                velocity[i] = where(here, v, velocity[i])
+                acceleration[i] = where(here, a, acceleration[i])
+
+
+@kernel
+def estimate_error(tableau: Any, work: Any) -> Any:
+    """Largest difference in position (L) from the comparison method."""
+    stages = tableau.nodes.shape[0]
+    largest = 0.0 * work.clock[STEP]
+    for i in range(work.state.shape[0]):
+        error = 0.0 * largest
+        for k in range(stages):
+            error = error + tableau.error[k] * work.velocity[k, i]
+        largest = maximum(largest, absolute(error))
+    return largest * work.clock[STEP]
+
+
+@kernel
+def commit_step(tableau: Any, work: Any, mask: Any) -> None:
+    """Make the last stage the beginning of the next step."""
+    last = tableau.nodes.shape[0] - 1
+    clock = work.clock
+    clock[TIME] = where(mask, clock[TIME] + clock[STEP], clock[TIME])
+    for i in range(work.state.shape[0]):
+        work.start[i] = where(mask, work.state[i], work.start[i])
+        work.velocity[0, i] = where(mask, work.velocity[last, i], work.velocity[0, i])
+        work.acceleration[0, i] = where(mask, work.acceleration[last, i], work.acceleration[0, i])
+
+
+@kernel
+def begin_stage(model: Any, tableau: Any, masses: Any, work: Any, mask: Any) -> None:
+    """Set origin, drift and a gap-safe first guess of every masked lane's current stage."""
+    clock = work.clock
+    stages = tableau.nodes.shape[0]
+    stage = clock[STAGE]
+    step = clock[STEP]
+    share = tableau.gamma * step
+    size = work.state.shape[0]
+    restart = mask & (stage == 1.0)
+    for i in range(size):
+        position = work.start[i]
+        velocity = work.velocity[0, i]
+        guess = work.acceleration[0, i]
+        origin = position
+        drift = velocity
+        for k in range(stages - 1):
+            weight = step * pick(tableau.matrix[:, k], stage)
+            origin = origin + weight * work.velocity[k, i]
+            drift = drift + weight * work.acceleration[k, i]
+        for k in range(1, stages - 1):
+            guess = where(stage > 1.0 * k, work.acceleration[k, i], guess)
+        work.origin[i] = where(mask, origin, work.origin[i])
+        work.drift[i] = where(mask, drift, work.drift[i])
+        work.state[i] = where(restart, position, work.state[i])
+        aim = origin + share * (drift + share * guess)
+        work.change[i] = where(mask, aim - work.state[i], 0.0)
+    allowed = allowed_share(model, masses, work.state, work.change)
+    for i in range(size):
+        work.state[i] = work.state[i] + allowed * work.change[i]
+    for i in range(work.slip.shape[0]):
+        work.slip[i] = where(mask, 0.0, work.slip[i])
+    clock[ITERATION] = where(mask, 0.0, clock[ITERATION])
+    clock[SIZE] = where(mask, 0.0, clock[SIZE])
+    clock[BACKTRACKS] = where(mask, 0.0, clock[BACKTRACKS])
+    if has_elements(model.discretization):
+        time = clock[TIME] + pick(tableau.nodes, stage) * step
+        angles = clamp_angles(model.clamp, time)
+        place_ends(model.frame, clamp_offset(model.discretization), angles, work.state)
+
+
+@kernel
+def contact_frequency(work: Any) -> Any:
+    """Fastest contact frequency of the last assembly (1/T)."""
+    return sqrt(work.clock[FASTEST])
+
+

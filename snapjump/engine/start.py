@@ -1,0 +1,86 @@
+"""The quasi-static start of a march: equilibrium, velocity and acceleration at its first moment.
+
+The loading before it is slow, so the robot follows its static branch; the velocity is that
+branch's tangent and the acceleration its curvature.
+"""
+
+from typing import Any
+
+from snapjump.clamp.constant_rate import ConstantRate
+from snapjump.engine.equilibrium import settle
+from snapjump.engine.model import Model
+from snapjump.engine.status import NO_EQUILIBRIUM, RUNNING
+from snapjump.frame.base import frame_dofs
+from snapjump.number.dispatch import kernel
+from snapjump.number.functions import where
+
+CONTINUATION_STEPS = 16
+DIFFERENCE_RAD = 2e-3  # clamp angle between the equilibria that velocity is taken from
+
+
+@kernel
+def with_angles(model: Any, left: Any, lag: Any) -> Any:
+    """The model with other clamp angles at time 0."""
+    clamp = ConstantRate(left, model.clamp.end, model.clamp.rate, lag)
+    return Model(
+        model.discretization,
+        model.frame,
+        clamp,
+        model.contact,
+        model.friction,
+        model.damping,
+        model.load,
+    )
+
+
+@kernel
+def follow_branch(model: Any, masses: Any, work: Any) -> Any:
+    """Settle from flat clamps up to the march's beginning; fill start, velocity, acceleration.
+
+    ``work.state`` holds a guess for flat clamps. Both angles grow in proportion, so that the
+    branch begins at the symmetric arch. Returns the status: RUNNING, or NO_EQUILIBRIUM where the
+    branch was lost or is not stable.
+    """
+    clamp = model.clamp
+    state = work.state
+    size = state.shape[0]
+    past = work.velocity[0]
+    older = work.acceleration[0]
+    lost = clamp.rate < 0.0
+    for i in range(size):
+        past[i] = state[i]
+    for k in range(CONTINUATION_STEPS + 1):
+        share = k / CONTINUATION_STEPS
+        partial = with_angles(model, share * clamp.start, share * clamp.delta_alpha)
+        negative, failed = settle(partial, masses, work, 0.0)
+        lost = lost | failed | (negative > 0.0)
+        for i in range(size):
+            settled = state[i]
+            if k == 1:
+                state[i] = 2.0 * settled - past[i]
+            elif 1 < k < CONTINUATION_STEPS:
+                state[i] = 3.0 * settled - 3.0 * past[i] + older[i]
+            older[i] = past[i]
+            past[i] = settled
+    for i in range(size):
+        work.start[i] = past[i]
+
+    difference = DIFFERENCE_RAD / clamp.rate
+    negative, failed = settle(model, masses, work, -difference)
+    lost = lost | failed | (negative > 0.0)
+    for i in range(size):
+        work.velocity[0, i] = state[i]
+        state[i] = 2.0 * work.start[i] - state[i]
+    negative, failed = settle(model, masses, work, difference)
+    lost = lost | failed | (negative > 0.0)
+    for i in range(size):
+        before = work.velocity[0, i]
+        after = state[i]
+        now = work.start[i]
+        work.velocity[0, i] = (after - before) / (2.0 * difference)
+        work.acceleration[0, i] = (after - 2.0 * now + before) / (difference * difference)
+        state[i] = now
+    middle = (masses.shape[0] - 1) // 2 * 2 + 1 + frame_dofs(model.frame)
+    first = 1 + frame_dofs(model.frame)
+    lost = lost | (state[middle] < state[first])
+    return where(lost, 1.0 * NO_EQUILIBRIUM, 1.0 * RUNNING)

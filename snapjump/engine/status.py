@@ -1,0 +1,30 @@
+"""How a march ends: a fixed set of statuses, by number in the kernels and by name outside."""
+
+RUNNING = 0
+OK = 1
+NO_JUMP = 2
+STEP_UNDERFLOW = 3
+ITERATION_LIMIT = 4
+TIME_LIMIT = 5
+NOT_FINITE = 6
+NO_EQUILIBRIUM = 7
+
+NAMES = {
+    OK: "ok",
+    NO_JUMP: "no_jump",
+    STEP_UNDERFLOW: "step_underflow",
+    ITERATION_LIMIT: "iteration_limit",
+    TIME_LIMIT: "time_limit",
+    NOT_FINITE: "not_finite",
+    NO_EQUILIBRIUM: "no_equilibrium",
+}
+
+REASONS = {
+    OK: "",
+    NO_JUMP: "the robot did not leave the ground",
+    STEP_UNDERFLOW: "Newton's method failed however small the step",
+    ITERATION_LIMIT: "the bound on Newton iterations was reached",
+    TIME_LIMIT: "the scene did not end within its time limit",
+    NOT_FINITE: "a number was not finite",
+    NO_EQUILIBRIUM: "no stable equilibrium to start from was found",
+}

@@ -1,0 +1,46 @@
+"""JSON without NaN: a number that is not finite becomes null, and the caller hears of it."""
+
+import json
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from snapjump.files.atomic import write_text
+
+
+def finite(value: Any, name: str = "") -> tuple[Any, list[str]]:
+    """A copy in plain Python types with null for NaN and infinity, and where those were."""
+    if isinstance(value, Mapping):
+        pairs = {str(key): finite(item, _join(name, str(key))) for key, item in value.items()}
+        return {key: item for key, (item, _) in pairs.items()}, [
+            found for _, names in pairs.values() for found in names
+        ]
+    if isinstance(value, (list, tuple)):
+        items = [finite(item, _join(name, str(index))) for index, item in enumerate(value)]
+        return [item for item, _ in items], [found for _, names in items for found in names]
+    if hasattr(value, "item"):
+        value = value.item()
+    if isinstance(value, float) and not math.isfinite(value):
+        return None, [name]
+    return value, []
+
+
+def write_json(path: Path, value: Mapping[str, Any]) -> list[str]:
+    """Write a JSON file at once; returns the keys whose numbers were not finite."""
+    clean, not_finite = finite(value)
+    write_text(path, json.dumps(clean, indent=2, allow_nan=False) + "\n")
+    return not_finite
+
+
+def read_json(path: Path) -> dict[str, Any] | None:
+    """The contents of a JSON file, or None if there is none that can be read."""
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    return content if isinstance(content, dict) else None
+
+
+def _join(name: str, part: str) -> str:
+    return f"{name}.{part}" if name else part

@@ -1,0 +1,105 @@
+"""Where a result comes from: code, versions, machine, seed and the command that repeats it."""
+
+import hashlib
+import os
+import platform
+import subprocess
+from datetime import UTC, datetime
+from functools import cache
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any
+
+PACKAGES = (
+    "snapjump",
+    "numpy",
+    "scipy",
+    "numba",
+    "llvmlite",
+    "hydra-core",
+    "omegaconf",
+    "mlflow",
+    "matplotlib",
+)
+SOURCES = Path(__file__).resolve().parents[1]
+
+
+def now() -> str:
+    """The time in UTC, to the millisecond, as ISO 8601."""
+    return datetime.now(UTC).isoformat(timespec="milliseconds")
+
+
+def provenance(command: str, seed: int, started_at: str) -> dict[str, Any]:
+    """Everything that is needed to tell how a result came about, and to repeat it."""
+    return {
+        "command": command,
+        "seed": seed,
+        "started_at": started_at,
+        "finished_at": now(),
+        **git_state(),
+        "source_sha256": source_hash(),
+        "versions": {"python": platform.python_version(), **_versions()},
+        "machine": _machine(),
+    }
+
+
+@cache
+def git_state() -> dict[str, Any]:
+    """The revision of the code and whether files differ from it; null outside a repository."""
+    revision = _git("rev-parse", "HEAD")
+    changes = _git("status", "--porcelain")
+    return {
+        "git_revision": revision,
+        "git_dirty": None if changes is None else changes != "",
+    }
+
+
+@cache
+def source_hash() -> str:
+    """A hash of the library's own sources, which tells apart what git calls just dirty."""
+    digest = hashlib.sha256()
+    for path in sorted(SOURCES.rglob("*.py")):
+        digest.update(str(path.relative_to(SOURCES)).encode())
+        digest.update(path.read_bytes())
+    return digest.hexdigest()
+
+
+def _git(*arguments: str) -> str | None:
+    try:
+        answer = subprocess.run(
+            ["git", "-C", str(SOURCES), *arguments],
+            capture_output=True,
+            text=True,
+            timeout=10,
+            check=True,
+        )
+    except (OSError, subprocess.SubprocessError):
+        return None
+    return answer.stdout.strip()
+
+
+def _versions() -> dict[str, str | None]:
+    found: dict[str, str | None] = {}
+    for name in PACKAGES:
+        try:
+            found[name] = version(name)
+        except PackageNotFoundError:
+            found[name] = None
+    return found
+
+
+def _machine() -> dict[str, Any]:
+    return {
+        "system": platform.platform(),
+        "processor": _processor(),
+        "cores": os.cpu_count(),
+    }
+
+
+def _processor() -> str:
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        lines = []
+    names = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
+    return names[0] if names else platform.processor()

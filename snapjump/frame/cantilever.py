@@ -1,0 +1,63 @@
+"""A wall on the left, nothing on the right: the cantilever of the verification scene."""
+
+from typing import Any, NamedTuple
+
+from snapjump.discretization.base import EndTangents
+from snapjump.frame.base import (
+    FrameForces,
+    add_frame_forces,
+    condense_ends,
+    end_tangents,
+    frame_dofs,
+    limit_frame_step,
+    place_ends,
+)
+from snapjump.frame.ends import release_first_node
+from snapjump.load.base import tip_load
+from snapjump.number.functions import cos, sin
+
+
+class CantileverFrame(NamedTuple):
+    """The left end clamped at the origin."""
+
+
+@frame_dofs.member(CantileverFrame)
+def _frame_dofs(frame: CantileverFrame) -> int:
+    return 0
+
+
+@end_tangents.member(CantileverFrame)
+def _end_tangents(
+    frame: CantileverFrame, load: Any, angles: Any, state: Any, velocity: Any
+) -> Any:
+    zero = 0.0 * state[0]
+    _, _, moment = tip_load(load)
+    return EndTangents(
+        cos(angles.left), -sin(angles.left), -angles.left_rate, zero + 1.0, zero, zero,
+        zero + 1.0, zero + moment,
+    )
+
+
+@place_ends.member(CantileverFrame)
+def _place_ends(frame: CantileverFrame, offset: Any, angles: Any, state: Any) -> None:
+    state[0] = offset * cos(angles.left)
+    state[1] = -offset * sin(angles.left)
+
+
+@condense_ends.member(CantileverFrame)
+def _condense_ends(
+    frame: CantileverFrame, tangents: Any, offset: Any, left: Any, right: Any, state: Any,
+    system: Any,
+) -> None:
+    release_first_node(system.residual, system.band)
+
+
+@add_frame_forces.member(CantileverFrame)
+def _add_frame_forces(frame: CantileverFrame, model: Any, motion: Any, work: Any) -> Any:
+    zero = 0.0 * motion.rate_factor
+    return FrameForces(zero, zero + 1.0e30, zero)
+
+
+@limit_frame_step.member(CantileverFrame)
+def _limit_frame_step(frame: CantileverFrame, state: Any, change: Any, fraction: Any) -> Any:
+    return 1.0 + 0.0 * state[0]

@@ -1,0 +1,70 @@
+"""A frame that does not move: both clamps are held in space."""
+
+from typing import Any, NamedTuple
+
+from snapjump.discretization.base import EndTangents
+from snapjump.frame.base import (
+    FrameForces,
+    add_frame_forces,
+    condense_ends,
+    end_tangents,
+    frame_dofs,
+    limit_frame_step,
+    place_ends,
+)
+from snapjump.frame.ends import release_first_node, release_last_node
+from snapjump.number.functions import cos, sin
+
+
+class FixedFrame(NamedTuple):
+    """Half the clear span, and the height of both mounts (in L)."""
+
+    half_span: float
+    mount_height: float
+
+
+@frame_dofs.member(FixedFrame)
+def _frame_dofs(frame: FixedFrame) -> int:
+    return 0
+
+
+@end_tangents.member(FixedFrame)
+def _end_tangents(frame: FixedFrame, load: Any, angles: Any, state: Any, velocity: Any) -> Any:
+    return EndTangents(
+        cos(angles.left),
+        -sin(angles.left),
+        -angles.left_rate,
+        cos(angles.right),
+        sin(angles.right),
+        angles.right_rate,
+        0.0 * angles.left,
+        0.0 * angles.left,
+    )
+
+
+@place_ends.member(FixedFrame)
+def _place_ends(frame: FixedFrame, offset: Any, angles: Any, state: Any) -> None:
+    last = state.shape[0] - 2
+    state[0] = -frame.half_span + offset * cos(angles.left)
+    state[1] = frame.mount_height - offset * sin(angles.left)
+    state[last] = frame.half_span - offset * cos(angles.right)
+    state[last + 1] = frame.mount_height - offset * sin(angles.right)
+
+
+@condense_ends.member(FixedFrame)
+def _condense_ends(
+    frame: FixedFrame, tangents: Any, offset: Any, left: Any, right: Any, state: Any, system: Any
+) -> None:
+    release_first_node(system.residual, system.band)
+    release_last_node(system.residual, system.band, state.shape[0] // 2 - 1)
+
+
+@add_frame_forces.member(FixedFrame)
+def _add_frame_forces(frame: FixedFrame, model: Any, motion: Any, work: Any) -> Any:
+    zero = 0.0 * motion.rate_factor
+    return FrameForces(zero, zero + 1.0e30, zero)
+
+
+@limit_frame_step.member(FixedFrame)
+def _limit_frame_step(frame: FixedFrame, state: Any, change: Any, fraction: Any) -> Any:
+    return 1.0 + 0.0 * state[0]

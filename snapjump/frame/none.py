@@ -1,0 +1,52 @@
+"""No frame: loose nodes that only contact and friction act on."""
+
+from typing import Any, NamedTuple
+
+from snapjump.discretization.base import EndTangents
+from snapjump.frame.base import (
+    FrameForces,
+    add_frame_forces,
+    condense_ends,
+    end_tangents,
+    frame_dofs,
+    limit_frame_step,
+    place_ends,
+)
+
+
+class NoFrame(NamedTuple):
+    """Nothing is held."""
+
+
+@frame_dofs.member(NoFrame)
+def _frame_dofs(frame: NoFrame) -> int:
+    return 0
+
+
+@end_tangents.member(NoFrame)
+def _end_tangents(frame: NoFrame, load: Any, angles: Any, state: Any, velocity: Any) -> Any:
+    zero = 0.0 * state[0]
+    return EndTangents(zero, zero, zero, zero, zero, zero, zero, zero)
+
+
+@place_ends.member(NoFrame)
+def _place_ends(frame: NoFrame, offset: Any, angles: Any, state: Any) -> None:
+    pass
+
+
+@condense_ends.member(NoFrame)
+def _condense_ends(
+    frame: NoFrame, tangents: Any, offset: Any, left: Any, right: Any, state: Any, system: Any
+) -> None:
+    pass
+
+
+@add_frame_forces.member(NoFrame)
+def _add_frame_forces(frame: NoFrame, model: Any, motion: Any, work: Any) -> Any:
+    zero = 0.0 * motion.rate_factor
+    return FrameForces(zero, zero + 1.0e30, zero)
+
+
+@limit_frame_step.member(NoFrame)
+def _limit_frame_step(frame: NoFrame, state: Any, change: Any, fraction: Any) -> Any:
+    return 1.0 + 0.0 * state[0]

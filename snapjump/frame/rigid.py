@@ -1,0 +1,279 @@
+"""A rigid frame: three coordinates (x, y, theta) of its centre of mass, contact at four corners.
+
+The clamped end nodes of the beam belong to it, so that its mass matrix is diagonal.
+"""
+
+from typing import Any, NamedTuple
+
+from snapjump.contact.base import contact_force, contact_reach, has_contact
+from snapjump.damping.base import mass_damping
+from snapjump.discretization.base import EndTangents
+from snapjump.frame.base import (
+    FrameForces,
+    add_frame_forces,
+    condense_ends,
+    end_tangents,
+    frame_dofs,
+    limit_frame_step,
+    place_ends,
+)
+from snapjump.frame.ends import release_first_node, release_last_node
+from snapjump.friction.base import has_friction, is_lagged, slip
+from snapjump.load.base import gravity
+from snapjump.number.dispatch import kernel
+from snapjump.number.functions import absolute, any_true, cos, maximum, minimum, sin, where
+
+
+class RigidFrame(NamedTuple):
+    """Half the width; heights of mounts, feet and top against the centre of mass (in L); mass
+    and moment of inertia (in rho A L and rho A L^3)."""
+
+    half_span: float
+    mount_y: float
+    foot_y: float
+    top_y: float
+    mass: float
+    inertia: float
+
+
+@frame_dofs.member(RigidFrame)
+def _frame_dofs(frame: RigidFrame) -> int:
+    return 3
+
+
+@end_tangents.member(RigidFrame)
+def _end_tangents(frame: RigidFrame, load: Any, angles: Any, state: Any, velocity: Any) -> Any:
+    left = state[2] - angles.left
+    right = state[2] + angles.right
+    return EndTangents(
+        cos(left),
+        sin(left),
+        velocity - angles.left_rate,
+        cos(right),
+        sin(right),
+        velocity + angles.right_rate,
+        0.0 * left,
+        0.0 * left,
+    )
+
+
+@kernel
+def end_arms(frame: Any, offset: Any, tangents: Any, turn: Any) -> Any:
+    """Vectors from the centre of mass to the first and the last node."""
+    c = cos(turn)
+    s = sin(turn)
+    across_x = frame.half_span * c
+    across_y = frame.half_span * s
+    up_x = -frame.mount_y * s
+    up_y = frame.mount_y * c
+    return (
+        up_x - across_x + offset * tangents.left_x,
+        up_y - across_y + offset * tangents.left_y,
+        up_x + across_x - offset * tangents.right_x,
+        up_y + across_y - offset * tangents.right_y,
+    )
+
+
+@place_ends.member(RigidFrame)
+def _place_ends(frame: RigidFrame, offset: Any, angles: Any, state: Any) -> None:
+    tangents = _end_tangents(frame, 0.0, angles, state, 0.0 * state[2])
+    lx, ly, rx, ry = end_arms(frame, offset, tangents, state[2])
+    last = state.shape[0] - 2
+    state[3] = state[0] + lx
+    state[4] = state[1] + ly
+    state[last] = state[0] + rx
+    state[last + 1] = state[1] + ry
+
+
+@kernel
+def add_arm(
+    kxx: Any, kxy: Any, kyy: Any, cx: Any, cy: Any, hinge: Any, sign: Any, fx: Any, fy: Any,
+    arm_x: Any, arm_y: Any, residual: Any, square: Any,
+) -> None:
+    """Move an end node's own block, force and hinge onto the frame.
+
+    (kxx, kxy, kyy): the node's block; (cx, cy): its coupling with the frame's direction through
+    the hinge; ``sign``: d(hinge angle)/d(frame's direction).
+    """
+    sx = -arm_y
+    sy = arm_x
+    residual[0] += fx
+    residual[1] += fy
+    residual[2] += sx * fx + sy * fy + sign * hinge.moment
+    tx = kxx * sx + kxy * sy + cx
+    ty = kxy * sx + kyy * sy + cy
+    square[0, 0] += kxx
+    square[0, 1] += kxy
+    square[1, 0] += kxy
+    square[1, 1] += kyy
+    square[0, 2] += tx
+    square[2, 0] += tx
+    square[1, 2] += ty
+    square[2, 1] += ty
+    square[2, 2] += (
+        sx * tx + sy * ty + sx * cx + sy * cy + hinge.stiffness - arm_x * fx - arm_y * fy
+    )
+
+
+@condense_ends.member(RigidFrame)
+def _condense_ends(
+    frame: RigidFrame, tangents: Any, offset: Any, left: Any, right: Any, state: Any, system: Any
+) -> None:
+    residual = system.residual
+    nodes = residual[3:]
+    band = system.band
+    border = system.border
+    lx, ly, rx, ry = end_arms(frame, offset, tangents, state[2])
+
+    # The left hinge's angle falls with the frame's direction; its edge leaves node 0.
+    coupling = left.stiffness
+    add_arm(
+        band[0, 0], band[0, 1], band[1, 0],
+        coupling * left.slope_x, coupling * left.slope_y,
+        left, -1.0, nodes[0], nodes[1], lx, ly, residual, system.square,
+    )
+    for row in range(2, 6):
+        bx = band[0, row]
+        by = band[1, row - 1]
+        border[row, 0] = bx
+        border[row, 1] = by
+        border[row, 2] = by * lx - bx * ly
+    border[2, 2] -= coupling * left.slope_x
+    border[3, 2] -= coupling * left.slope_y
+    release_first_node(nodes, band)
+
+    last = (state.shape[0] - 3) // 2 - 1
+    row = 2 * last
+    coupling = right.stiffness
+    add_arm(
+        band[row, 0], band[row, 1], band[row + 1, 0],
+        -coupling * right.slope_x, -coupling * right.slope_y,
+        right, 1.0, nodes[row], nodes[row + 1], rx, ry, residual, system.square,
+    )
+    for k in range(1, 5):
+        bx = band[row - k, k]
+        by = band[row - k, k + 1]
+        border[row - k, 0] += bx
+        border[row - k, 1] += by
+        border[row - k, 2] += by * rx - bx * ry
+    border[row - 2, 2] += coupling * right.slope_x
+    border[row - 1, 2] += coupling * right.slope_y
+    release_last_node(nodes, band, last)
+
+
+@kernel
+def corner_arm(frame: Any, corner: Any, c: Any, s: Any) -> Any:
+    """Vector from the centre of mass to a corner: left foot, left top, right top, right foot."""
+    x = -frame.half_span if corner < 2 else frame.half_span
+    y = frame.foot_y if corner == 0 or corner == 3 else frame.top_y
+    return c * x - s * y, s * x + c * y
+
+
+@add_frame_forces.member(RigidFrame)
+def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> Any:
+    state = work.state
+    residual = work.system.residual
+    square = work.system.square
+    rate = motion.rate_factor
+    drag = mass_damping(model.damping)
+    largest = 0.0 * rate
+    for k in range(3):
+        mass = frame.inertia if k == 2 else frame.mass
+        velocity = (state[k] - work.origin[k]) * rate
+        inertial = mass * (velocity - work.drift[k]) * rate
+        residual[k] += inertial + mass * drag * velocity
+        square[k, k] += mass * (rate + drag) * rate
+        largest = maximum(largest, absolute(inertial))
+    weight = frame.mass * gravity(model.load)
+    residual[1] += weight
+    largest = maximum(largest, 0.0 * rate + weight)
+    # Statics leaves x undetermined: a spring that ends up without force holds it.
+    residual[0] += motion.anchor * state[0]
+    square[0, 0] += motion.anchor
+
+    smallest = 0.0 * rate + 1.0e30
+    fastest = 0.0 * rate
+    if has_contact(model.contact):
+        contact = model.contact
+        reach = contact_reach(contact)
+        c = cos(state[2])
+        s = sin(state[2])
+        for corner in range(4):
+            rx, ry = corner_arm(frame, corner, c, s)
+            gap = state[1] + ry
+            smallest = minimum(smallest, gap)
+            near = gap < reach
+            if any_true(near):
+                force, stiffness = contact_force(contact, where(near, gap, reach))
+                force = force * contact.corner_weight
+                stiffness = stiffness * contact.corner_weight
+                largest = maximum(largest, force)
+                residual[1] -= force
+                residual[2] -= force * rx
+                square[1, 1] += stiffness
+                square[1, 2] += stiffness * rx
+                square[2, 1] += stiffness * rx
+                square[2, 2] += stiffness * rx * rx + force * ry
+                lever = 1.0 / frame.mass + rx * rx / frame.inertia
+                fastest = maximum(fastest, stiffness * lever)
+                if has_friction(model.friction):
+                    add_corner_friction(
+                        model, motion, work, corner, frame, rx, ry, force, stiffness
+                    )
+    return FrameForces(largest, smallest, fastest)
+
+
+@kernel
+def add_corner_friction(
+    model: Any, motion: Any, work: Any, corner: Any, frame: Any, rx: Any, ry: Any, force: Any,
+    stiffness: Any,
+) -> None:
+    """Add friction at one corner, with its full, unsymmetric derivative."""
+    residual = work.system.residual
+    square = work.system.square
+    friction = model.friction
+    if is_lagged(friction):
+        start = work.start
+        begun = work.velocity[0]
+        _, sy = corner_arm(frame, corner, cos(start[2]), sin(start[2]))
+        gap = start[1] + sy
+        near = gap < contact_reach(model.contact)
+        normal, _ = contact_force(model.contact, where(near, gap, contact_reach(model.contact)))
+        velocity = begun[0] - sy * begun[2]
+        ratio, _ = slip(friction, velocity, 0.0 * velocity)
+        drag = ratio * normal * model.contact.corner_weight
+        residual[0] += drag
+        residual[2] -= ry * drag
+    else:
+        rate = motion.rate_factor
+        turn = (work.state[2] - work.origin[2]) * rate
+        velocity = (work.state[0] - work.origin[0]) * rate - ry * turn
+        ratio, slope = slip(friction, velocity, work.slip[corner])
+        work.slip[corner] = velocity
+        drag = ratio * force
+        residual[0] += drag
+        residual[2] -= ry * drag
+        along_x = force * slope * rate
+        along_y = -ratio * stiffness
+        along_turn = force * slope * (-ry * rate - rx * turn) - ratio * stiffness * rx
+        square[0, 0] += along_x
+        square[0, 1] += along_y
+        square[0, 2] += along_turn
+        square[2, 0] -= ry * along_x
+        square[2, 1] -= ry * along_y
+        square[2, 2] -= ry * along_turn + rx * drag
+
+
+@limit_frame_step.member(RigidFrame)
+def _limit_frame_step(frame: RigidFrame, state: Any, change: Any, fraction: Any) -> Any:
+    c = cos(state[2])
+    s = sin(state[2])
+    share = 1.0 + 0.0 * state[0]
+    for corner in range(4):
+        rx, ry = corner_arm(frame, corner, c, s)
+        gap = state[1] + ry
+        # The second-order term bounds the corner's fall along its arc.
+        drop = -change[1] - rx * change[2] + 0.5 * absolute(ry) * change[2] * change[2]
+        allowed = (1.0 - fraction) * gap
+        share = minimum(share, where(drop > allowed, allowed / drop, 1.0))
+    return share

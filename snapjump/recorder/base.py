@@ -1,0 +1,25 @@
+"""Recorders of a march: the contract that every one fulfils.
+
+They are chosen by class, so that a march without one is compiled without any trace of them.
+"""
+
+from typing import Any
+
+from snapjump.number.dispatch import family_function
+
+
+@family_function
+def record_start(recorder: Any, work: Any) -> None:
+    """Called once before the first step."""
+
+
+@family_function
+def tally_stage(
+    recorder: Any, model: Any, masses: Any, motion: Any, tableau: Any, work: Any
+) -> None:
+    """Called when a stage has converged, before the clock's stage moves on."""
+
+
+@family_function
+def record_step(recorder: Any, work: Any) -> None:
+    """Called when a step has been judged; its error has been committed if it stands."""

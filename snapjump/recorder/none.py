@@ -1,0 +1,26 @@
+"""Nothing is recorded."""
+
+from typing import Any, NamedTuple
+
+from snapjump.recorder.base import record_start, record_step, tally_stage
+
+
+class NoRecorder(NamedTuple):
+    """For batches: only the outcome counts."""
+
+
+@record_start.member(NoRecorder)
+def _record_start(recorder: NoRecorder, work: Any) -> None:
+    pass
+
+
+@tally_stage.member(NoRecorder)
+def _tally_stage(
+    recorder: NoRecorder, model: Any, masses: Any, motion: Any, tableau: Any, work: Any
+) -> None:
+    pass
+
+
+@record_step.member(NoRecorder)
+def _record_step(recorder: NoRecorder, work: Any) -> None:
+    pass

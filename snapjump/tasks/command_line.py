@@ -1,0 +1,62 @@
+"""``python run.py ...``: the help page, Hydra, errors in one line, and the exit code."""
+
+import os
+import sys
+from pathlib import Path
+from typing import Any
+
+from snapjump.checks import ParameterError
+from snapjump.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_INTERRUPTED
+
+# Hydra drops what a job returns; a job in this process leaves its exit code here.
+_exit_codes: list[int] = []
+
+
+def main(conf: Path) -> int:
+    """Do what ``sys.argv`` says with the configurations in ``conf``; returns the exit code."""
+    if {"-h", "--help"} & set(sys.argv[1:]):
+        from snapjump.terminal.help_page import help_page
+
+        print(help_page(conf))
+        return 0
+    try:
+        return _run_hydra(conf)
+    except ParameterError as error:
+        print(error, file=sys.stderr)
+        return EXIT_BAD_INPUT
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return EXIT_INTERRUPTED
+
+
+def _run_hydra(conf: Path) -> int:
+    import hydra
+    from hydra.errors import HydraException
+    from omegaconf.errors import OmegaConfBaseException
+
+    from snapjump.tasks.hydra_errors import one_line
+    from snapjump.tasks.sweep import current_sweep, leave_sweep
+
+    wants_traceback = os.environ.get("HYDRA_FULL_ERROR") == "1"
+    # Otherwise Hydra prints several lines and exits with 1 for whatever goes wrong.
+    os.environ["HYDRA_FULL_ERROR"] = "1"
+    _exit_codes.clear()
+    leave_sweep()
+    run = hydra.main(version_base="1.3", config_path=str(conf), config_name="config")(_job)
+    try:
+        run()
+    except (HydraException, OmegaConfBaseException) as error:
+        if wants_traceback:
+            raise
+        raise one_line(error, sys.argv[1:]) from error
+    finally:
+        sweep = current_sweep()
+        if sweep is not None:
+            _exit_codes[:] = [sweep.finish(sys.exc_info()[1])]
+    return max(_exit_codes, default=0)
+
+
+def _job(config: Any) -> None:
+    from snapjump.tasks.job import run_job
+
+    _exit_codes.append(run_job(config))

@@ -1,0 +1,93 @@
+"""One job around its task: checks, files, and a status whatever happens."""
+
+import signal
+import threading
+import time
+import traceback
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from typing import Any
+
+from snapjump.checks import ParameterError, check_integer
+from snapjump.files.atomic import write_text
+from snapjump.files.json_file import finite
+from snapjump.files.provenance import now, provenance
+from snapjump.files.result_folder import ResultFolder
+from snapjump.tasks.base import BAD_INPUT, ERROR, INTERRUPTED, NOT_FINITE, Outcome, Task
+from snapjump.tasks.registry import find_task
+from snapjump.terminal.progress import ProgressBar
+
+LARGEST_SEED = 2**32 - 1
+
+
+def execute(
+    config: Mapping[str, Any], folder: ResultFolder, command: str
+) -> tuple[Outcome, Task | None]:
+    """Do one job and leave its files; never raises for what happens inside the task.
+
+    A job with bad input has done nothing and leaves nothing: what becomes of it is the caller's.
+    """
+    started_at, clock = now(), time.perf_counter()
+    task: Task | None = None
+    bar = ProgressBar()
+    try:
+        check_run(config)
+        task = find_task(config["task"]["name"])
+        task.prepare(config)
+        folder.write_config(config)
+        outcome = task.run(folder, bar)
+    except ParameterError as error:
+        return Outcome(BAD_INPUT, str(error)), task
+    except KeyboardInterrupt:
+        outcome = Outcome(INTERRUPTED, "interrupted by the user")
+    except Exception as error:
+        write_text(folder.path / "traceback.txt", traceback.format_exc())
+        outcome = Outcome(ERROR, f"{type(error).__name__}: {error} (see traceback.txt)")
+    finally:
+        bar.close()
+    with uninterrupted():
+        outcome.summary.setdefault("wall_seconds", time.perf_counter() - clock)
+        write_outcome(config, folder, command, started_at, outcome)
+    return outcome, task
+
+
+def write_outcome(
+    config: Mapping[str, Any],
+    folder: ResultFolder,
+    command: str,
+    started_at: str,
+    outcome: Outcome,
+) -> None:
+    """Write what every job leaves; ``result.json`` last. Takes NaN out of the outcome."""
+    summary, not_finite = finite(outcome.summary)
+    outcome.summary = summary
+    if not_finite and outcome.finished:
+        outcome.status = NOT_FINITE
+        outcome.message = "not a finite number: " + ", ".join(not_finite)
+    folder.write_config(config)
+    folder.write_provenance(provenance(command, config["seed"], started_at))
+    message = {"message": outcome.message} if outcome.message else {}
+    folder.write_result({"status": outcome.status, **message, **outcome.summary})
+
+
+def check_run(config: Mapping[str, Any]) -> None:
+    """Check the keys that are about the run itself; raises ParameterError."""
+    check_integer("seed", config["seed"], 0, LARGEST_SEED)
+    if not isinstance(config["figures"], bool):
+        raise ParameterError("figures", config["figures"], "true or false")
+
+
+@contextmanager
+def uninterrupted() -> Iterator[None]:
+    """Put off Ctrl-C until the block is through, so that a run is never marked halfway."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    pending: list[int] = []
+    before = signal.signal(signal.SIGINT, lambda number, frame: pending.append(number))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+    if pending:
+        raise KeyboardInterrupt

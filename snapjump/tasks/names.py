@@ -1,0 +1,45 @@
+"""Names of folders: of a run, of a sweep and of one cell of it."""
+
+import hashlib
+import re
+import uuid
+from collections.abc import Sequence
+
+from omegaconf import DictConfig, OmegaConf
+
+LONGEST = 100
+# The same cells recorded elsewhere are the same cells.
+NOT_PHYSICS = re.compile(r"\+*tracking[.=]")
+
+
+def sweep_name(overrides: Sequence[str]) -> str:
+    """A stable name for a sweep: the same overrides in any order give the same name."""
+    return _name(sorted(overrides), always_hash=True)
+
+
+def cell_name(overrides: Sequence[str]) -> str:
+    """A stable, readable name for one cell of a sweep."""
+    return _name(list(overrides), always_hash=False)
+
+
+def register_resolvers() -> None:
+    """Let configurations use ``${unique_id:}`` and ``${cell_name:}``."""
+
+    def of_cell(*, _root_: DictConfig) -> str:
+        return cell_name(_root_.hydra.overrides.task)
+
+    register = OmegaConf.register_new_resolver
+    register("unique_id", lambda: uuid.uuid4().hex[:8], use_cache=True, replace=True)
+    register("cell_name", of_cell, replace=True)
+
+
+def _name(overrides: Sequence[str], always_hash: bool) -> str:
+    kept = [text for text in overrides if not NOT_PHYSICS.match(text)]
+    exact = ",".join(kept)
+    readable = re.sub(r"[^\w.=,+-]", "_", exact)
+    if not readable:
+        return "defaults"
+    if readable != exact or len(readable) > LONGEST or always_hash:
+        digest = hashlib.sha256(exact.encode()).hexdigest()[:8]
+        readable = f"{readable[:LONGEST]}-{digest}"
+    return readable

@@ -1,0 +1,18 @@
+"""Tasks by name. A new one is a file here, a YAML in ``conf/task`` and a line in TASKS."""
+
+from importlib import import_module
+
+from snapjump.checks import check_choice
+from snapjump.tasks.base import Task
+
+TASKS = {
+    "simulate": "snapjump.tasks.simulate:Simulate",
+}
+
+
+def find_task(name: str) -> Task:
+    """A new instance of the task; its module is imported only now."""
+    check_choice("task.name", name, tuple(TASKS))
+    module, cls = TASKS[name].split(":")
+    task: Task = getattr(import_module(module), cls)()
+    return task

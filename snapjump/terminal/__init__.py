@@ -1,0 +1,1 @@
+"""What the terminal shows: the help page, a progress bar, the closing block, tables."""

@@ -1,0 +1,1 @@
+"""Where runs are recorded: a family. MLflow is imported only when a record is written."""

@@ -1,0 +1,47 @@
+"""The contract of a tracker: what ``tracking=<name>`` does with a job that has ended."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Literal, Protocol
+
+State = Literal["FINISHED", "FAILED", "KILLED"]
+
+
+class TrackingError(RuntimeError):
+    """A record could not be written; the message is one line."""
+
+
+@dataclass(frozen=True)
+class Record:
+    """All of one job that is recorded, at once and at its end. Times are in ms since 1970."""
+
+    name: str
+    state: State
+    started_ms: int
+    ended_ms: int
+    params: Mapping[str, Any] = field(default_factory=dict)
+    metrics: Mapping[str, float] = field(default_factory=dict)
+    tags: Mapping[str, str] = field(default_factory=dict)
+    files: Sequence[Path] = ()
+    parent_id: str | None = None
+
+
+class Tracker(Protocol):
+    """Where records go. Only ``check`` may be called before there is something to record."""
+
+    @property
+    def place(self) -> str:
+        """Where the records are, for people; empty if there are none."""
+
+    def check(self) -> None:
+        """Find out quickly whether records can be written; raises ParameterError."""
+
+    def record(self, record: Record) -> str | None:
+        """Write one record; returns its id. Raises TrackingError."""
+
+    def open_parent(self, name: str, run_id: str | None) -> str | None:
+        """Start, or go on with, the record of a whole sweep; returns its id."""
+
+    def close_parent(self, run_id: str, record: Record) -> None:
+        """Complete the record of a whole sweep."""

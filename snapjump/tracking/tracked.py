@@ -1,0 +1,76 @@
+"""A record made from the files of a job, so that it can be written at any time after."""
+
+from collections.abc import Mapping
+from datetime import datetime
+from typing import Any
+
+from snapjump.files.json_file import read_json, write_json
+from snapjump.files.result_folder import ResultFolder
+from snapjump.tracking.base import Record, State, Tracker
+
+MARK = "tracking.json"
+STATES: dict[str, State] = {"ok": "FINISHED", "no_jump": "FINISHED", "interrupted": "KILLED"}
+
+
+def record_folder(
+    tracker: Tracker, folder: ResultFolder, name: str, parent_id: str | None
+) -> str:
+    """Record a job under a parent unless that has been done; returns where, for people."""
+    mark = read_json(folder.path / MARK)
+    wanted = {"place": tracker.place, "parent_id": parent_id}
+    if mark is None or {key: mark.get(key) for key in wanted} != wanted:
+        run_id = tracker.record(make_record(folder, name, parent_id))
+        if run_id is None:
+            return ""
+        mark = {**wanted, "run_id": run_id}
+        write_json(folder.path / MARK, mark)
+    return f"{mark['place']} run {mark['run_id']}"
+
+
+def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Record:
+    """What the files of a job say."""
+    config = folder.config() or {}
+    result = dict(folder.result() or {"status": "interrupted"})
+    origin = folder.provenance() or {}
+    numbers = {
+        key: float(value)
+        for key, value in result.items()
+        if isinstance(value, (int, float)) and not isinstance(value, bool)
+    }
+    words = {key: str(value) for key, value in result.items() if isinstance(value, (str, bool))}
+    return Record(
+        name=name,
+        state=STATES.get(result["status"], "FAILED"),
+        started_ms=milliseconds(origin.get("started_at")),
+        ended_ms=milliseconds(origin.get("finished_at")),
+        params=flat({key: value for key, value in config.items() if key != "tracking"}),
+        metrics=numbers,
+        tags={
+            **words,
+            "command": str(origin.get("command")),
+            "folder": str(folder.path.absolute()),
+            "git_dirty": str(origin.get("git_dirty")).lower(),
+            "mlflow.source.git.commit": str(origin.get("git_revision")),
+            "mlflow.source.name": "run.py",
+            "source_sha256": str(origin.get("source_sha256")),
+        },
+        files=[file for file in folder.files() if file.name != MARK],
+        parent_id=parent_id,
+    )
+
+
+def flat(values: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
+    """Nested keys joined by dots."""
+    found: dict[str, Any] = {}
+    for key, value in values.items():
+        if isinstance(value, Mapping):
+            found.update(flat(value, f"{prefix}{key}."))
+        else:
+            found[f"{prefix}{key}"] = value
+    return found
+
+
+def milliseconds(text: str | None) -> int:
+    """A time in ISO 8601, or now, in ms since 1970."""
+    time = datetime.now() if text is None else datetime.fromisoformat(text)
+    return int(1000 * time.timestamp())
