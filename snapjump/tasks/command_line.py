@@ -31,8 +31,6 @@ def main(conf: Path) -> int:
 
 def _run_hydra(conf: Path) -> int:
     import hydra
-    from hydra.errors import HydraException
-    from omegaconf.errors import OmegaConfBaseException
 
     from snapjump.tasks.hydra_errors import one_line
     from snapjump.tasks.sweep import current_sweep, leave_sweep
@@ -45,7 +43,8 @@ def _run_hydra(conf: Path) -> int:
     run = hydra.main(version_base="1.3", config_path=str(conf), config_name="config")(_job)
     try:
         run()
-    except (HydraException, OmegaConfBaseException) as error:
+    except Exception as error:
+        # Whatever happens inside a job ends in a status; this is about how it is configured.
         if wants_traceback:
             raise
         raise one_line(error, sys.argv[1:]) from error

@@ -17,6 +17,25 @@ from snapjump.tasks.base import BAD_INPUT, ERROR, INTERRUPTED, NOT_FINITE, Outco
 from snapjump.tasks.registry import find_task
 from snapjump.terminal.progress import ProgressBar
 
+SECTIONS = (
+    "task",
+    "sim",
+    "accuracy",
+    "robot",
+    "design",
+    "environment",
+    "discretization",
+    "frame",
+    "contact",
+    "friction",
+    "damping",
+    "integrator",
+    "stepping",
+    "linear_solver",
+    "backend",
+    "tracking",
+)
+SWITCHES = ("figures", "seed")
 LARGEST_SEED = 2**32 - 1
 
 
@@ -72,6 +91,15 @@ def write_outcome(
 
 def check_run(config: Mapping[str, Any]) -> None:
     """Check the keys that are about the run itself; raises ParameterError."""
+    for key in config:
+        if key not in SECTIONS and key not in SWITCHES:
+            raise ParameterError(key, config[key], "no such key; see --help")
+    for key in SECTIONS:
+        if not isinstance(config.get(key), Mapping):
+            raise ParameterError(key, config.get(key), "a group, which cannot be left out")
+    for key in SWITCHES:
+        if key not in config:
+            raise ParameterError(key, None, "a value, which cannot be left out")
     check_integer("seed", config["seed"], 0, LARGEST_SEED)
     if not isinstance(config["figures"], bool):
         raise ParameterError("figures", config["figures"], "true or false")

@@ -19,7 +19,7 @@ from snapjump.tasks.base import BAD_INPUT, FINISHED, INTERRUPTED, Outcome, Task
 from snapjump.tasks.execute import execute, uninterrupted, write_outcome
 from snapjump.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_OK, EXIT_UNTRACKED, exit_code
 from snapjump.tasks.hydra_errors import one_line
-from snapjump.tasks.names import cell_name, register_resolvers
+from snapjump.tasks.names import cell_name, register_resolvers, task_overrides
 from snapjump.tasks.sweep import PARENT_RUN
 from snapjump.terminal.block import block, number
 from snapjump.tracking.base import Tracker, TrackingError
@@ -34,7 +34,7 @@ def run_job(composed: DictConfig) -> int:
     """Do one job as configured; returns the exit code. Called by Hydra, in any process."""
     hydra = HydraConfig.get()
     folder = ResultFolder(Path(hydra.runtime.output_dir))
-    overrides = list(hydra.overrides.task)
+    overrides = task_overrides(hydra)
     try:
         config = OmegaConf.to_container(composed, resolve=True, throw_on_missing=True)
     except OmegaConfBaseException as error:

@@ -22,11 +22,18 @@ def cell_name(overrides: Sequence[str]) -> str:
     return _name(list(overrides), always_hash=False)
 
 
+def task_overrides(hydra: DictConfig) -> list[str]:
+    """What the command line, or the sweep, sets; text such as ``${...}`` is left as it is."""
+    overrides = OmegaConf.to_container(hydra.overrides.task, resolve=False)
+    assert isinstance(overrides, list)
+    return overrides
+
+
 def register_resolvers() -> None:
     """Let configurations use ``${unique_id:}`` and ``${cell_name:}``."""
 
     def of_cell(*, _root_: DictConfig) -> str:
-        return cell_name(_root_.hydra.overrides.task)
+        return cell_name(task_overrides(_root_.hydra))
 
     register = OmegaConf.register_new_resolver
     register("unique_id", lambda: uuid.uuid4().hex[:8], use_cache=True, replace=True)

@@ -14,7 +14,7 @@ from snapjump.files.json_file import read_json, write_json
 from snapjump.files.lock import FileLock
 from snapjump.files.provenance import now
 from snapjump.tasks.exit_codes import EXIT_BAD_INPUT
-from snapjump.tasks.names import cell_name, register_resolvers, sweep_name
+from snapjump.tasks.names import cell_name, register_resolvers, sweep_name, task_overrides
 from snapjump.tracking.base import Tracker, TrackingError
 from snapjump.tracking.registry import find_tracker
 
@@ -89,7 +89,7 @@ class SweepCallback(Callback):
 
     def on_multirun_start(self, config: DictConfig, **others: Any) -> None:
         """Start the sweep; Hydra would turn any Exception from here into a mere warning."""
-        os.environ[SWEEP_NAME] = sweep_name(config.hydra.overrides.task)
+        os.environ[SWEEP_NAME] = sweep_name(task_overrides(config.hydra))
         try:
             cells = expand(config)
             folder = Path(config.hydra.sweep.dir).absolute()
@@ -116,10 +116,10 @@ def expand(config: DictConfig) -> list[list[str]]:
     given = [f"{key}={value}" for key, value in (sweeper.params or {}).items()]
     try:
         overrides = OverridesParser.create().parse_overrides(
-            [*given, *config.hydra.overrides.task]
+            [*given, *task_overrides(config.hydra)]
         )
         (cells,) = BasicSweeper.split_arguments(overrides, None)
     except HydraException as error:
-        raise ParameterError("command line", list(config.hydra.overrides.task), str(error)) from error
+        raise ParameterError("command line", task_overrides(config.hydra), str(error)) from error
     by_name = {cell_name(cell): cell for cell in cells}
     return list(by_name.values())

@@ -1,0 +1,9 @@
+"""Snapjump from the command line: ``python run.py --help`` tells how."""
+
+import sys
+from pathlib import Path
+
+if __name__ == "__main__":
+    from snapjump.tasks.command_line import main
+
+    sys.exit(main(Path(__file__).resolve().parent / "conf"))
