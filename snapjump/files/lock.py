@@ -15,7 +15,7 @@ class FileLock:
     def acquire(self, wait: bool = True) -> bool:
         """Take the lock; False if another process holds it and ``wait`` is false."""
         self.path.parent.mkdir(parents=True, exist_ok=True)
-        file = open(self.path, "a")  # noqa: SIM115 (it stays open as long as the lock is held)
+        file = open(self.path, "a")
         try:
             fcntl.flock(file, fcntl.LOCK_EX if wait else fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:

@@ -83,9 +83,7 @@ class ResultFolder:
     def files(self) -> list[Path]:
         """Every complete file of the job, by name."""
         return sorted(
-            file
-            for file in self.path.iterdir()
-            if file.is_file() and not file.name.startswith(".")
+            file for file in self.path.iterdir() if file.is_file() and not file.name.startswith(".")
         )
 
     def holds(self, config: Mapping[str, Any], source_sha256: str, done: frozenset[str]) -> bool:

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from snapjump.checks import ParameterError
-from snapjump.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_INTERRUPTED
+from snapjump.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_ERROR, EXIT_INTERRUPTED
 
 # Hydra drops what a job returns; a job in this process leaves its exit code here.
 _exit_codes: list[int] = []
@@ -31,6 +31,8 @@ def main(conf: Path) -> int:
 
 def _run_hydra(conf: Path) -> int:
     import hydra
+    from hydra.errors import HydraException
+    from omegaconf.errors import OmegaConfBaseException
 
     from snapjump.tasks.hydra_errors import one_line
     from snapjump.tasks.sweep import current_sweep, leave_sweep
@@ -44,10 +46,11 @@ def _run_hydra(conf: Path) -> int:
     try:
         run()
     except Exception as error:
-        # Whatever happens inside a job ends in a status; this is about how it is configured.
-        if wants_traceback:
+        if wants_traceback or _exit_codes:
             raise
-        raise one_line(error, sys.argv[1:]) from error
+        if current_sweep() is None or isinstance(error, (HydraException, OmegaConfBaseException)):
+            raise one_line(error, sys.argv[1:]) from error
+        print(f"the sweep broke off: {type(error).__name__}: {error}", file=sys.stderr)
     finally:
         sweep = current_sweep()
         if sweep is not None:
@@ -58,4 +61,6 @@ def _run_hydra(conf: Path) -> int:
 def _job(config: Any) -> None:
     from snapjump.tasks.job import run_job
 
-    _exit_codes.append(run_job(config))
+    # Until it is known better: what a job raises is a defect, and not bad input.
+    _exit_codes.append(EXIT_ERROR)
+    _exit_codes[-1] = run_job(config)

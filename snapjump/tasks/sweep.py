@@ -53,9 +53,7 @@ class Sweep:
             )
         except TrackingError as error:
             raise ParameterError("tracking", self.tracker.place, str(error)) from error
-        write_json(
-            self.folder / MARK, {"place": self.tracker.place, "parent_id": self.parent_id}
-        )
+        write_json(self.folder / MARK, {"place": self.tracker.place, "parent_id": self.parent_id})
         if self.parent_id is None:
             os.environ.pop(PARENT_RUN, None)
         else:

@@ -11,12 +11,17 @@ from typing import TYPE_CHECKING, Any
 from snapjump.files.atomic import write_text
 from snapjump.files.provenance import git_state, now, source_hash
 from snapjump.files.result_folder import ResultFolder
-from snapjump.tasks.base import FINISHED, INTERRUPTED, Outcome
-from snapjump.tasks.exit_codes import EXIT_INTERRUPTED, EXIT_UNTRACKED, sweep_exit_code
+from snapjump.tasks.base import FINISHED, INTERRUPTED
+from snapjump.tasks.exit_codes import (
+    EXIT_BAD_INPUT,
+    EXIT_INTERRUPTED,
+    EXIT_UNTRACKED,
+    sweep_exit_code,
+)
 from snapjump.tasks.names import cell_name
 from snapjump.terminal.block import markdown_table, number, table
 from snapjump.tracking.base import Record, TrackingError
-from snapjump.tracking.tracked import flat, milliseconds, record_folder
+from snapjump.tracking.tracked import milliseconds, record_folder
 
 if TYPE_CHECKING:
     from snapjump.tasks.sweep import Sweep
@@ -53,7 +58,11 @@ class Cell:
 def summarise(sweep: "Sweep", stopped_by: BaseException | None) -> int:
     """Write and print the table, complete the records; returns the exit code of the sweep."""
     cells = read_cells(sweep)
+    mark_lost(cells)
     interrupted = isinstance(stopped_by, KeyboardInterrupt)
+    if stopped_by is not None and all(cell.status == NOT_STARTED for cell in cells):
+        _record(sweep, [], [], interrupted)
+        return EXIT_INTERRUPTED if interrupted else EXIT_BAD_INPUT
     header, rows = summary_table(cells)
     write_text(sweep.folder / "summary.csv", full_csv(cells))
     write_text(sweep.folder / "summary.md", markdown_table(header, rows) + "\n")
@@ -61,10 +70,8 @@ def summarise(sweep: "Sweep", stopped_by: BaseException | None) -> int:
     if draw(sweep, cells):
         files.append("summary.png")
     recorded = _record(sweep, cells, files, interrupted)
-    # A sweep that could not be composed has nothing to show beside its error.
-    if stopped_by is None or any(cell.status != NOT_STARTED for cell in cells):
-        print(f"\n{table(header, rows)}")
-        print(f"\n{_count(cells)}; files in {os.path.relpath(sweep.folder)}")
+    print(f"\n{table(header, rows)}\n")
+    print(f"{_count(cells)}; files in {os.path.relpath(sweep.folder)}")
     if interrupted:
         return EXIT_INTERRUPTED
     code = sweep_exit_code([cell.status for cell in cells])
@@ -80,12 +87,19 @@ def read_cells(sweep: "Sweep") -> list[Cell]:
     for cell in cells:
         origin = cell.folder.provenance() or {}
         cell.result = cell.folder.result() or {"status": NOT_STARTED}
-        cell.kept = str(origin.get("finished_at", "")) < sweep.started_at
-        if cell.kept and origin.get("source_sha256") != source_hash():
+        before = str(origin.get("finished_at", "")) < sweep.started_at
+        if before and origin.get("source_sha256") != source_hash():
             cell.result = {"status": NOT_STARTED}
-        if cell.status == NOT_STARTED and cell.folder.config() is not None:
-            cell.result = {"status": INTERRUPTED, "message": "ended without a result"}
+        cell.kept = before and cell.status in FINISHED
     return cells
+
+
+def mark_lost(cells: Sequence[Cell]) -> None:
+    """Give a status to cells whose process was killed before it could write one."""
+    for cell in cells:
+        if cell.folder.config() is not None and cell.folder.result() is None:
+            cell.result = {"status": INTERRUPTED, "message": "ended without a result"}
+            cell.folder.write_result(cell.result)
 
 
 def swept_inputs(cells: Sequence[Sequence[str]]) -> list[dict[str, str]]:
@@ -152,15 +166,12 @@ def draw(sweep: "Sweep", cells: Sequence[Cell]) -> bool:
     return True
 
 
-def _record(
-    sweep: "Sweep", cells: Sequence[Cell], files: Sequence[str], interrupted: bool
-) -> bool:
-    """Record cells whose own process could not, then complete the parent; whether that went well.
-    """
+def _record(sweep: "Sweep", cells: Sequence[Cell], files: Sequence[str], interrupted: bool) -> bool:
+    """Record cells whose own process could not, then complete the parent; False if in vain."""
     if sweep.parent_id is None:
         return True
     counts = {f"cells_{status}": float(n) for status, n in _statuses(cells).items()}
-    done = all(cell.status in FINISHED for cell in cells)
+    done = bool(cells) and all(cell.status in FINISHED for cell in cells)
     record = Record(
         name=sweep.folder.name,
         state="KILLED" if interrupted else "FINISHED" if done else "FAILED",
@@ -171,7 +182,7 @@ def _record(
             "folder": str(sweep.folder),
             "mlflow.source.git.commit": str(git_state()["git_revision"]),
             "git_dirty": str(git_state()["git_dirty"]).lower(),
-            "mlflow.note.content": (sweep.folder / "summary.md").read_text(encoding="utf-8"),
+            "mlflow.note.content": markdown_table(*summary_table(cells)),
         },
         files=[sweep.folder / name for name in files],
     )

@@ -9,9 +9,7 @@ from snapjump.terminal.block import number
 COST = ("steps", "newton_iterations", "kernel_seconds", "wall_seconds")
 
 
-def scene_report(
-    config: Mapping[str, Any], summary: Mapping[str, Any]
-) -> list[tuple[str, str]]:
+def scene_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list[tuple[str, str]]:
     """Lines of (heading, text); numbers that a scene does not have are left out."""
     scene = config["sim"]["name"]
     if scene == "jump":
@@ -35,9 +33,7 @@ def _jump_title(config: Mapping[str, Any]) -> str:
     )
 
 
-def _jump_results(
-    config: Mapping[str, Any], summary: Mapping[str, Any]
-) -> list[tuple[str, str]]:
+def _jump_results(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list[tuple[str, str]]:
     x, y = summary.get("x_bar"), summary.get("y_bar")
     length_mm = 1e3 * config["robot"]["length_m"]
     lines = []

@@ -82,9 +82,7 @@ class MlflowStore:
         from mlflow.entities import Metric, Param, RunTag
 
         params = [Param(key, _cut(value, LONGEST_PARAM)) for key, value in record.params.items()]
-        metrics = [
-            Metric(key, value, record.ended_ms, 0) for key, value in record.metrics.items()
-        ]
+        metrics = [Metric(key, value, record.ended_ms, 0) for key, value in record.metrics.items()]
         tags = [RunTag(key, _cut(value, LONGEST_TAG)) for key, value in record.tags.items()]
         self.client.log_batch(run_id, metrics=metrics, params=params[:PARAMS_PER_BATCH], tags=tags)
         for first in range(PARAMS_PER_BATCH, len(params), PARAMS_PER_BATCH):

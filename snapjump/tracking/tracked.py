@@ -12,9 +12,7 @@ MARK = "tracking.json"
 STATES: dict[str, State] = {"ok": "FINISHED", "no_jump": "FINISHED", "interrupted": "KILLED"}
 
 
-def record_folder(
-    tracker: Tracker, folder: ResultFolder, name: str, parent_id: str | None
-) -> str:
+def record_folder(tracker: Tracker, folder: ResultFolder, name: str, parent_id: str | None) -> str:
     """Record a job under a parent unless that has been done; returns where, for people."""
     mark = read_json(folder.path / MARK)
     wanted = {"place": tracker.place, "parent_id": parent_id}

@@ -1,0 +1,23 @@
+# Each target does all the set-up it needs in .venv, once.
+PYTHON ?= python3
+VENV := .venv
+STAMP := $(VENV)/.installed
+
+.PHONY: jump test check
+
+jump: $(STAMP)  ## one jump: numbers, figures, film
+	$(VENV)/bin/python run.py sim=jump contact=logbarrier
+
+test: $(STAMP)  ## all tests that take less than a minute
+	$(VENV)/bin/python -m pytest -n 2 -m "not slow"
+
+check: $(STAMP)  ## style, types, import layers
+	$(VENV)/bin/ruff check .
+	$(VENV)/bin/ruff format --check .
+	$(VENV)/bin/mypy
+	$(VENV)/bin/lint-imports
+
+$(STAMP): pyproject.toml
+	test -x $(VENV)/bin/python || $(PYTHON) -m venv $(VENV)
+	$(VENV)/bin/python -m pip install --quiet --disable-pip-version-check -e '.[dev]'
+	touch $@
