@@ -77,7 +77,7 @@ class ResultFolder:
 
     def forget(self) -> None:
         """Remove the result of an earlier attempt, so that it cannot pass for the next one's."""
-        for name in ("result.json", "tracking.json", "traceback.txt"):
+        for name in ("result.json", "provenance.json", "traceback.txt"):
             (self.path / name).unlink(missing_ok=True)
 
     def files(self) -> list[Path]:

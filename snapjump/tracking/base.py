@@ -37,8 +37,11 @@ class Tracker(Protocol):
     def check(self) -> None:
         """Find out quickly whether records can be written; raises ParameterError."""
 
-    def record(self, record: Record) -> str | None:
-        """Write one record; returns its id. Raises TrackingError."""
+    def record(self, record: Record, run_id: str | None = None) -> str | None:
+        """Write one record, in place of an earlier one if it can be; returns its id.
+
+        Raises TrackingError.
+        """
 
     def open_parent(self, name: str, run_id: str | None) -> str | None:
         """Start, or go on with, the record of a whole sweep; returns its id."""

@@ -51,10 +51,12 @@ class MlflowStore:
         logging.getLogger("alembic").setLevel(logging.WARNING)
         return MlflowClient(tracking_uri=self.uri, registry_uri=self.uri)
 
-    def record(self, record: Record) -> str:
-        """Write one record; returns the id of its run."""
+    def record(self, record: Record, run_id: str | None = None) -> str:
+        """Write one record, into the run of an earlier attempt if there is one; its id."""
         parent = {"mlflow.parentRunId": record.parent_id} if record.parent_id else {}
         with tracking_errors(self.uri):
+            if run_id is not None and self._rewrite(run_id, record):
+                return run_id
             run_id = self._create(record.name, record.started_ms, parent)
             self._complete(run_id, record)
         return run_id
@@ -107,6 +109,16 @@ class MlflowStore:
 
     def _artifact_folder(self) -> str | None:
         return None if self.artifacts is None else f"{self.artifacts}/{self.experiment}"
+
+    def _rewrite(self, run_id: str, record: Record) -> bool:
+        from mlflow.exceptions import MlflowException
+
+        try:
+            self._complete(run_id, record)
+        except MlflowException:
+            # The run is gone, or was made with other parameters, which MLflow never changes.
+            return False
+        return True
 
     def _reopen(self, run_id: str) -> bool:
         from mlflow.exceptions import MlflowException

@@ -11,7 +11,7 @@ class Off:
     def check(self) -> None:
         """Nothing to check."""
 
-    def record(self, record: Record) -> None:
+    def record(self, record: Record, run_id: str | None = None) -> None:
         """No record, no id."""
 
     def open_parent(self, name: str, run_id: str | None) -> None:

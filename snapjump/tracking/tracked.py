@@ -14,13 +14,16 @@ STATES: dict[str, State] = {"ok": "FINISHED", "no_jump": "FINISHED", "interrupte
 
 def record_folder(tracker: Tracker, folder: ResultFolder, name: str, parent_id: str | None) -> str:
     """Record a job under a parent unless that has been done; returns where, for people."""
-    mark = read_json(folder.path / MARK)
-    wanted = {"place": tracker.place, "parent_id": parent_id}
-    if mark is None or {key: mark.get(key) for key in wanted} != wanted:
-        run_id = tracker.record(make_record(folder, name, parent_id))
+    mark = read_json(folder.path / MARK) or {}
+    place = {"place": tracker.place, "parent_id": parent_id}
+    finished_at = (folder.provenance() or {}).get("finished_at")
+    same_place = {key: mark.get(key) for key in place} == place
+    if not same_place or mark.get("finished_at") != finished_at:
+        earlier = mark.get("run_id") if same_place else None
+        run_id = tracker.record(make_record(folder, name, parent_id), earlier)
         if run_id is None:
             return ""
-        mark = {**wanted, "run_id": run_id}
+        mark = {**place, "finished_at": finished_at, "run_id": run_id}
         write_json(folder.path / MARK, mark)
     return f"{mark['place']} run {mark['run_id']}"
 

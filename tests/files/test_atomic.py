@@ -1,0 +1,29 @@
+from pathlib import Path
+
+import pytest
+
+from snapjump.files.atomic import atomic_file, write_text
+
+
+def test_a_file_appears_whole(tmp_path: Path) -> None:
+    write_text(tmp_path / "a.txt", "one\n")
+    assert (tmp_path / "a.txt").read_text() == "one\n"
+    assert [path.name for path in tmp_path.iterdir()] == ["a.txt"]
+
+
+@pytest.mark.parametrize("stop", [RuntimeError, KeyboardInterrupt])
+def test_an_interrupted_write_leaves_the_old_file_and_nothing_else(
+    tmp_path: Path, stop: type[BaseException]
+) -> None:
+    write_text(tmp_path / "a.txt", "old")
+    with pytest.raises(stop), atomic_file(tmp_path / "a.txt") as file:
+        file.write("half of the ne")
+        raise stop
+    assert (tmp_path / "a.txt").read_text() == "old"
+    assert [path.name for path in tmp_path.iterdir()] == ["a.txt"]
+
+
+def test_a_file_is_as_readable_as_any_other(tmp_path: Path) -> None:
+    (tmp_path / "plain").write_text("")
+    write_text(tmp_path / "a.txt", "")
+    assert (tmp_path / "a.txt").stat().st_mode == (tmp_path / "plain").stat().st_mode

@@ -1,0 +1,30 @@
+import subprocess
+import sys
+from pathlib import Path
+
+from snapjump.files.lock import FileLock
+
+HOLD = """
+import sys
+from pathlib import Path
+from snapjump.files.lock import FileLock
+lock = FileLock(Path(sys.argv[1]))
+lock.acquire()
+print("held", flush=True)
+sys.stdin.read()
+"""
+
+
+def test_a_lock_excludes_other_processes_and_ends_with_its_own(tmp_path: Path) -> None:
+    path = tmp_path / "x.lock"
+    holder = subprocess.Popen(
+        [sys.executable, "-c", HOLD, str(path)], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    )
+    assert holder.stdout is not None
+    assert holder.stdout.readline() == b"held\n"
+    assert not FileLock(path).acquire(wait=False)
+    holder.kill()
+    holder.communicate()
+    lock = FileLock(path)
+    assert lock.acquire(wait=False)
+    lock.release()

@@ -1,0 +1,112 @@
+"""What becomes of a job, whatever its task does. The tasks here are stand-ins for that."""
+
+import json
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from snapjump.checks import ParameterError
+from snapjump.files.result_folder import ResultFolder
+from snapjump.tasks import registry
+from snapjump.tasks.base import Outcome
+from snapjump.tasks.execute import SECTIONS, execute
+
+CONFIG: dict[str, Any] = {
+    **{key: {} for key in SECTIONS},
+    "task": {"name": "stand_in"},
+    "figures": True,
+    "seed": 0,
+}
+
+
+class StandIn:
+    """A task that does what the test says."""
+
+    def prepare(self, config: Mapping[str, Any]) -> None:
+        if "epsilon" in config["design"]:
+            raise ParameterError("design.epsilon", config["design"]["epsilon"], "something else")
+
+    def run(self, folder: ResultFolder, progress: Any) -> Outcome:
+        raise NotImplementedError
+
+    def report(self, outcome: Outcome) -> list[tuple[str, str]]:
+        return [("stand-in", "")]
+
+
+@pytest.fixture(autouse=True)
+def stand_in(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(registry.TASKS, "stand_in", f"{__name__}:StandIn")
+    monkeypatch.setattr(registry, "import_module", lambda name: __import__("sys").modules[name])
+
+
+def run(monkeypatch: pytest.MonkeyPatch, path: Path, action: Any) -> tuple[Outcome, dict[str, Any]]:
+    monkeypatch.setattr(StandIn, "run", lambda self, folder, progress: action(folder))
+    outcome, _ = execute(CONFIG, ResultFolder(path), "python run.py")
+    return outcome, json.loads((path / "result.json").read_text())
+
+
+def test_a_good_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    _, result = run(monkeypatch, tmp_path, lambda f: Outcome("ok", "", {"x_bar": np.float64(5)}))
+    assert result.pop("wall_seconds") >= 0
+    assert result == {"status": "ok", "x_bar": 5.0}
+    names = [file.name for file in ResultFolder(tmp_path).files()]
+    assert names == ["config.yaml", "provenance.json", "result.json"]
+    assert ResultFolder(tmp_path).config() == CONFIG
+
+
+def test_nan_is_null_and_no_good_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    outcome, result = run(
+        monkeypatch, tmp_path, lambda f: Outcome("ok", "", {"x_bar": math.nan, "y_bar": 1.0})
+    )
+    assert outcome.status == result["status"] == "not_finite"
+    assert result["x_bar"] is None and result["y_bar"] == 1.0
+    assert "x_bar" in result["message"]
+
+
+def test_a_failure_keeps_its_own_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    failed = Outcome("not_converged", "at t = 1 ms", {"x_bar": math.nan})
+    _, result = run(monkeypatch, tmp_path, lambda f: failed)
+    assert (result["status"], result["message"]) == ("not_converged", "at t = 1 ms")
+    assert result["x_bar"] is None
+
+
+def test_ctrl_c_leaves_a_marked_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def stop(folder: ResultFolder) -> Outcome:
+        raise KeyboardInterrupt
+
+    assert run(monkeypatch, tmp_path, stop)[1]["status"] == "interrupted"
+
+
+def test_a_defect_leaves_its_traceback(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def break_down(folder: ResultFolder) -> Outcome:
+        raise ZeroDivisionError("by nought")
+
+    _, result = run(monkeypatch, tmp_path, break_down)
+    assert result["status"] == "error"
+    assert "ZeroDivisionError: by nought" in result["message"]
+    assert "break_down" in (tmp_path / "traceback.txt").read_text()
+
+
+@pytest.mark.parametrize(
+    ("change", "key"),
+    [
+        ({"design": {"epsilon": 9}}, "design.epsilon"),
+        ({"seed": -1}, "seed"),
+        ({"seed": 1.5}, "seed"),
+        ({"figures": "maybe"}, "figures"),
+        ({"task": {"name": "dream"}}, "task.name"),
+        ({"design": 3}, "design"),
+        ({"nonsense": 1}, "nonsense"),
+    ],
+)
+def test_bad_input_is_one_line_and_leaves_nothing(
+    tmp_path: Path, change: dict[str, Any], key: str
+) -> None:
+    outcome, _ = execute({**CONFIG, **change}, ResultFolder(tmp_path), "python run.py")
+    assert outcome.status == "bad_input"
+    assert outcome.message.startswith(f"{key} = ") and "\n" not in outcome.message
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,196 @@
+"""``python run.py``: the help page, bad input in one line, what a run leaves and what it imports."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from snapjump.tasks.command_line import main
+
+CONF = Path(__file__).resolve().parents[1] / "conf"
+RUN = CONF.parent / "run.py"
+JUMP = ("sim=jump", "contact=logbarrier", "accuracy=draft", "figures=false")
+
+
+@pytest.fixture
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., int]]:
+    """The command line in this process, which is quicker than another one."""
+    monkeypatch.chdir(tmp_path)
+    environment = dict(os.environ)
+
+    def run(*arguments: str) -> int:
+        monkeypatch.setattr(sys, "argv", ["run.py", *arguments])
+        return main(CONF)
+
+    yield run
+    os.environ.clear()
+    os.environ.update(environment)
+
+
+def only_folder(path: Path) -> Path:
+    (result,) = path.glob("outputs/*/*/result.json")
+    return result.parent
+
+
+@pytest.mark.parametrize(
+    ("argument", "names"),
+    [
+        # What Hydra would complain about in several lines.
+        ("contact=foo", ["contact = 'foo'", "logbarrier", "none"]),
+        ("design.foo=1", ["design.foo = '1'", "epsilon", "delta_alpha"]),
+        ("desing.epsilon=0.1", ["desing", "did you mean design?"]),
+        ("contct=none", ["contct = 'none'", "did you mean contact?"]),
+        ("design.epsilon=0.1,0.2", ["design.epsilon = '0.1,0.2'", "--multirun"]),
+        ("design.epsilon=[1", ["design.epsilon=[1", "key=value"]),
+        ("design.epsilon", ["'design.epsilon'", "key=value"]),
+        ("design.epsilon=${nope}", ["design.epsilon", "nope"]),
+        ("hydra/launcher=foo", ["hydra/launcher = 'foo'", "joblib"]),
+        ("accuracy=null", ["accuracy=null"]),
+        ("~sim", ["sim = None"]),
+        ("design=3", ["design = 3"]),
+        ("+foo=1", ["foo = 1"]),
+        # What only the library can know.
+        ("+design.foo=1", ["design.foo = 1", "epsilon"]),
+        ("+contact.foo=1", ["contact.foo = 1", "stiffness_N_m"]),
+        ("~design.epsilon", ["design.epsilon"]),
+        ("design.epsilon=0", ["design.epsilon = 0", "0.4]"]),
+        ("design.epsilon=0.41", ["design.epsilon = 0.41", "0.4]"]),
+        ("design.epsilon=nan", ["design.epsilon = nan", "0.4]"]),
+        ("design.epsilon=much", ["design.epsilon = 'much'", "0.4]"]),
+        ("design.epsilon=null", ["design.epsilon = None", "0.4]"]),
+        ("robot.length_m=0", ["robot.length_m = 0", "(0"]),
+        ("robot.mount_height=-0.001", ["robot.mount_height = -0.001"]),
+        ("robot.mount_height=high", ["robot.mount_height = 'high'", "optimal"]),
+        ("environment.mass_bar=0.001", ["environment.mass_bar = 0.001", "beam"]),
+        ("environment.mu=-0.1", ["environment.mu = -0.1"]),
+        ("stepping.tolerance=0", ["stepping.tolerance = 0"]),
+        ("stepping={tolerance: -1}", ["stepping.tolerance = -1"]),
+        ("contact.name=foo", ["contact.name = 'foo'", "logbarrier"]),
+        ("discretization.elements=2.5", ["discretization.elements = 2.5"]),
+        ("seed=-1", ["seed = -1"]),
+        ("figures=maybe", ["figures = 'maybe'"]),
+        ("tracking.path=''", ["tracking.path = ''"]),
+        ("hydra.run.dir=/proc/nowhere", ["/proc/nowhere"]),
+    ],
+)
+def test_bad_input_is_one_line_and_leaves_nothing(
+    here: Callable[..., int],
+    tmp_path: Path,
+    capfd: pytest.CaptureFixture[str],
+    argument: str,
+    names: list[str],
+) -> None:
+    assert here(argument) == 2
+    out, err = capfd.readouterr()
+    assert out == "" and err.count("\n") == 1, err
+    for name in names:
+        assert name in err
+    assert not [path for path in tmp_path.rglob("*") if path.is_file()]
+
+
+def test_bad_input_is_found_before_anything_is_compiled(command, tmp_path: Path) -> None:
+    done = command("design.epsilon=0.9", "tracking=off", python=("-X", "importtime"))
+    assert done.returncode == 2
+    assert "design.epsilon = 0.9 is not allowed" in done.stderr.splitlines()[-1]
+    assert "compiling" not in done.stderr + done.stdout
+
+
+def test_the_help_page_tells_every_group_and_member(
+    here: Callable[..., int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert here("--help") == 0
+    page = capsys.readouterr().out
+    for member in CONF.glob("*/*.yaml"):
+        assert f"  {member.parent.name}: " in page
+        assert f" {member.stem} " in page
+    assert page.count("python run.py") >= 4
+    assert "design.epsilon=0.2" in page and "(0, 0.4]" in page
+    assert max(len(line) for line in page.splitlines()) <= 120
+
+
+def test_help_is_quick(command) -> None:
+    started = time.monotonic()
+    assert command("--help").returncode == 0
+    assert time.monotonic() - started < 2.0
+
+
+def test_what_a_run_leaves(command, tmp_path: Path) -> None:
+    done = command(*JUMP, "tracking=off", "design.epsilon=0.25")
+    assert done.returncode == 0, done.stderr
+    folder = only_folder(tmp_path)
+    result = json.loads((folder / "result.json").read_text())
+    assert result["status"] == "ok"
+    for key in (
+        "x_bar",
+        "y_bar",
+        "apex_time_s",
+        "liftoff_time_s",
+        "liftoff_vx_m_s",
+        "liftoff_vy_m_s",
+        "steps",
+        "newton_iterations",
+        "min_gap_m",
+        "max_residual",
+        "kernel_seconds",
+        "wall_seconds",
+    ):
+        assert isinstance(result[key], (int, float)), key
+    text = (folder / "config.yaml").read_text()
+    assert "epsilon: 0.25" in text and "${" not in text
+    origin = json.loads((folder / "provenance.json").read_text())
+    assert origin["command"].startswith("python run.py sim=jump contact=logbarrier")
+    with np.load(folder / "trajectory.npz", allow_pickle=False) as arrays:
+        assert all(np.isfinite(arrays[name]).all() for name in arrays)
+    assert not [path for path in folder.iterdir() if path.name.startswith(".")]
+    for word in ("epsilon 0.25", "apex", " L (", "mm", "lift-off", "draft", "Newton", "outputs/"):
+        assert word in done.stdout
+
+
+def test_two_runs_never_share_a_folder(tmp_path: Path) -> None:
+    arguments = [sys.executable, str(RUN), *JUMP, "tracking=off"]
+    both = [subprocess.Popen(arguments, cwd=tmp_path) for _ in range(2)]
+    assert [process.wait(300) for process in both] == [0, 0]
+    assert len(list(tmp_path.glob("outputs/*/*/result.json"))) == 2
+
+
+def test_without_tracking_the_heavy_libraries_stay_out(command) -> None:
+    done = command(*JUMP, "tracking=off", python=("-X", "importtime"))
+    assert done.returncode == 0
+    imported = {line.split("|")[-1].strip() for line in done.stderr.splitlines() if "|" in line}
+    assert "snapjump.simulation" in imported
+    assert not imported & {"mlflow", "torch", "pytorch_lightning", "pandas", "matplotlib.pyplot"}
+
+
+def test_a_simulation_that_cannot_finish_says_so(command, tmp_path: Path) -> None:
+    done = command(*JUMP, "tracking=off", "sim.time_limit_s=1e-4")
+    assert done.returncode == 3
+    result = json.loads((only_folder(tmp_path) / "result.json").read_text())
+    assert result["status"] not in ("ok", "no_jump", "error")
+    assert result["message"]
+    assert done.stderr.splitlines()[-1] == f"{result['status']}: {result['message']}"
+
+
+def test_ctrl_c_leaves_a_clean_marked_run(tmp_path: Path) -> None:
+    process = subprocess.Popen(
+        [sys.executable, str(RUN), "accuracy=reference", "tracking=off"],
+        cwd=tmp_path,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    # The configuration is written just before the work begins.
+    while not list(tmp_path.glob("outputs/*/*/config.yaml")):
+        assert process.poll() is None
+        time.sleep(0.005)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=300)
+    assert process.returncode == 130
+    assert "Traceback" not in errors and "interrupted" in errors
+    result = json.loads((only_folder(tmp_path) / "result.json").read_text())
+    assert result["status"] == "interrupted"

@@ -1,0 +1,130 @@
+"""The configurations and the library tell the same story, and every member composes and builds."""
+
+import dataclasses
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from hydra import compose, initialize_config_dir
+from omegaconf import OmegaConf
+
+from snapjump.accuracy import TIERS
+from snapjump.families import FAMILIES
+from snapjump.parameters.design import Design
+from snapjump.parameters.environment import Environment
+from snapjump.parameters.robot import Robot
+from snapjump.simulation import build
+from snapjump.tasks.names import register_resolvers
+from snapjump.tasks.registry import TASKS
+from snapjump.terminal.help_page import describe
+from snapjump.tracking.registry import TRACKERS
+
+CONF = Path(__file__).resolve().parents[1] / "conf"
+MEMBERS = [(family, name) for family, members in FAMILIES.items() for name in members]
+
+
+def composed(*overrides: str) -> dict[str, Any]:
+    register_resolvers()
+    with initialize_config_dir(str(CONF), version_base="1.3"):
+        config = OmegaConf.to_container(compose("config", list(overrides)), resolve=True)
+    assert isinstance(config, dict)
+    return config  # type: ignore[return-value]
+
+
+def files(group: str) -> set[str]:
+    return {path.stem for path in (CONF / group).glob("*.yaml")}
+
+
+def section(group: str, name: str) -> dict[str, Any]:
+    content = yaml.safe_load((CONF / group / f"{name}.yaml").read_text())
+    return content.get(group, content)
+
+
+def defaults(cls: type) -> dict[str, Any]:
+    """Field names and their defaults; dataclasses.MISSING where there is none."""
+    return {field.name: field.default for field in dataclasses.fields(cls)}
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_every_member_has_its_file_and_every_file_its_member(family: str) -> None:
+    assert files(family) == set(FAMILIES[family])
+
+
+def test_groups_that_are_no_family_of_the_library() -> None:
+    assert files("task") == set(TASKS)
+    assert files("tracking") == set(TRACKERS)
+    assert files("accuracy") == set(TIERS)
+    others = {"task", "tracking", "accuracy", "robot"}
+    assert {path.name for path in CONF.iterdir() if path.is_dir()} == set(FAMILIES) | others
+
+
+@pytest.mark.parametrize(("family", "name"), MEMBERS)
+def test_a_file_has_the_fields_and_defaults_of_its_member(family: str, name: str) -> None:
+    expected = defaults(FAMILIES[family][name])
+    values = section(family, name)
+    assert values.pop("name") == name
+    assert list(values) == list(expected)
+    for key, value in values.items():
+        if not str(value).startswith("${") and expected[key] is not dataclasses.MISSING:
+            assert value == expected[key], key
+
+
+@pytest.mark.parametrize(("family", "name"), MEMBERS)
+def test_a_file_says_what_its_member_says(family: str, name: str) -> None:
+    documented = (FAMILIES[family][name].__doc__ or "").strip().splitlines()[0]
+    assert describe(CONF / family / f"{name}.yaml") == documented
+
+
+@pytest.mark.parametrize("cls", [Robot, Design, Environment])
+def test_parameters_have_the_library_s_defaults(cls: type) -> None:
+    assert composed()[cls.__name__.lower()] == defaults(cls)
+
+
+@pytest.mark.parametrize("name", TIERS)
+def test_a_tier_is_the_library_s(name: str) -> None:
+    values = section("accuracy", name)
+    assert values.pop("name") == name
+    tier = dataclasses.asdict(TIERS[name])
+    assert values == {key: tier[key] for key in values}
+
+
+@pytest.mark.parametrize(
+    "path", sorted(CONF.glob("*/*.yaml")), ids=lambda p: f"{p.parent.name}-{p.stem}"
+)
+def test_every_key_has_its_unit_or_range_in_a_comment(path: Path) -> None:
+    assert describe(path).endswith(".")
+    for line in path.read_text().splitlines():
+        key = line.strip().partition(":")[0]
+        if ":" in line and not line.strip().startswith(("#", "-")) and line.strip()[-1] != ":":
+            assert key in ("name", "known_error") or "#" in line, line
+
+
+@pytest.mark.parametrize("scene", FAMILIES["sim"])
+@pytest.mark.parametrize("accuracy", TIERS)
+def test_every_scene_builds_at_every_accuracy(scene: str, accuracy: str) -> None:
+    assert build(composed(f"sim={scene}", f"accuracy={accuracy}")) is not None
+
+
+@pytest.mark.parametrize(("family", "name"), MEMBERS)
+def test_every_member_can_be_chosen(family: str, name: str) -> None:
+    config = composed(f"{family}={name}")
+    assert config[family]["name"] == name
+    if (family, name) != ("frame", "fixed"):
+        assert build(config) is not None
+
+
+def test_the_command_line_wins_over_scene_and_tier() -> None:
+    chosen = ("damping=mass_proportional", "friction=lagged", "integrator=sdirk2")
+    config = composed("sim=bounce", "accuracy=paper", *chosen, "stepping.step_s=2e-6")
+    assert config["damping"]["name"] == "mass_proportional"
+    assert config["friction"]["name"] == "lagged"
+    assert config["integrator"]["name"] == "sdirk2"
+    assert config["stepping"] == {"name": "fixed", "step_s": 2e-6}
+    assert config["frame"]["name"] == "fixed"
+    assert config["discretization"]["clamp"] == "two_nodes"
+
+
+def test_a_key_wins_over_its_tier() -> None:
+    config = composed("accuracy=draft", "discretization.elements=64")
+    assert config["discretization"]["elements"] == 64
