@@ -7,7 +7,11 @@ Lengths are in L, forces in EI/L^2.
 
 from typing import Any
 
-from snapjump.number.dispatch import family_function
+from snapjump.number.dispatch import family_function, kernel
+from snapjump.number.functions import minimum
+
+# Slower than this (in L/T) a contact rests: what an unresolved bounce could lose is then nothing.
+RESTING_SPEED = 0.02
 
 
 @family_function
@@ -28,3 +32,10 @@ def contact_force(contact: Any, gap: Any) -> Any:
 @family_function
 def has_contact(contact: Any) -> Any:
     """Whether contact terms are compiled in."""
+
+
+@kernel
+def bounce_rate_squared(stiffness: Any, mass: Any, speed: Any) -> Any:
+    """Square of the frequency (1/T^2) that steps must resolve: k/m, less where contact rests."""
+    pace = speed / RESTING_SPEED
+    return stiffness / mass * minimum(pace * pace, 1.0 + 0.0 * pace)

@@ -43,81 +43,114 @@ def _clamp_offset(rod: DiscreteElasticRod) -> Any:
     return rod.clamp_offset
 
 
-@kernel
-def half_angle_tangent(ax: Any, ay: Any, bx: Any, by: Any, lengths: Any) -> Any:
-    """tan(phi/2) of the turning angle from vector a to b; ``lengths`` is |a||b|."""
-    return (ax * by - ay * bx) / (lengths + ax * bx + ay * by)
+class Edge(NamedTuple):
+    """An edge vector's length and its inverse, unit tangent, gradient of its direction (rad/L),
+    the rate of its direction (rad/T) and of its length (L/T)."""
+
+    length: Any
+    over: Any
+    cx: Any
+    cy: Any
+    slope_x: Any
+    slope_y: Any
+    turn_rate: Any
+    stretch_rate: Any
 
 
 @kernel
-def stretching_energy(rod: Any, ex: Any, ey: Any) -> Any:
-    """Energy of one edge."""
-    xi = sqrt(ex * ex + ey * ey) / rod.element_length - 1.0
+def make_edge(ex: Any, ey: Any, vx: Any, vy: Any) -> Edge:
+    """The edge (ex, ey) whose ends move apart with (vx, vy)."""
+    length = sqrt(fma(ex, ex, ey * ey))
+    over = 1.0 / length
+    cx = ex * over
+    cy = ey * over
+    turn_rate = (cx * vy - cy * vx) * over
+    return Edge(length, over, cx, cy, -cy * over, cx * over, turn_rate, cx * vx + cy * vy)
+
+
+@kernel
+def edge_at(j: Any, position: Any, origin: Any, rate_factor: Any) -> Edge:
+    """Edge j of the chain; velocities are ``(position - origin) * rate_factor``."""
+    ex = position[2 * j + 2] - position[2 * j]
+    ey = position[2 * j + 3] - position[2 * j + 1]
+    vx = (ex - origin[2 * j + 2] + origin[2 * j]) * rate_factor
+    vy = (ey - origin[2 * j + 3] + origin[2 * j + 1]) * rate_factor
+    return make_edge(ex, ey, vx, vy)
+
+
+@kernel
+def half_angle_tangent(ax: Any, ay: Any, bx: Any, by: Any) -> Any:
+    """tan(phi/2) of the turning angle between two unit vectors."""
+    return (ax * by - ay * bx) / (1.0 + ax * bx + ay * by)
+
+
+@kernel
+def stretching_energy(rod: Any, length: Any) -> Any:
+    """Energy of one edge of the given length."""
+    xi = length / rod.element_length - 1.0
     return 0.5 * rod.stretching_stiffness * rod.element_length * xi * xi
 
 
 @kernel
-def hinge_energy(ax: Any, ay: Any, bx: Any, by: Any, hinge_length: Any) -> Any:
-    """Bending energy between two vectors that meet at a node of the given length."""
-    lengths = sqrt(ax * ax + ay * ay) * sqrt(bx * bx + by * by)
-    t = half_angle_tangent(ax, ay, bx, by, lengths)
+def hinge_energy(t: Any, hinge_length: Any) -> Any:
+    """Bending energy of a node of the given length with t = tan(phi/2)."""
     return 2.0 * t * t / hinge_length
 
 
 @kernel
-def axial_force(rod: Any, damping: Any, length: Any, length_rate: Any) -> Any:
-    """Axial force EA (xi + eta d(xi)/dt)."""
-    xi = length / rod.element_length - 1.0
-    rate = length_rate / rod.element_length
-    return rod.stretching_stiffness * viscous_strain(damping, xi, rate)
+def axial_force(rod: Any, damping: Any, stretching: Any, edge: Any) -> Any:
+    """Axial force EA (xi + eta d(xi)/dt); ``stretching`` is EA over the element's length."""
+    return stretching * viscous_strain(damping, edge.length - rod.element_length, edge.stretch_rate)
 
 
 @kernel
-def hinge_moment(damping: Any, t: Any, angle_rate: Any, hinge_length: Any, rate_factor: Any) -> Any:
-    """dE/dphi of a hinge with t = tan(phi/2), and its derivative with respect to phi."""
-    growth = fma(t, t, 1.0)  # d(2 t)/dphi
-    curvature = viscous_strain(damping, 2.0 * t, growth * angle_rate) / hinge_length
-    moment = curvature * growth
-    stiffness = growth * (
-        growth * viscous_stiffening(damping, rate_factor) / hinge_length + curvature * t
-    )
-    return moment, stiffness
+def hinge_moment(damping: Any, t: Any, angle_rate: Any, density: Any, rate_factor: Any) -> Any:
+    """dE/dphi of a hinge with t = tan(phi/2), and its derivative with respect to phi.
 
-
-@kernel
-def add_edge(j: Any, force: Any, stretching: Any, turning: Any, ex: Any, ey: Any, square: Any,
-             length: Any, residual: Any, band: Any) -> Any:
-    """Add one edge: axial force, and the moment ``turning`` = dE/dtheta on its direction.
-
-    ``stretching`` is d(force)/d(length). Returns the largest component of the edge's force.
+    ``density`` is one over the hinge's length.
     """
-    inverse_square = 1.0 / square
-    cx = ex / length
-    cy = ey / length
-    torque = turning * inverse_square
-    fx = force * cx - torque * ey
-    fy = force * cy + torque * ex
-    residual[2 * j] -= fx
-    residual[2 * j + 1] -= fy
-    residual[2 * j + 2] += fx
-    residual[2 * j + 3] += fy
-    lateral = force / length
-    along = stretching - lateral
-    # Hess theta = [[2 ex ey, ey^2 - ex^2], [ey^2 - ex^2, -2 ex ey]] / |e|^4
-    swing = 2.0 * torque * cx * cy
+    growth = fma(t, t, 1.0)  # d(2 t)/dphi
+    curvature = viscous_strain(damping, 2.0 * t, growth * angle_rate) * density
+    elastic = growth * viscous_stiffening(damping, rate_factor) * density
+    return curvature * growth, growth * fma(curvature, t, elastic)
+
+
+@kernel
+def add_edge(
+    j: Any, force: Any, stiffness: Any, turning: Any, edge: Any, residual: Any, band: Any
+) -> Any:
+    """Add edge j: its axial force and the moment ``turning`` = dE/dtheta on its direction.
+
+    ``stiffness`` is d(force)/d(length). Returns the size of the edge's force.
+    """
+    cx = edge.cx
+    cy = edge.cy
+    sideways = turning * edge.over
+    fx = force * cx - sideways * cy
+    fy = force * cy + sideways * cx
+    row = 2 * j
+    residual[row] -= fx
+    residual[row + 1] -= fy
+    residual[row + 2] += fx
+    residual[row + 3] += fy
+    lateral = force * edge.over
+    along = stiffness - lateral
+    # Hess theta = [[2 cx cy, cy^2 - cx^2], [cy^2 - cx^2, -2 cx cy]] / |e|^2
+    twist = sideways * edge.over
+    swing = 2.0 * twist * cx * cy
     kxx = along * cx * cx + lateral + swing
-    kxy = along * cx * cy + torque * (cy * cy - cx * cx)
+    kxy = along * cx * cy + twist * (cy * cy - cx * cx)
     kyy = along * cy * cy + lateral - swing
-    band[2 * j, 0] += kxx
-    band[2 * j, 1] += kxy
-    band[2 * j, 2] -= kxx
-    band[2 * j, 3] -= kxy
-    band[2 * j + 1, 0] += kyy
-    band[2 * j + 1, 1] -= kxy
-    band[2 * j + 1, 2] -= kyy
-    band[2 * j + 2, 0] += kxx
-    band[2 * j + 2, 1] += kxy
-    band[2 * j + 3, 0] += kyy
+    band[row, 0] += kxx
+    band[row, 1] += kxy
+    band[row, 2] -= kxx
+    band[row, 3] -= kxy
+    band[row + 1, 0] += kyy
+    band[row + 1, 1] -= kxy
+    band[row + 1, 2] -= kyy
+    band[row + 2, 0] += kxx
+    band[row + 2, 1] += kxy
+    band[row + 3, 0] += kyy
     return absolute(fx) + absolute(fy)
 
 
@@ -186,71 +219,40 @@ def _add_internal_forces(
     band: Any,
 ) -> Any:
     elements = position.shape[0] // 2 - 1
-    length_0 = rod.element_length
-    stretching = (
-        rod.stretching_stiffness * viscous_stiffening(damping, rate_factor) / length_0
-    )
+    density = 1.0 / rod.element_length
+    end_density = 1.0 / rod.clamp_hinge_length
+    stretching = rod.stretching_stiffness * density
+    stiffening = stretching * viscous_stiffening(damping, rate_factor)
 
-    ex = position[2] - position[0]
-    ey = position[3] - position[1]
-    vx = (ex - origin[2] + origin[0]) * rate_factor
-    vy = (ey - origin[3] + origin[1]) * rate_factor
-    square = ex * ex + ey * ey
-    length = sqrt(square)
-    bx = -ey / square
-    by = ex / square
-    turn_rate = bx * vx + by * vy
-    force = axial_force(rod, damping, length, (ex * vx + ey * vy) / length)
-
-    t = half_angle_tangent(tangents.left_x, tangents.left_y, ex, ey, length)
-    moment, stiffness = hinge_moment(
-        damping, t, turn_rate - tangents.left_rate, rod.clamp_hinge_length, rate_factor
-    )
-    left = EndHinge(moment, stiffness, bx, by)
+    edge = edge_at(0, position, origin, rate_factor)
+    t = half_angle_tangent(tangents.left_x, tangents.left_y, edge.cx, edge.cy)
+    rate = edge.turn_rate - tangents.left_rate
+    moment, stiffness = hinge_moment(damping, t, rate, end_density, rate_factor)
+    left = EndHinge(moment, stiffness, edge.slope_x, edge.slope_y)
     add_end_hinge(0, 1, left, band)
     largest = absolute(moment)
 
     for i in range(1, elements):
-        fx = position[2 * i + 2] - position[2 * i]
-        fy = position[2 * i + 3] - position[2 * i + 1]
-        wx = (fx - origin[2 * i + 2] + origin[2 * i]) * rate_factor
-        wy = (fy - origin[2 * i + 3] + origin[2 * i + 1]) * rate_factor
-        next_square = fx * fx + fy * fy
-        next_length = sqrt(next_square)
-        dx = -fy / next_square
-        dy = fx / next_square
-        next_rate = dx * wx + dy * wy
-        t = half_angle_tangent(ex, ey, fx, fy, length * next_length)
-        next_moment, stiffness = hinge_moment(
-            damping, t, next_rate - turn_rate, length_0, rate_factor
-        )
-        add_hinge(i, stiffness, bx, by, dx, dy, band)
-        size = add_edge(
-            i - 1, force, stretching, moment - next_moment, ex, ey, square, length, residual, band
-        )
+        after = edge_at(i, position, origin, rate_factor)
+        t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
+        rate = after.turn_rate - edge.turn_rate
+        next_moment, stiffness = hinge_moment(damping, t, rate, density, rate_factor)
+        add_hinge(i, stiffness, edge.slope_x, edge.slope_y, after.slope_x, after.slope_y, band)
+        force = axial_force(rod, damping, stretching, edge)
+        size = add_edge(i - 1, force, stiffening, moment - next_moment, edge, residual, band)
         largest = maximum(largest, size)
-        force = axial_force(rod, damping, next_length, (fx * wx + fy * wy) / next_length)
-        ex = fx
-        ey = fy
-        square = next_square
-        length = next_length
-        bx = dx
-        by = dy
-        turn_rate = next_rate
+        edge = after
         moment = next_moment
 
-    t = half_angle_tangent(ex, ey, tangents.right_x, tangents.right_y, length)
-    last_moment, stiffness = hinge_moment(
-        damping, t, tangents.right_rate - turn_rate, rod.clamp_hinge_length, rate_factor
-    )
+    t = half_angle_tangent(edge.cx, edge.cy, tangents.right_x, tangents.right_y)
+    rate = tangents.right_rate - edge.turn_rate
+    last_moment, stiffness = hinge_moment(damping, t, rate, end_density, rate_factor)
     held = 1.0 - tangents.right_free
     last_moment = held * last_moment + tangents.right_free * tangents.right_moment
-    right = EndHinge(last_moment, held * stiffness, bx, by)
+    right = EndHinge(last_moment, held * stiffness, edge.slope_x, edge.slope_y)
     add_end_hinge(elements - 1, elements, right, band)
-    size = add_edge(
-        elements - 1, force, stretching, moment - last_moment, ex, ey, square, length,
-        residual, band,
-    )
+    force = axial_force(rod, damping, stretching, edge)
+    size = add_edge(elements - 1, force, stiffening, moment - last_moment, edge, residual, band)
     return left, right, maximum(largest, size)
 
 
@@ -262,15 +264,25 @@ def _internal_energy(rod: DiscreteElasticRod, position: Any, tangents: Any) -> A
     hinge_length = rod.clamp_hinge_length
     energy = 0.0 * position[0]
     for j in range(elements):
-        ex = position[2 * j + 2] - position[2 * j]
-        ey = position[2 * j + 3] - position[2 * j + 1]
-        energy = energy + stretching_energy(rod, ex, ey)
-        energy = energy + hinge_energy(ax, ay, ex, ey, hinge_length)
-        ax = ex
-        ay = ey
+        edge = edge_at(j, position, position, 0.0)
+        t = half_angle_tangent(ax, ay, edge.cx, edge.cy)
+        energy = energy + stretching_energy(rod, edge.length) + hinge_energy(t, hinge_length)
+        ax = edge.cx
+        ay = edge.cy
         hinge_length = rod.element_length
-    last = hinge_energy(ax, ay, tangents.right_x, tangents.right_y, rod.clamp_hinge_length)
+    t = half_angle_tangent(ax, ay, tangents.right_x, tangents.right_y)
+    last = hinge_energy(t, rod.clamp_hinge_length)
     return energy + (1.0 - tangents.right_free) * last
+
+
+@kernel
+def hinge_power(damping: Any, t: Any, angle_rate: Any, hinge_length: Any) -> Any:
+    """Power that damping takes out of a hinge, and the hinge's moment."""
+    zero = 0.0 * t
+    density = 1.0 / hinge_length
+    still, _ = hinge_moment(damping, t, zero, density, zero)
+    moving, _ = hinge_moment(damping, t, angle_rate, density, zero)
+    return (moving - still) * angle_rate, moving
 
 
 @damping_power.member(DiscreteElasticRod)
@@ -278,37 +290,32 @@ def _damping_power(
     rod: DiscreteElasticRod, damping: Any, position: Any, velocity: Any, tangents: Any
 ) -> Any:
     elements = position.shape[0] // 2 - 1
+    stretching = rod.stretching_stiffness / rod.element_length
     ax = tangents.left_x
     ay = tangents.left_y
     rate = tangents.left_rate
-    size = 1.0 + 0.0 * position[0]
     hinge_length = rod.clamp_hinge_length
     power = 0.0 * position[0]
     left = 0.0 * position[0]
     for j in range(elements):
-        ex = position[2 * j + 2] - position[2 * j]
-        ey = position[2 * j + 3] - position[2 * j + 1]
-        vx = velocity[2 * j + 2] - velocity[2 * j]
-        vy = velocity[2 * j + 3] - velocity[2 * j + 1]
-        length = sqrt(ex * ex + ey * ey)
-        length_rate = (ex * vx + ey * vy) / length
-        elastic = axial_force(rod, damping, length, 0.0 * length)
-        power = power + length_rate * (axial_force(rod, damping, length, length_rate) - elastic)
-        turn_rate = (ex * vy - ey * vx) / (length * length)
-        t = half_angle_tangent(ax, ay, ex, ey, size * length)
-        still, _ = hinge_moment(damping, t, 0.0 * t, hinge_length, 0.0 * t)
-        moving, _ = hinge_moment(damping, t, turn_rate - rate, hinge_length, 0.0 * t)
-        power = power + (moving - still) * (turn_rate - rate)
+        edge = make_edge(
+            position[2 * j + 2] - position[2 * j],
+            position[2 * j + 3] - position[2 * j + 1],
+            velocity[2 * j + 2] - velocity[2 * j],
+            velocity[2 * j + 3] - velocity[2 * j + 1],
+        )
+        elastic = stretching * (edge.length - rod.element_length)
+        viscous = axial_force(rod, damping, stretching, edge) - elastic
+        t = half_angle_tangent(ax, ay, edge.cx, edge.cy)
+        bending, moment = hinge_power(damping, t, edge.turn_rate - rate, hinge_length)
+        power = power + viscous * edge.stretch_rate + bending
         if j == 0:
-            left = moving
-        ax = ex
-        ay = ey
-        rate = turn_rate
-        size = length
+            left = moment
+        ax = edge.cx
+        ay = edge.cy
+        rate = edge.turn_rate
         hinge_length = rod.element_length
-    t = half_angle_tangent(ax, ay, tangents.right_x, tangents.right_y, size)
-    still, _ = hinge_moment(damping, t, 0.0 * t, rod.clamp_hinge_length, 0.0 * t)
-    moving, _ = hinge_moment(damping, t, tangents.right_rate - rate, rod.clamp_hinge_length, 0.0 * t)
+    t = half_angle_tangent(ax, ay, tangents.right_x, tangents.right_y)
+    bending, right = hinge_power(damping, t, tangents.right_rate - rate, rod.clamp_hinge_length)
     held = 1.0 - tangents.right_free
-    power = power + held * (moving - still) * (tangents.right_rate - rate)
-    return power, left, held * moving
+    return power + held * bending, left, held * right

@@ -60,9 +60,7 @@ def clear_of_ground(model: Any, work: Any, com_x: Any, com_y: Any, rise: Any) ->
     missing = maximum(radius + reach - com_y, 0.0 * c)
     discriminant = rise * rise - 2.0 * fall * missing
     apex = rise / fall
-    horizon = where(
-        discriminant > 0.0, (rise - sqrt(maximum(discriminant, 0.0 * c))) / fall, apex
-    )
+    horizon = where(discriminant > 0.0, (rise - sqrt(maximum(discriminant, 0.0 * c))) / fall, apex)
     clear = rise > 0.0
     for corner in range(4):
         x = -half_width if corner < 2 else half_width

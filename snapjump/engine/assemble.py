@@ -7,13 +7,13 @@ equilibrium is the same with rate = 0.
 from typing import Any, NamedTuple
 
 from snapjump.clamp.base import clamp_angles
-from snapjump.contact.base import contact_force, contact_reach, has_contact
+from snapjump.contact.base import bounce_rate_squared, contact_force, contact_reach, has_contact
 from snapjump.damping.base import mass_damping
 from snapjump.discretization.base import add_internal_forces, clamp_offset, has_elements
 from snapjump.frame.base import add_frame_forces, condense_ends, end_tangents, frame_dofs
 from snapjump.friction.base import has_friction, is_lagged, slip
 from snapjump.load.base import gravity, tip_load
-from snapjump.number.dispatch import kernel
+from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, any_true, maximum, minimum, where
 
 
@@ -35,38 +35,29 @@ class Assembly(NamedTuple):
 
 
 @kernel
-def clear(system: Any) -> None:
-    """Zero the linear system."""
-    zero = 0.0 * system.residual[0]
-    for i in range(system.residual.shape[0]):
-        system.residual[i] = zero
-    for j in range(system.band.shape[0]):
-        for k in range(6):
-            system.band[j, k] = zero
-
-
-@kernel
-def clear_border(system: Any) -> None:
+def clear_border(system: Any, zero: Any) -> None:
     """Zero the frame's rows of the linear system."""
-    zero = 0.0 * system.residual[0]
     for j in range(system.border.shape[0]):
         for k in range(3):
             system.border[j, k] = zero
     for k in range(3):
+        system.frame_residual[k] = zero
         for m in range(3):
             system.square[k, m] = zero
 
 
-@kernel
+@routine
 def add_inertia(model: Any, motion: Any, masses: Any, work: Any) -> Any:
-    """Inertia, drag and weight of the nodes; returns the largest inertial force."""
+    """Begin the system with inertia, drag and weight of the nodes; returns the largest force."""
     offset = frame_dofs(model.frame)
     rate = motion.rate_factor
     drag = mass_damping(model.damping)
     fall = gravity(model.load)
     diagonal = (rate + drag) * rate
-    largest = 0.0 * rate
+    zero = 0.0 * rate
+    largest = zero
     band = work.system.band
+    residual = work.system.residual
     for node in range(masses.shape[0]):
         mass = masses[node]
         row = 2 * node
@@ -75,15 +66,18 @@ def add_inertia(model: Any, motion: Any, masses: Any, work: Any) -> Any:
         vy = (work.state[i + 1] - work.origin[i + 1]) * rate
         ax = (vx - work.drift[i]) * rate
         ay = (vy - work.drift[i + 1]) * rate
-        work.system.residual[i] += mass * (ax + drag * vx)
-        work.system.residual[i + 1] += mass * (ay + drag * vy + fall)
-        band[row, 0] += mass * diagonal
-        band[row + 1, 0] += mass * diagonal
+        residual[row] = mass * (ax + drag * vx)
+        residual[row + 1] = mass * (ay + drag * vy + fall)
+        band[row, 0] = mass * diagonal
+        band[row + 1, 0] = mass * diagonal
+        for k in range(1, 6):
+            band[row, k] = zero
+            band[row + 1, k] = zero
         largest = maximum(largest, mass * (absolute(ax) + absolute(ay)))
     return largest
 
 
-@kernel
+@routine
 def add_node_contact(model: Any, motion: Any, masses: Any, work: Any) -> Any:
     """Contact and friction of the free nodes; returns the same figures as an assembly."""
     offset = frame_dofs(model.frame)
@@ -99,7 +93,8 @@ def add_node_contact(model: Any, motion: Any, masses: Any, work: Any) -> Any:
     for node in range(masses.shape[0]):
         if masses[node] == 0.0:
             continue
-        i = 2 * node + offset
+        row = 2 * node
+        i = row + offset
         gap = work.state[i + 1]
         smallest = minimum(smallest, gap)
         near = gap < reach
@@ -110,40 +105,38 @@ def add_node_contact(model: Any, motion: Any, masses: Any, work: Any) -> Any:
                 normal, _ = contact_force(contact, where(was_near, begun, reach))
                 velocity = work.velocity[0, i]
                 ratio, _ = slip(friction, velocity, 0.0 * velocity)
-                residual[i] += ratio * normal * contact.node_weight
+                residual[row] += ratio * normal * contact.node_weight
         if any_true(near):
             force, stiffness = contact_force(contact, where(near, gap, reach))
             force = force * contact.node_weight
             stiffness = stiffness * contact.node_weight
-            residual[i + 1] -= force
-            band[2 * node + 1, 0] += stiffness
+            residual[row + 1] -= force
+            band[row + 1, 0] += stiffness
             largest = maximum(largest, force)
-            fastest = maximum(fastest, stiffness / masses[node])
+            speed = (gap - work.origin[i + 1]) * rate
+            fastest = maximum(fastest, bounce_rate_squared(stiffness, masses[node], speed))
             if has_friction(friction) and not is_lagged(friction):
                 velocity = (work.state[i] - work.origin[i]) * rate
                 ratio, slope = slip(friction, velocity, work.slip[node + 4])
                 work.slip[node + 4] = velocity
                 # d(drag)/d(gap) is left out: it alone would make the band unsymmetric.
-                residual[i] += ratio * force
-                band[2 * node, 0] += force * slope * rate
+                residual[row] += ratio * force
+                band[row, 0] += force * slope * rate
     return Assembly(largest, smallest, fastest)
 
 
-@kernel
+@routine
 def assemble(model: Any, motion: Any, masses: Any, work: Any) -> Assembly:
     """Fill the linear system at the current state; ``masses`` is zero at slave nodes."""
     system = work.system
     dofs = frame_dofs(model.frame)
-    nodes_residual = system.residual[dofs:]
-    clear(system)
     if dofs > 0:
-        clear_border(system)
-
+        clear_border(system, 0.0 * motion.rate_factor)
     largest = add_inertia(model, motion, masses, work)
     force_x, force_y, _ = tip_load(model.load)
     last = 2 * masses.shape[0] - 2
-    nodes_residual[last] -= force_x
-    nodes_residual[last + 1] -= force_y
+    system.residual[last] -= force_x
+    system.residual[last + 1] -= force_y
     smallest = 0.0 * motion.rate_factor + 1.0e30
     fastest = 0.0 * motion.rate_factor
     if has_contact(model.contact):
@@ -164,7 +157,7 @@ def assemble(model: Any, motion: Any, masses: Any, work: Any) -> Assembly:
             work.origin[dofs:],
             motion.rate_factor,
             tangents,
-            nodes_residual,
+            system.residual,
             system.band,
         )
         largest = maximum(largest, internal)

@@ -2,10 +2,10 @@
 
 from typing import Any
 
-from snapjump.number.dispatch import kernel
+from snapjump.number.dispatch import routine
 
 
-@kernel
+@routine
 def centre_of_mass(model: Any, masses: Any, state: Any, velocity: Any) -> Any:
     """Position (x, y) and velocity (vx, vy) for a rigid frame with coordinates (x, y, theta)."""
     mass = model.frame.mass

@@ -8,7 +8,7 @@ from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import BACKTRACKS, ITERATION, RESIDUAL, SIZE
 from snapjump.engine.newton import newton_iteration
 from snapjump.frame.base import frame_dofs, place_ends
-from snapjump.number.dispatch import kernel
+from snapjump.number.dispatch import routine
 from snapjump.number.functions import any_true, maximum, negate, where
 
 TOLERANCE = 1e-10  # of the last correction (L)
@@ -16,7 +16,7 @@ ANCHOR = 1e3  # spring that holds the x that statics leaves undetermined (EI/L^3
 MOST_ITERATIONS = 60
 
 
-@kernel
+@routine
 def settle(model: Any, masses: Any, work: Any, time: Any) -> Any:
     """Newton's method from ``work.state`` to the equilibrium at the clamps' angles of ``time``.
 

@@ -48,7 +48,7 @@ from snapjump.engine.status import (
     STEP_UNDERFLOW,
 )
 from snapjump.contact.base import contact_reach
-from snapjump.number.dispatch import kernel
+from snapjump.number.dispatch import routine
 from snapjump.number.functions import any_true, maximum, minimum, negate, where
 from snapjump.number.lane import view_numbers
 from snapjump.engine.work import System, Work
@@ -90,13 +90,17 @@ class Limits(NamedTuple):
     of_a_march: float
 
 
-@kernel
+@routine
 def view_work(work: Any, lanes: Any) -> Work:
     """The memory as arrays of numbers, one lane or many."""
     system = System(
         view_numbers(work.system.residual, lanes),
         view_numbers(work.system.band, lanes),
         view_numbers(work.system.border, lanes),
+        view_numbers(work.system.padded_residual, lanes),
+        view_numbers(work.system.padded_band, lanes),
+        view_numbers(work.system.padded_border, lanes),
+        view_numbers(work.system.frame_residual, lanes),
         view_numbers(work.system.square, lanes),
     )
     return Work(
@@ -110,11 +114,12 @@ def view_work(work: Any, lanes: Any) -> Work:
         view_numbers(work.slip, lanes),
         view_numbers(work.clock, lanes),
         view_numbers(work.numbers, lanes),
+        view_numbers(work.weights, lanes),
         system,
     )
 
 
-@kernel
+@routine
 def load_robot(memory: Any, lane: int, queue: Any, robot: int, step: float) -> None:
     """Put a robot of the queue into a lane."""
     for k in range(memory.numbers.shape[0]):
@@ -132,7 +137,7 @@ def load_robot(memory: Any, lane: int, queue: Any, robot: int, step: float) -> N
     memory.clock[ACTIVE, lane] = 1.0
 
 
-@kernel
+@routine
 def refill(memory: Any, lane: int, queue: Any, step: float) -> None:
     """Give a lane the next robot of the queue, or let it idle on the one it has."""
     while queue.cursor[0] < queue.status.shape[0]:
@@ -212,7 +217,13 @@ def march(
             clock[TIME] + pick(tableau.nodes, clock[STAGE]) * h, 1.0 / (tableau.gamma * h), 0.0 * h
         )
         outcome = newton_iteration(
-            model, motion, masses, work, newton_tolerance(stepping), limits.of_a_stage, MOST_BACKTRACKS
+            model,
+            motion,
+            masses,
+            work,
+            newton_tolerance(stepping),
+            limits.of_a_stage,
+            MOST_BACKTRACKS,
         )
         clock[ITERATIONS] = clock[ITERATIONS] + where(active, 1.0, 0.0)
         converged = outcome.converged & active
@@ -231,7 +242,9 @@ def march(
             store_stage(tableau, work, converged)
             tally_stage(recorder, model, masses, motion, tableau, work)
             clock[LARGEST_RESIDUAL] = where(
-                converged, maximum(clock[LARGEST_RESIDUAL], clock[RESIDUAL]), clock[LARGEST_RESIDUAL]
+                converged,
+                maximum(clock[LARGEST_RESIDUAL], clock[RESIDUAL]),
+                clock[LARGEST_RESIDUAL],
             )
             ended = converged & (clock[STAGE] >= last_stage)
             clock[STAGE] = where(converged, clock[STAGE] + 1.0, clock[STAGE])
@@ -257,10 +270,17 @@ def march(
     return queue.cursor[1] == 0
 
 
-@kernel
+@routine
 def finish_step(
-    model: Any, masses: Any, tableau: Any, stepping: Any, ending: Any, recorder: Any, work: Any,
-    ended: Any, status: Any,
+    model: Any,
+    masses: Any,
+    tableau: Any,
+    stepping: Any,
+    ending: Any,
+    recorder: Any,
+    work: Any,
+    ended: Any,
+    status: Any,
 ) -> Any:
     """Judge the steps that have just ended; returns the status of every lane."""
     clock = work.clock
@@ -274,9 +294,7 @@ def finish_step(
     clock[REJECTED] = clock[REJECTED] + where(bad, 1.0, 0.0)
     clock[FAILURES] = where(good, 0.0, clock[FAILURES])
     clock[STAGE] = where(ended, 1.0, clock[STAGE])
-    clock[SMALLEST_GAP] = where(
-        good, minimum(clock[SMALLEST_GAP], clock[GAP]), clock[SMALLEST_GAP]
-    )
+    clock[SMALLEST_GAP] = where(good, minimum(clock[SMALLEST_GAP], clock[GAP]), clock[SMALLEST_GAP])
     commit_step(tableau, work, good)
     record_step(recorder, work)
     touching = good & (clock[GAP] < contact_reach(model.contact))
@@ -290,5 +308,3 @@ def finish_step(
     clock[STEP] = where(ended, minimum(proposed, remaining), clock[STEP])
     under = bad & (clock[STEP] < smallest_step(stepping))
     return where(under, 1.0 * STEP_UNDERFLOW, status)
-
-

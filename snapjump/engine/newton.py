@@ -17,7 +17,7 @@ from snapjump.engine.clock import (
 )
 from snapjump.frame.base import frame_dofs, limit_frame_step, place_ends
 from snapjump.linear_solver.banded import solve_bordered, solve_nodes
-from snapjump.number.dispatch import kernel
+from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, any_true, maximum, minimum, negate, where
 
 GAP_FRACTION = 0.15  # of its gap that every point keeps in one correction
@@ -34,34 +34,38 @@ class Correction(NamedTuple):
 
 
 @kernel
-def allowed_share(model: Any, masses: Any, state: Any, change: Any) -> Any:
-    """Share of ``state += change`` (at most 1) by which no gap shrinks below GAP_FRACTION."""
-    share = limit_frame_step(model.frame, state, change, GAP_FRACTION)
+def allowed_share(model: Any, masses: Any, state: Any, frame_drop: Any, drop: Any) -> Any:
+    """Share of ``state -= drop`` (at most 1) by which no gap shrinks below GAP_FRACTION."""
+    share = limit_frame_step(model.frame, state, frame_drop, GAP_FRACTION)
     if has_contact(model.contact):
         offset = frame_dofs(model.frame)
         for node in range(masses.shape[0]):
             if masses[node] == 0.0:
                 continue
-            i = 2 * node + offset + 1
-            allowed = (1.0 - GAP_FRACTION) * state[i]
-            beyond = -change[i] > allowed
+            fall = drop[2 * node + 1]
+            allowed = (1.0 - GAP_FRACTION) * state[2 * node + 1 + offset]
+            beyond = fall > allowed
             if any_true(beyond):
-                share = minimum(share, where(beyond, allowed / absolute(change[i]), 1.0))
+                share = minimum(share, where(beyond, allowed / absolute(fall), 1.0))
     return share
 
 
 @kernel
-def residual_size(model: Any, residual: Any, size: Any) -> Any:
-    """Largest component of the residual (EI/L^2)."""
-    largest = 0.0 * residual[0]
-    for i in range(size):
-        largest = maximum(largest, absolute(residual[i]))
+def largest_entry(values: Any, largest: Any) -> Any:
+    """The largest absolute value, or ``largest`` if that is larger."""
+    for i in range(values.shape[0]):
+        largest = maximum(largest, absolute(values[i]))
     return largest
 
 
-@kernel
+@routine
 def newton_iteration(
-    model: Any, motion: Motion, masses: Any, work: Any, tolerance: Any, most_iterations: Any,
+    model: Any,
+    motion: Motion,
+    masses: Any,
+    work: Any,
+    tolerance: Any,
+    most_iterations: Any,
     most_backtracks: Any,
 ) -> Correction:
     """Correct ``work.state`` in every lane; lanes without a robot must be masked by the caller."""
@@ -72,18 +76,18 @@ def newton_iteration(
     clock[GAP] = assembly.smallest_gap
     clock[FASTEST] = assembly.contact_rate_squared
     x = work.system.residual
+    y = work.system.frame_residual
+    zero = 0.0 * motion.rate_factor
     tiny = 1e-300 + 0.0 * motion.rate_factor
-    clock[RESIDUAL] = residual_size(model, x, size) / maximum(assembly.largest_force, tiny)
+    clock[RESIDUAL] = largest_entry(y, largest_entry(x, zero)) / maximum(
+        assembly.largest_force, tiny
+    )
     if dofs > 0:
         negative = solve_bordered(work.system)
     else:
         negative = solve_nodes(work.system)
 
-    correction = 0.0 * motion.rate_factor
-    for i in range(size):
-        x[i] = -x[i]
-        weight = 0.5 if dofs > 0 and i == 2 else 1.0
-        correction = maximum(correction, weight * absolute(x[i]))
+    correction = largest_entry(y, largest_entry(x, zero))
     finite = correction < 1e30
     first = clock[ITERATION] == 0.0
     grew = (correction > GROWTH_LIMIT * clock[SIZE]) & negate(first)
@@ -91,15 +95,16 @@ def newton_iteration(
     # A correction that outgrows the last one tells that the last one went too far: halve that.
     half = 0.5 * clock[SHARE]
     share = minimum(
-        allowed_share(model, masses, work.state, x),
+        allowed_share(model, masses, work.state, y, x),
         LARGEST_CORRECTION / maximum(correction, tiny),
     )
     share = where(finite, share, 0.0)
     moving = where(back, 0.0, share)
     undoing = where(back, half, 0.0)
     for i in range(size):
-        step = where(finite, x[i], 0.0)
-        work.state[i] = work.state[i] + moving * step - undoing * work.change[i]
+        step = y[i] if i < dofs else x[i - dofs]
+        step = where(finite, step, 0.0)
+        work.state[i] = work.state[i] - moving * step + undoing * work.change[i]
         work.change[i] = where(back, work.change[i], step)
     if has_elements(model.discretization):
         angles = clamp_angles(model.clamp, motion.time)

@@ -14,9 +14,9 @@ from snapjump.engine.clock import (
     TIME,
 )
 from snapjump.engine.newton import allowed_share
-from snapjump.frame.base import place_ends
-from snapjump.number.dispatch import kernel
-from snapjump.number.functions import absolute, any_true, maximum, sqrt, where
+from snapjump.frame.base import frame_dofs, place_ends
+from snapjump.number.dispatch import kernel, routine
+from snapjump.number.functions import absolute, any_true, fma, maximum, sqrt, where
 
 
 @kernel
@@ -28,7 +28,7 @@ def pick(table: Any, stage: Any) -> Any:
     return value
 
 
-@kernel
+@routine
 def store_stage(tableau: Any, work: Any, mask: Any) -> None:
     """Keep velocity and acceleration of the stage that has just converged."""
     clock = work.clock
@@ -45,7 +45,7 @@ def store_stage(tableau: Any, work: Any, mask: Any) -> None:
                 acceleration[i] = where(here, a, acceleration[i])
 
 
-@kernel
+@routine
 def estimate_error(tableau: Any, work: Any) -> Any:
     """Largest difference in position (L) from the comparison method."""
     stages = tableau.nodes.shape[0]
@@ -58,7 +58,7 @@ def estimate_error(tableau: Any, work: Any) -> Any:
     return largest * work.clock[STEP]
 
 
-@kernel
+@routine
 def commit_step(tableau: Any, work: Any, mask: Any) -> None:
     """Make the last stage the beginning of the next step."""
     last = tableau.nodes.shape[0] - 1
@@ -70,7 +70,7 @@ def commit_step(tableau: Any, work: Any, mask: Any) -> None:
         work.acceleration[0, i] = where(mask, work.acceleration[last, i], work.acceleration[0, i])
 
 
-@kernel
+@routine
 def begin_stage(model: Any, tableau: Any, masses: Any, work: Any, mask: Any) -> None:
     """Set origin, drift and a gap-safe first guess of every masked lane's current stage."""
     clock = work.clock
@@ -80,26 +80,28 @@ def begin_stage(model: Any, tableau: Any, masses: Any, work: Any, mask: Any) -> 
     share = tableau.gamma * step
     size = work.state.shape[0]
     restart = mask & (stage == 1.0)
+    for k in range(stages - 1):
+        work.weights[k] = step * pick(tableau.matrix[:, k], stage)
     for i in range(size):
         position = work.start[i]
-        velocity = work.velocity[0, i]
-        guess = work.acceleration[0, i]
         origin = position
-        drift = velocity
+        drift = work.velocity[0, i]
+        guess = work.acceleration[0, i]
         for k in range(stages - 1):
-            weight = step * pick(tableau.matrix[:, k], stage)
-            origin = origin + weight * work.velocity[k, i]
-            drift = drift + weight * work.acceleration[k, i]
-        for k in range(1, stages - 1):
-            guess = where(stage > 1.0 * k, work.acceleration[k, i], guess)
+            earlier = work.acceleration[k, i]
+            origin = fma(work.weights[k], work.velocity[k, i], origin)
+            drift = fma(work.weights[k], earlier, drift)
+            guess = where(stage > 1.0 * k, earlier, guess)
+        state = where(restart, position, work.state[i])
+        aim = origin + share * (drift + share * guess)
         work.origin[i] = where(mask, origin, work.origin[i])
         work.drift[i] = where(mask, drift, work.drift[i])
-        work.state[i] = where(restart, position, work.state[i])
-        aim = origin + share * (drift + share * guess)
-        work.change[i] = where(mask, aim - work.state[i], 0.0)
-    allowed = allowed_share(model, masses, work.state, work.change)
+        work.state[i] = state
+        work.change[i] = where(mask, state - aim, 0.0)
+    dofs = frame_dofs(model.frame)
+    allowed = allowed_share(model, masses, work.state, work.change, work.change[dofs:])
     for i in range(size):
-        work.state[i] = work.state[i] + allowed * work.change[i]
+        work.state[i] = work.state[i] - allowed * work.change[i]
     for i in range(work.slip.shape[0]):
         work.slip[i] = where(mask, 0.0, work.slip[i])
     clock[ITERATION] = where(mask, 0.0, clock[ITERATION])
@@ -115,5 +117,3 @@ def begin_stage(model: Any, tableau: Any, masses: Any, work: Any, mask: Any) -> 
 def contact_frequency(work: Any) -> Any:
     """Fastest contact frequency of the last assembly (1/T)."""
     return sqrt(work.clock[FASTEST])
-
-

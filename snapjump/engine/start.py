@@ -11,7 +11,7 @@ from snapjump.engine.equilibrium import settle
 from snapjump.engine.model import Model
 from snapjump.engine.status import NO_EQUILIBRIUM, RUNNING
 from snapjump.frame.base import frame_dofs
-from snapjump.number.dispatch import kernel
+from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import where
 
 CONTINUATION_STEPS = 16
@@ -33,7 +33,7 @@ def with_angles(model: Any, left: Any, lag: Any) -> Any:
     )
 
 
-@kernel
+@routine
 def follow_branch(model: Any, masses: Any, work: Any) -> Any:
     """Settle from flat clamps up to the march's beginning; fill start, velocity, acceleration.
 

@@ -12,15 +12,20 @@ CORNERS = 4
 
 
 class System(NamedTuple):
-    """The linear system of a Newton iteration.
+    """The linear system of a Newton iteration, for B coordinates of nodes and F of the frame.
 
-    residual (D + pad), band (B + pad, 6), border (B + pad, 3), square (3, 3): D coordinates, the
-    frame's first, of which B belong to nodes; the padding spares the solver its edge cases.
+    residual (B), band (B, 6), border (B, 3): of the nodes; these are views into the padded arrays
+    of B + 10 rows, whose five zero rows before and after spare the solver its edge cases.
+    frame_residual (F) and square (3, 3): of the frame.
     """
 
     residual: Any
     band: Any
     border: Any
+    padded_residual: Any
+    padded_band: Any
+    padded_border: Any
+    frame_residual: Any
     square: Any
 
 
@@ -31,7 +36,7 @@ class Work(NamedTuple):
     the stage's position and velocity before its own share (D); change: last Newton correction
     (D); velocity, acceleration: of every stage, the first being the step's beginning (S, D);
     slip: sliding velocities at the last iterate, corners first (4 + nodes); clock: scalars by
-    lane (see :mod:`snapjump.engine.clock`); numbers: of the model (P).
+    lane (see :mod:`snapjump.engine.clock`); numbers: of the model (P); weights: of earlier stages (S).
     """
 
     state: Any
@@ -44,6 +49,7 @@ class Work(NamedTuple):
     slip: Any
     clock: Any
     numbers: Any
+    weights: Any
     system: System
 
 
@@ -58,8 +64,18 @@ def make_work(
         return aligned_zeros((*shape, lanes))
 
     pad = HALF_BANDWIDTH
+    residual = zeros(beam + 2 * pad)
+    band = zeros(beam + 2 * pad, pad + 1)
+    border = zeros(beam + 2 * pad, 3)
     system = System(
-        zeros(size + pad), zeros(beam + pad, pad + 1), zeros(beam + pad, 3), zeros(3, 3)
+        residual[pad : pad + beam],
+        band[pad : pad + beam],
+        border[pad : pad + beam],
+        residual,
+        band,
+        border,
+        zeros(3),
+        zeros(3, 3),
     )
     return Work(
         state=zeros(size),
@@ -72,5 +88,6 @@ def make_work(
         slip=zeros(CORNERS + nodes),
         clock=zeros(clocks),
         numbers=zeros(numbers),
+        weights=zeros(stages),
         system=system,
     )

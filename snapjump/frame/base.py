@@ -47,5 +47,5 @@ def add_frame_forces(frame: Any, model: Any, motion: Any, work: Any) -> Any:
 
 
 @family_function
-def limit_frame_step(frame: Any, state: Any, change: Any, fraction: Any) -> Any:
-    """Share of a step (at most 1) that leaves every corner ``fraction`` of its gap."""
+def limit_frame_step(frame: Any, state: Any, drop: Any, fraction: Any) -> Any:
+    """Share of ``state -= drop`` (at most 1) that leaves every corner ``fraction`` of its gap."""

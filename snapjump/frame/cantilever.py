@@ -27,14 +27,18 @@ def _frame_dofs(frame: CantileverFrame) -> int:
 
 
 @end_tangents.member(CantileverFrame)
-def _end_tangents(
-    frame: CantileverFrame, load: Any, angles: Any, state: Any, velocity: Any
-) -> Any:
+def _end_tangents(frame: CantileverFrame, load: Any, angles: Any, state: Any, velocity: Any) -> Any:
     zero = 0.0 * state[0]
     _, _, moment = tip_load(load)
     return EndTangents(
-        cos(angles.left), -sin(angles.left), -angles.left_rate, zero + 1.0, zero, zero,
-        zero + 1.0, zero + moment,
+        cos(angles.left),
+        -sin(angles.left),
+        -angles.left_rate,
+        zero + 1.0,
+        zero,
+        zero,
+        zero + 1.0,
+        zero + moment,
     )
 
 
@@ -46,7 +50,12 @@ def _place_ends(frame: CantileverFrame, offset: Any, angles: Any, state: Any) ->
 
 @condense_ends.member(CantileverFrame)
 def _condense_ends(
-    frame: CantileverFrame, tangents: Any, offset: Any, left: Any, right: Any, state: Any,
+    frame: CantileverFrame,
+    tangents: Any,
+    offset: Any,
+    left: Any,
+    right: Any,
+    state: Any,
     system: Any,
 ) -> None:
     release_first_node(system.residual, system.band)
@@ -59,5 +68,5 @@ def _add_frame_forces(frame: CantileverFrame, model: Any, motion: Any, work: Any
 
 
 @limit_frame_step.member(CantileverFrame)
-def _limit_frame_step(frame: CantileverFrame, state: Any, change: Any, fraction: Any) -> Any:
+def _limit_frame_step(frame: CantileverFrame, state: Any, drop: Any, fraction: Any) -> Any:
     return 1.0 + 0.0 * state[0]

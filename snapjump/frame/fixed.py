@@ -66,5 +66,5 @@ def _add_frame_forces(frame: FixedFrame, model: Any, motion: Any, work: Any) -> 
 
 
 @limit_frame_step.member(FixedFrame)
-def _limit_frame_step(frame: FixedFrame, state: Any, change: Any, fraction: Any) -> Any:
+def _limit_frame_step(frame: FixedFrame, state: Any, drop: Any, fraction: Any) -> Any:
     return 1.0 + 0.0 * state[0]

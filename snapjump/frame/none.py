@@ -48,5 +48,5 @@ def _add_frame_forces(frame: NoFrame, model: Any, motion: Any, work: Any) -> Any
 
 
 @limit_frame_step.member(NoFrame)
-def _limit_frame_step(frame: NoFrame, state: Any, change: Any, fraction: Any) -> Any:
+def _limit_frame_step(frame: NoFrame, state: Any, drop: Any, fraction: Any) -> Any:
     return 1.0 + 0.0 * state[0]

@@ -5,7 +5,7 @@ The clamped end nodes of the beam belong to it, so that its mass matrix is diago
 
 from typing import Any, NamedTuple
 
-from snapjump.contact.base import contact_force, contact_reach, has_contact
+from snapjump.contact.base import bounce_rate_squared, contact_force, contact_reach, has_contact
 from snapjump.damping.base import mass_damping
 from snapjump.discretization.base import EndTangents
 from snapjump.frame.base import (
@@ -87,8 +87,19 @@ def _place_ends(frame: RigidFrame, offset: Any, angles: Any, state: Any) -> None
 
 @kernel
 def add_arm(
-    kxx: Any, kxy: Any, kyy: Any, cx: Any, cy: Any, hinge: Any, sign: Any, fx: Any, fy: Any,
-    arm_x: Any, arm_y: Any, residual: Any, square: Any,
+    kxx: Any,
+    kxy: Any,
+    kyy: Any,
+    cx: Any,
+    cy: Any,
+    hinge: Any,
+    sign: Any,
+    fx: Any,
+    fy: Any,
+    arm_x: Any,
+    arm_y: Any,
+    residual: Any,
+    square: Any,
 ) -> None:
     """Move an end node's own block, force and hinge onto the frame.
 
@@ -119,8 +130,8 @@ def add_arm(
 def _condense_ends(
     frame: RigidFrame, tangents: Any, offset: Any, left: Any, right: Any, state: Any, system: Any
 ) -> None:
-    residual = system.residual
-    nodes = residual[3:]
+    residual = system.frame_residual
+    nodes = system.residual
     band = system.band
     border = system.border
     lx, ly, rx, ry = end_arms(frame, offset, tangents, state[2])
@@ -128,9 +139,19 @@ def _condense_ends(
     # The left hinge's angle falls with the frame's direction; its edge leaves node 0.
     coupling = left.stiffness
     add_arm(
-        band[0, 0], band[0, 1], band[1, 0],
-        coupling * left.slope_x, coupling * left.slope_y,
-        left, -1.0, nodes[0], nodes[1], lx, ly, residual, system.square,
+        band[0, 0],
+        band[0, 1],
+        band[1, 0],
+        coupling * left.slope_x,
+        coupling * left.slope_y,
+        left,
+        -1.0,
+        nodes[0],
+        nodes[1],
+        lx,
+        ly,
+        residual,
+        system.square,
     )
     for row in range(2, 6):
         bx = band[0, row]
@@ -146,9 +167,19 @@ def _condense_ends(
     row = 2 * last
     coupling = right.stiffness
     add_arm(
-        band[row, 0], band[row, 1], band[row + 1, 0],
-        -coupling * right.slope_x, -coupling * right.slope_y,
-        right, 1.0, nodes[row], nodes[row + 1], rx, ry, residual, system.square,
+        band[row, 0],
+        band[row, 1],
+        band[row + 1, 0],
+        -coupling * right.slope_x,
+        -coupling * right.slope_y,
+        right,
+        1.0,
+        nodes[row],
+        nodes[row + 1],
+        rx,
+        ry,
+        residual,
+        system.square,
     )
     for k in range(1, 5):
         bx = band[row - k, k]
@@ -172,7 +203,7 @@ def corner_arm(frame: Any, corner: Any, c: Any, s: Any) -> Any:
 @add_frame_forces.member(RigidFrame)
 def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> Any:
     state = work.state
-    residual = work.system.residual
+    residual = work.system.frame_residual
     square = work.system.square
     rate = motion.rate_factor
     drag = mass_damping(model.damping)
@@ -215,7 +246,9 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
                 square[2, 1] += stiffness * rx
                 square[2, 2] += stiffness * rx * rx + force * ry
                 lever = 1.0 / frame.mass + rx * rx / frame.inertia
-                fastest = maximum(fastest, stiffness * lever)
+                speed = (state[1] - work.origin[1] + rx * (state[2] - work.origin[2])) * rate
+                bounce = bounce_rate_squared(stiffness, 1.0 / lever, speed)
+                fastest = maximum(fastest, bounce)
                 if has_friction(model.friction):
                     add_corner_friction(
                         model, motion, work, corner, frame, rx, ry, force, stiffness
@@ -225,11 +258,18 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
 
 @kernel
 def add_corner_friction(
-    model: Any, motion: Any, work: Any, corner: Any, frame: Any, rx: Any, ry: Any, force: Any,
+    model: Any,
+    motion: Any,
+    work: Any,
+    corner: Any,
+    frame: Any,
+    rx: Any,
+    ry: Any,
+    force: Any,
     stiffness: Any,
 ) -> None:
     """Add friction at one corner, with its full, unsymmetric derivative."""
-    residual = work.system.residual
+    residual = work.system.frame_residual
     square = work.system.square
     friction = model.friction
     if is_lagged(friction):
@@ -265,7 +305,7 @@ def add_corner_friction(
 
 
 @limit_frame_step.member(RigidFrame)
-def _limit_frame_step(frame: RigidFrame, state: Any, change: Any, fraction: Any) -> Any:
+def _limit_frame_step(frame: RigidFrame, state: Any, drop: Any, fraction: Any) -> Any:
     c = cos(state[2])
     s = sin(state[2])
     share = 1.0 + 0.0 * state[0]
@@ -273,7 +313,7 @@ def _limit_frame_step(frame: RigidFrame, state: Any, change: Any, fraction: Any)
         rx, ry = corner_arm(frame, corner, c, s)
         gap = state[1] + ry
         # The second-order term bounds the corner's fall along its arc.
-        drop = -change[1] - rx * change[2] + 0.5 * absolute(ry) * change[2] * change[2]
+        fall = drop[1] + rx * drop[2] + 0.5 * absolute(ry) * drop[2] * drop[2]
         allowed = (1.0 - fraction) * gap
-        share = minimum(share, where(drop > allowed, allowed / drop, 1.0))
+        share = minimum(share, where(fall > allowed, allowed / fall, 1.0))
     return share

@@ -3,11 +3,8 @@
 from typing import Any, NamedTuple
 
 
-
 from snapjump.friction.base import has_friction, is_lagged, regularised_sign, slip
 from snapjump.number.functions import where
-
-
 
 
 class ImplicitFriction(NamedTuple):

@@ -47,9 +47,7 @@ class Integrator:
             full[i, : len(row)] = row
         nodes = full.sum(axis=1)
         powers = np.arange(len(nodes))
-        interpolatory = np.linalg.solve(
-            nodes[None, :] ** powers[:, None], 1.0 / (powers + 1.0)
-        )
+        interpolatory = np.linalg.solve(nodes[None, :] ** powers[:, None], 1.0 / (powers + 1.0))
         gamma = full[1, 1]
         return Tableau(
             gamma=float(gamma),

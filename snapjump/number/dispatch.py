@@ -14,7 +14,10 @@ from numba.extending import overload, register_jitable
 Function = Callable[..., Any]
 
 
-kernel = register_jitable  # a plain Python function that compiled code may call
+# Plain Python functions that compiled code may call: small ones are merged into their callers
+# (lanes travel through memory across a call), large ones are compiled once a program.
+kernel = register_jitable(forceinline=True)
+routine = register_jitable
 
 
 def member_class(kind: Any) -> Any:
@@ -34,7 +37,7 @@ def family_function(declaration: Function) -> Any:
         """Register the decorated function as the version for members of class ``cls``."""
 
         def register(function: Function) -> Function:
-            versions[cls] = register_jitable(function)
+            versions[cls] = kernel(function)
             return function
 
         return register
@@ -42,7 +45,7 @@ def family_function(declaration: Function) -> Any:
     call.member = member  # type: ignore[attr-defined]
     call.versions = versions  # type: ignore[attr-defined]
 
-    @overload(call, strict=False)
+    @overload(call, strict=False, jit_options={"forceinline": True})
     def _resolve(member: Any, *args: Any) -> Any:
         return versions.get(member_class(member))
 

@@ -20,6 +20,8 @@ from snapjump.number.lane import (
     vector_intrinsic,
 )
 
+INLINED = {"forceinline": True}
+
 
 def _elementwise(name: str, vectorised: bool, in_python: Any) -> Any:
     """A function of one number: ``llvm.<name>`` in numba, ``in_python`` outside it."""
@@ -45,14 +47,16 @@ def _elementwise(name: str, vectorised: bool, in_python: Any) -> Any:
 
         return kind(x), codegen
 
-    @overload(function, strict=False)
+    @overload(function, strict=False, jit_options=INLINED)
     def _in_numba(x: Any) -> Any:
         return lambda x: of_number(x)
 
     return function
 
 
-sqrt = _elementwise("sqrt", True, lambda x: cmath.sqrt(x) if isinstance(x, complex) else math.sqrt(x))
+sqrt = _elementwise(
+    "sqrt", True, lambda x: cmath.sqrt(x) if isinstance(x, complex) else math.sqrt(x)
+)
 log = _elementwise("log", False, lambda x: cmath.log(x) if isinstance(x, complex) else math.log(x))
 exp = _elementwise("exp", False, lambda x: cmath.exp(x) if isinstance(x, complex) else math.exp(x))
 sin = _elementwise("sin", False, lambda x: cmath.sin(x) if isinstance(x, complex) else math.sin(x))
@@ -77,7 +81,7 @@ def _select(typingctx: Any, mask: Any, a: Any, b: Any) -> Any:
     return lane(mask, a, b), codegen
 
 
-@overload(where, strict=False)
+@overload(where, strict=False, jit_options=INLINED)
 def _where(mask: Any, a: Any, b: Any) -> Any:
     if isinstance(mask, MaskType):
         return lambda mask, a, b: _select(mask, a, b)
@@ -102,7 +106,7 @@ def _fused(typingctx: Any, a: Any, b: Any, c: Any) -> Any:
     return kind(a, b, c), codegen
 
 
-@overload(fma, strict=False)
+@overload(fma, strict=False, jit_options=INLINED)
 def _fma(a: Any, b: Any, c: Any) -> Any:
     return lambda a, b, c: _fused(a, b, c)
 
@@ -117,8 +121,8 @@ def maximum(a: Any, b: Any) -> Any:
     return where(a > b, a, b)
 
 
-overload(minimum)(lambda a, b: lambda a, b: where(a < b, a, b))
-overload(maximum)(lambda a, b: lambda a, b: where(a > b, a, b))
+overload(minimum, strict=False, jit_options=INLINED)(lambda a, b: lambda a, b: where(a < b, a, b))
+overload(maximum, strict=False, jit_options=INLINED)(lambda a, b: lambda a, b: where(a > b, a, b))
 
 
 def any_true(mask: Any) -> bool:
@@ -149,14 +153,14 @@ def _mask_not(typingctx: Any, mask: Any) -> Any:
     return mask(mask), codegen
 
 
-@overload(any_true, strict=False)
+@overload(any_true, strict=False, jit_options=INLINED)
 def _any_true(mask: Any) -> Any:
     if isinstance(mask, MaskType):
         return lambda mask: _mask_any(mask)
     return lambda mask: bool(mask)
 
 
-@overload(negate, strict=False)
+@overload(negate, strict=False, jit_options=INLINED)
 def _negate(mask: Any) -> Any:
     if isinstance(mask, MaskType):
         return lambda mask: _mask_not(mask)

@@ -151,7 +151,9 @@ def each_lane(builder: ir.IRBuilder, vector: ir.Value, apply: Callable[[Any], An
     result = ir.Constant(vector.type, ir.Undefined)
     for i in range(vector.type.count):
         index = ir.Constant(ir.IntType(32), i)
-        result = builder.insert_element(result, apply(builder.extract_element(vector, index)), index)
+        result = builder.insert_element(
+            result, apply(builder.extract_element(vector, index)), index
+        )
     return result
 
 

@@ -21,17 +21,18 @@ SAFETY = 0.9
 GROWTH = 2.0
 SHRINKAGE = 0.2
 OVERSHOOT = 2.0
-NEWTON_SHARE = 0.1
 
 
 class AdaptiveStep(NamedTuple):
-    """Error of a step (L), steps a contact time, first, smallest and largest step (T)."""
+    """Error of a step (L), steps a contact time, first, smallest and largest step (T), and
+    the share of the tolerance that Newton's method may leave."""
 
     tolerance: float
     contact_steps: float
     first: float
     smallest: float
     largest: float
+    newton_share: float
 
 
 @first_step.member(AdaptiveStep)
@@ -68,4 +69,4 @@ def _smallest_step(stepping: AdaptiveStep) -> Any:
 
 @newton_tolerance.member(AdaptiveStep)
 def _newton_tolerance(stepping: AdaptiveStep) -> Any:
-    return NEWTON_SHARE * stepping.tolerance
+    return stepping.newton_share * stepping.tolerance

@@ -40,7 +40,7 @@ LARGEST_SEED = 2**32 - 1
 
 
 def execute(
-    config: Mapping[str, Any], folder: ResultFolder, command: str
+    config: Mapping[str, Any], folder: ResultFolder, command: str, bar: ProgressBar
 ) -> tuple[Outcome, Task | None]:
     """Do one job and leave its files; never raises for what happens inside the task.
 
@@ -48,7 +48,6 @@ def execute(
     """
     started_at, clock = now(), time.perf_counter()
     task: Task | None = None
-    bar = ProgressBar()
     try:
         check_run(config)
         task = find_task(config["task"]["name"])

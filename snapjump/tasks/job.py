@@ -22,9 +22,10 @@ from snapjump.tasks.hydra_errors import one_line
 from snapjump.tasks.names import cell_name, register_resolvers, task_overrides
 from snapjump.tasks.sweep import PARENT_RUN
 from snapjump.terminal.block import block, number
+from snapjump.terminal.progress import ProgressBar
 from snapjump.tracking.base import Tracker, TrackingError
 from snapjump.tracking.registry import find_tracker
-from snapjump.tracking.tracked import record_folder
+from snapjump.tracking.tracked import MARK, record_folder
 
 # A worker process of a parallel sweep imports this module, and nothing before it.
 register_resolvers()
@@ -51,11 +52,11 @@ def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[s
         tracker.check()
     except ParameterError as error:
         return _refused(str(error), folder)
-    outcome, task = execute(config, folder, command(overrides))
+    outcome, task = execute(config, folder, command(overrides), ProgressBar())
     if outcome.status == BAD_INPUT:
         return _refused(outcome.message, folder)
     code = exit_code(outcome.status)
-    recorded, place = _record(tracker, folder, folder.path.name)
+    recorded, place = _record(tracker, folder, folder.path.name, None)
     if task is not None and outcome.summary:
         _tell(task, outcome, folder, place)
     if code != EXIT_OK:
@@ -66,17 +67,18 @@ def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[s
 def run_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[str]) -> int:
     """One cell of a sweep: done only if it is not yet, and told in one line."""
     tracker, name = find_tracker(config["tracking"]), cell_name(overrides)
+    parent_id = os.environ.get(PARENT_RUN)
     if folder.holds(config, source_hash(), FINISHED):
         result = folder.result() or {}
-        _record(tracker, folder, name)
+        _record(tracker, folder, name, parent_id)
         print(f"{name}: {result['status']} (kept)", flush=True)
         return EXIT_OK
     folder.forget()
     started_at = now()
-    outcome, _ = execute(config, folder, command(overrides))
+    outcome, _ = execute(config, folder, command(overrides), ProgressBar(visible=False))
     if outcome.status == BAD_INPUT:
         write_outcome(config, folder, command(overrides), started_at, outcome)
-    _record(tracker, folder, name)
+    _record(tracker, folder, name, parent_id)
     seconds = outcome.summary.get("wall_seconds")
     took = "" if seconds is None else f" ({number(seconds)} s)"
     print(f"{name}: {outcome.status} {outcome.message}".rstrip() + took, flush=True)
@@ -90,11 +92,13 @@ def command(overrides: list[str]) -> str:
     return shlex.join(["python", "run.py", *overrides])
 
 
-def _record(tracker: Tracker, folder: ResultFolder, name: str) -> tuple[bool, str]:
+def _record(
+    tracker: Tracker, folder: ResultFolder, name: str, parent_id: str | None
+) -> tuple[bool, str]:
     """Record the folder; whether that went well, and where the record is."""
     with uninterrupted():
         try:
-            return True, record_folder(tracker, folder, name, os.environ.get(PARENT_RUN))
+            return True, record_folder(tracker, folder, name, parent_id)
         except TrackingError as error:
             print(f"not recorded: {error}; the results are in {folder.path}", file=sys.stderr)
             return False, ""
@@ -109,9 +113,10 @@ def _refused(message: str, folder: ResultFolder) -> int:
 
 
 def _tell(task: Task, outcome: Outcome, folder: ResultFolder, place: str) -> None:
+    names = [file.name for file in folder.files() if file.name != MARK]
     lines = [
         *task.report(outcome),
-        ("files", os.path.relpath(folder.path)),
+        ("files", f"{os.path.relpath(folder.path)}: {', '.join(names)}"),
         ("tracking", place),
     ]
     if outcome.status != "ok":

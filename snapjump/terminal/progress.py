@@ -16,10 +16,16 @@ class ProgressBar:
     It draws only on a terminal, or where SNAPJUMP_PROGRESS=1 asks for it.
     """
 
-    def __init__(self, stream: TextIO | None = None, show_after_s: float = SHOW_AFTER_S):
+    def __init__(
+        self,
+        stream: TextIO | None = None,
+        show_after_s: float = SHOW_AFTER_S,
+        visible: bool = True,
+    ):
         self._stream = stream if stream is not None else sys.stderr
         wanted = os.environ.get("SNAPJUMP_PROGRESS", "")
-        self._visible = wanted == "1" or (wanted != "0" and self._stream.isatty())
+        shown = wanted == "1" or (wanted != "0" and self._stream.isatty())
+        self._visible = visible and shown
         self._next_s = time.monotonic() + show_after_s
         self._drawn = 0
 
