@@ -17,6 +17,8 @@ from numba.core.typeconv import Conversion
 from numba.core.typing.templates import AbstractTemplate, infer_global, signature
 from numba.extending import intrinsic, models, register_model
 
+from snapjump.number.array import NumberArray
+
 DOUBLE = ir.DoubleType()
 
 
@@ -162,13 +164,14 @@ def view_numbers(typingctx: Any, array: Any, lanes: Any) -> Any:
     """View a C-contiguous float64 array of shape (..., W) as an array of numbers of shape (...).
 
     ``lanes`` is a tuple of W integers, of which only the length counts: one gives plain doubles,
-    more give lanes. The data must be aligned to 8 W bytes (:mod:`snapjump.number.memory`).
+    more give lanes. The data must be aligned to 8 W bytes (:mod:`snapjump.number.memory`), and
+    the caller keeps the array alive.
     """
     width = lanes.count
     if array.layout != "C" or array.dtype != types.float64:
         raise TypeError(f"view_numbers needs C-contiguous doubles, not {array}")
     number = types.float64 if width == 1 else LaneType(width)
-    viewed = types.Array(number, array.ndim - 1, "C")
+    viewed = NumberArray(number, array.ndim - 1)
 
     def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         source = context.make_array(array)(context, builder, args[0])
@@ -178,15 +181,13 @@ def view_numbers(typingctx: Any, array: Any, lanes: Any) -> Any:
         count = ir.Constant(ir.IntType(64), 1)
         for extent in shape[:-1]:
             count = builder.mul(count, extent)
-        target.meminfo = source.meminfo
-        target.parent = source.parent
+        target.meminfo = cgutils.get_null_value(target.meminfo.type)
+        target.parent = cgutils.get_null_value(target.parent.type)
         target.nitems = count
         target.itemsize = ir.Constant(ir.IntType(64), 8 * width)
         target.data = builder.bitcast(source.data, context.get_data_type(number).as_pointer())
         target.shape = cgutils.pack_array(builder, shape[:-1], ty=ir.IntType(64))
         target.strides = cgutils.pack_array(builder, strides[:-1], ty=ir.IntType(64))
-        result = target._getvalue()
-        context.nrt.incref(builder, viewed, result)
-        return result
+        return target._getvalue()
 
     return viewed(array, lanes), codegen

@@ -1,0 +1,69 @@
+"""Arrays of numbers in kernels: views whose indices are never negative and that own nothing.
+
+numba lets every index count from the end, which costs a comparison and a selection an access; and
+it counts references to every array that is passed on. Kernels need neither.
+"""
+
+import operator
+from typing import Any
+
+from numba.core import types
+from numba.core.imputils import lower_builtin
+from numba.extending import models, register_model
+from numba.np import arrayobj
+
+
+class NumberArray(types.Array):
+    """A C-contiguous array of numbers (doubles or lanes) that is indexed from its beginning."""
+
+    def __init__(self, dtype: types.Type, ndim: int, layout: str = "C"):
+        super().__init__(dtype, ndim, layout, name=f"Numbers({dtype}, {ndim}d, {layout})")
+
+    def copy(
+        self, dtype: Any = None, ndim: Any = None, layout: Any = None, readonly: Any = None
+    ) -> types.Array:
+        """The type of a part of this array."""
+        return NumberArray(
+            self.dtype if dtype is None else dtype,
+            self.ndim if ndim is None else ndim,
+            self.layout if layout is None else layout,
+        )
+
+
+register_model(NumberArray)(models.ArrayModel)
+
+
+def unsigned(index: types.Type) -> types.Type:
+    """The type of an index, or of a tuple of them, with every integer made unsigned."""
+    if isinstance(index, types.BaseTuple):
+        return types.Tuple([unsigned(t) for t in index.types])
+    return types.uintp if isinstance(index, types.Integer) else index
+
+
+def _counted_from_the_beginning(function: Any) -> Any:
+    """numba's own code for an access, told that the index is unsigned."""
+
+    def lowering(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        array, index, *value = sig.args
+        plain = unsigned(index)
+        number = context.cast(builder, args[1], index, plain)
+        return function(
+            context,
+            builder,
+            sig.replace(args=(array, plain, *value)),
+            (args[0], number, *args[2:]),
+        )
+
+    return lowering
+
+
+for _index in (types.Integer, types.SliceType):
+    lower_builtin(operator.getitem, NumberArray, _index)(
+        _counted_from_the_beginning(arrayobj.getitem_arraynd_intp)
+    )
+lower_builtin(operator.getitem, NumberArray, types.BaseTuple)(
+    _counted_from_the_beginning(arrayobj.getitem_array_tuple)
+)
+lower_builtin(operator.setitem, NumberArray, types.Any, types.Any)(
+    _counted_from_the_beginning(arrayobj.setitem_array)
+)
