@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from snapjump.number.dispatch import family_function
 
 HALF_BANDWIDTH = 5
+NODES_COUPLED = 2  # a node couples to that many on either side
 
 
 class EndTangents(NamedTuple):
@@ -56,21 +57,45 @@ def clamp_offset(discretization: Any) -> Any:
 
 
 @family_function
-def add_internal_forces(
+def begin_chain(
     discretization: Any,
     damping: Any,
     position: Any,
     origin: Any,
     rate_factor: Any,
     tangents: Any,
+) -> Any:
+    """Begin a sweep along the chain; returns what it carries and the left :class:`EndHinge`.
+
+    The sweep adds gradient and tangent of the elastic (and viscous) energy, node by node.
+    Velocities are ``(position - origin) * rate_factor``, as in every stage of an integrator. What
+    it carries has a number ``largest``: the largest element force so far, a scale for residuals.
+    """
+
+
+@family_function
+def add_node_forces(
+    discretization: Any,
+    damping: Any,
+    position: Any,
+    origin: Any,
+    rate_factor: Any,
+    tangents: Any,
+    chain: Any,
+    node: Any,
     residual: Any,
     band: Any,
 ) -> Any:
-    """Add gradient and tangent of the elastic (and viscous) energy to residual and band.
+    """Complete the rows of a node (not the last one) in residual and band.
 
-    Velocities are ``(position - origin) * rate_factor``, as in every stage of an integrator.
-    Returns the two end hinges and the largest element force, a scale for residuals.
+    They hold masses on the band's diagonal and in the residual; the rest is written. Returns what
+    the sweep carries on and the hinge at the next node, the right :class:`EndHinge` in the end.
     """
+
+
+@family_function
+def end_chain(discretization: Any, chain: Any, node: Any, residual: Any, band: Any) -> Any:
+    """Complete the rows of the last node."""
 
 
 @family_function

@@ -14,9 +14,11 @@ from typing import Any, NamedTuple
 from snapjump.damping.base import viscous_stiffening, viscous_strain
 from snapjump.discretization.base import (
     EndHinge,
-    add_internal_forces,
+    add_node_forces,
+    begin_chain,
     clamp_offset,
     damping_power,
+    end_chain,
     has_elements,
     internal_energy,
 )
@@ -115,145 +117,213 @@ def hinge_moment(damping: Any, t: Any, angle_rate: Any, density: Any, rate_facto
     return curvature * growth, growth * fma(curvature, t, elastic)
 
 
-@kernel
-def add_edge(
-    j: Any, force: Any, stiffness: Any, turning: Any, edge: Any, residual: Any, band: Any
-) -> Any:
-    """Add edge j: its axial force and the moment ``turning`` = dE/dtheta on its direction.
+class Block(NamedTuple):
+    """A symmetric 2 x 2 block of the Hessian with respect to edge vectors (EI/L^3)."""
 
-    ``stiffness`` is d(force)/d(length). Returns the size of the edge's force.
+    xx: Any
+    xy: Any
+    yy: Any
+
+
+class Coupling(NamedTuple):
+    """Minus the Hessian's block of a hinge's edge after (row) and its edge before (column)."""
+
+    xx: Any
+    xy: Any
+    yx: Any
+    yy: Any
+
+
+class Chain(NamedTuple):
+    """What a sweep from left to right carries: all about node j that its edges up to j tell.
+
+    edge: edge j, which leaves the node; moment: of the hinge at the node; start: that hinge's
+    stiffness on edge j; coupling: of the edges at the node; before, force_x, force_y: block and
+    force of edge j - 1; largest: force of an edge so far.
+    """
+
+    edge: Edge
+    moment: Any
+    start: Block
+    coupling: Coupling
+    before: Block
+    force_x: Any
+    force_y: Any
+    largest: Any
+
+
+@kernel
+def hinge_block(stiffness: Any, edge: Edge) -> Block:
+    """stiffness * g g^T, g being the gradient of an edge's direction."""
+    x = stiffness * edge.slope_x
+    y = stiffness * edge.slope_y
+    return Block(x * edge.slope_x, x * edge.slope_y, y * edge.slope_y)
+
+
+@kernel
+def hinge_coupling(stiffness: Any, before: Edge, after: Edge) -> Coupling:
+    """stiffness * g h^T, g and h being the gradients of the two edges' directions."""
+    x = stiffness * after.slope_x
+    y = stiffness * after.slope_y
+    return Coupling(x * before.slope_x, x * before.slope_y, y * before.slope_x, y * before.slope_y)
+
+
+@kernel
+def edge_block(
+    stiffness: Any, lateral: Any, twist: Any, edge: Edge, start: Block, end: Block
+) -> Block:
+    """Hessian with respect to an edge vector: its stretching and turning, and both its hinges.
+
+    ``stiffness`` is d(force)/d(length), ``lateral`` force over length, ``twist`` moment over
+    length squared: Hess theta = [[2 cx cy, cy^2 - cx^2], [cy^2 - cx^2, -2 cx cy]] / |e|^2.
     """
     cx = edge.cx
     cy = edge.cy
-    sideways = turning * edge.over
-    fx = force * cx - sideways * cy
-    fy = force * cy + sideways * cx
-    row = 2 * j
-    residual[row] -= fx
-    residual[row + 1] -= fy
-    residual[row + 2] += fx
-    residual[row + 3] += fy
-    lateral = force * edge.over
     along = stiffness - lateral
-    # Hess theta = [[2 cx cy, cy^2 - cx^2], [cy^2 - cx^2, -2 cx cy]] / |e|^2
-    twist = sideways * edge.over
     swing = 2.0 * twist * cx * cy
-    kxx = along * cx * cx + lateral + swing
-    kxy = along * cx * cy + twist * (cy * cy - cx * cx)
-    kyy = along * cy * cy + lateral - swing
-    band[row, 0] += kxx
-    band[row, 1] += kxy
-    band[row, 2] -= kxx
-    band[row, 3] -= kxy
-    band[row + 1, 0] += kyy
-    band[row + 1, 1] -= kxy
-    band[row + 1, 2] -= kyy
-    band[row + 2, 0] += kxx
-    band[row + 2, 1] += kxy
-    band[row + 3, 0] += kyy
-    return absolute(fx) + absolute(fy)
+    return Block(
+        fma(along * cx, cx, lateral + swing) + (start.xx + end.xx),
+        fma(along * cx, cy, twist * (cy * cy - cx * cx)) + (start.xy + end.xy),
+        fma(along * cy, cy, lateral - swing) + (start.yy + end.yy),
+    )
 
 
 @kernel
-def add_hinge(i: Any, stiffness: Any, ax: Any, ay: Any, bx: Any, by: Any, band: Any) -> None:
-    """Add stiffness * g g^T, g = (a, -a - b, b) on nodes i - 1, i, i + 1, to the band."""
-    mx = -ax - bx
-    my = -ay - by
-    row = 2 * i - 2
-    kax = stiffness * ax
-    kay = stiffness * ay
-    kmx = stiffness * mx
-    kmy = stiffness * my
-    kbx = stiffness * bx
-    kby = stiffness * by
-    band[row, 0] = fma(kax, ax, band[row, 0])
-    band[row, 1] = fma(kax, ay, band[row, 1])
-    band[row, 2] = fma(kax, mx, band[row, 2])
-    band[row, 3] = fma(kax, my, band[row, 3])
-    band[row, 4] = fma(kax, bx, band[row, 4])
-    band[row, 5] = fma(kax, by, band[row, 5])
-    band[row + 1, 0] = fma(kay, ay, band[row + 1, 0])
-    band[row + 1, 1] = fma(kay, mx, band[row + 1, 1])
-    band[row + 1, 2] = fma(kay, my, band[row + 1, 2])
-    band[row + 1, 3] = fma(kay, bx, band[row + 1, 3])
-    band[row + 1, 4] = fma(kay, by, band[row + 1, 4])
-    band[row + 2, 0] = fma(kmx, mx, band[row + 2, 0])
-    band[row + 2, 1] = fma(kmx, my, band[row + 2, 1])
-    band[row + 2, 2] = fma(kmx, bx, band[row + 2, 2])
-    band[row + 2, 3] = fma(kmx, by, band[row + 2, 3])
-    band[row + 3, 0] = fma(kmy, my, band[row + 3, 0])
-    band[row + 3, 1] = fma(kmy, bx, band[row + 3, 1])
-    band[row + 3, 2] = fma(kmy, by, band[row + 3, 2])
-    band[row + 4, 0] = fma(kbx, bx, band[row + 4, 0])
-    band[row + 4, 1] = fma(kbx, by, band[row + 4, 1])
-    band[row + 5, 0] = fma(kby, by, band[row + 5, 0])
+def put_columns(
+    node: Any, before: Block, at: Coupling, own: Block, after: Coupling, band: Any
+) -> None:
+    """Complete the node's columns: edges before and after it, hinges at it and at the next one.
+
+    An edge vector is the difference of its nodes: sums of the edges' blocks are the nodes'.
+    """
+    i = 2 * node
+    band[i, 0] += before.xx + own.xx + 2.0 * at.xx
+    band[i, 1] = before.xy + own.xy + (at.xy + at.yx)
+    band[i, 2] = -own.xx - at.xx - after.xx
+    band[i, 3] = -own.xy - at.yx - after.yx
+    band[i, 4] = after.xx
+    band[i, 5] = after.yx
+    band[i + 1, 0] += before.yy + own.yy + 2.0 * at.yy
+    band[i + 1, 1] = -own.xy - at.xy - after.xy
+    band[i + 1, 2] = -own.yy - at.yy - after.yy
+    band[i + 1, 3] = after.xy
+    band[i + 1, 4] = after.yy
 
 
-@kernel
-def add_end_hinge(node: Any, other: Any, hinge: Any, band: Any) -> None:
-    """Add the end hinge's stiffness on its edge; ``node`` < ``other`` are the edge's nodes."""
-    kxx = hinge.stiffness * hinge.slope_x * hinge.slope_x
-    kxy = hinge.stiffness * hinge.slope_x * hinge.slope_y
-    kyy = hinge.stiffness * hinge.slope_y * hinge.slope_y
-    band[2 * node, 0] += kxx
-    band[2 * node, 1] += kxy
-    band[2 * node, 2] -= kxx
-    band[2 * node, 3] -= kxy
-    band[2 * node + 1, 0] += kyy
-    band[2 * node + 1, 1] -= kxy
-    band[2 * node + 1, 2] -= kyy
-    band[2 * other, 0] += kxx
-    band[2 * other, 1] += kxy
-    band[2 * other + 1, 0] += kyy
-
-
-@add_internal_forces.member(DiscreteElasticRod)
-def _add_internal_forces(
+@begin_chain.member(DiscreteElasticRod)
+def _begin_chain(
     rod: DiscreteElasticRod,
     damping: Any,
     position: Any,
     origin: Any,
     rate_factor: Any,
     tangents: Any,
-    residual: Any,
-    band: Any,
 ) -> Any:
-    elements = position.shape[0] // 2 - 1
-    density = 1.0 / rod.element_length
-    end_density = 1.0 / rod.clamp_hinge_length
-    stretching = rod.stretching_stiffness * density
-    stiffening = stretching * viscous_stiffening(damping, rate_factor)
-
+    zero = 0.0 * rate_factor
     edge = edge_at(0, position, origin, rate_factor)
     t = half_angle_tangent(tangents.left_x, tangents.left_y, edge.cx, edge.cy)
     rate = edge.turn_rate - tangents.left_rate
-    moment, stiffness = hinge_moment(damping, t, rate, end_density, rate_factor)
+    density = 1.0 / rod.clamp_hinge_length
+    moment, stiffness = hinge_moment(damping, t, rate, density, rate_factor)
     left = EndHinge(moment, stiffness, edge.slope_x, edge.slope_y)
-    add_end_hinge(0, 1, left, band)
-    largest = absolute(moment)
+    chain = Chain(
+        edge,
+        moment,
+        hinge_block(stiffness, edge),
+        Coupling(zero, zero, zero, zero),
+        Block(zero, zero, zero),
+        zero,
+        zero,
+        absolute(moment),
+    )
+    return chain, left
 
-    for i in range(1, elements):
-        after = edge_at(i, position, origin, rate_factor)
-        t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
-        rate = after.turn_rate - edge.turn_rate
-        next_moment, stiffness = hinge_moment(damping, t, rate, density, rate_factor)
-        add_hinge(i, stiffness, edge.slope_x, edge.slope_y, after.slope_x, after.slope_y, band)
-        force = axial_force(rod, damping, stretching, edge)
-        size = add_edge(i - 1, force, stiffening, moment - next_moment, edge, residual, band)
-        largest = maximum(largest, size)
-        edge = after
-        moment = next_moment
 
-    t = half_angle_tangent(edge.cx, edge.cy, tangents.right_x, tangents.right_y)
-    rate = tangents.right_rate - edge.turn_rate
-    last_moment, stiffness = hinge_moment(damping, t, rate, end_density, rate_factor)
-    held = 1.0 - tangents.right_free
-    last_moment = held * last_moment + tangents.right_free * tangents.right_moment
-    right = EndHinge(last_moment, held * stiffness, edge.slope_x, edge.slope_y)
-    add_end_hinge(elements - 1, elements, right, band)
+@kernel
+def held_end(tangents: Any, zero: Any) -> Edge:
+    """The clamp on the right as an edge that follows the last one and does not give way."""
+    return Edge(
+        zero + 1.0,
+        zero,
+        tangents.right_x + zero,
+        tangents.right_y + zero,
+        zero,
+        zero,
+        tangents.right_rate + zero,
+        zero,
+    )
+
+
+@add_node_forces.member(DiscreteElasticRod)
+def _add_node_forces(
+    rod: DiscreteElasticRod,
+    damping: Any,
+    position: Any,
+    origin: Any,
+    rate_factor: Any,
+    tangents: Any,
+    chain: Any,
+    node: Any,
+    residual: Any,
+    band: Any,
+) -> Any:
+    last = position.shape[0] // 2 - 2  # the last edge
+    zero = 0.0 * rate_factor
+    edge = chain.edge
+    if node < last:
+        after = edge_at(node + 1, position, origin, rate_factor)
+        density = 1.0 / rod.element_length
+    else:
+        after = held_end(tangents, zero)
+        density = 1.0 / rod.clamp_hinge_length
+    t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
+    rate = after.turn_rate - edge.turn_rate
+    moment, stiffness = hinge_moment(damping, t, rate, density, rate_factor)
+    if node == last:
+        held = 1.0 - tangents.right_free
+        moment = held * moment + tangents.right_free * tangents.right_moment
+        stiffness = held * stiffness
+
+    stretching = rod.stretching_stiffness / rod.element_length
     force = axial_force(rod, damping, stretching, edge)
-    size = add_edge(elements - 1, force, stiffening, moment - last_moment, edge, residual, band)
-    return left, right, maximum(largest, size)
+    sideways = (chain.moment - moment) * edge.over
+    fx = force * edge.cx - sideways * edge.cy
+    fy = force * edge.cy + sideways * edge.cx
+    own = edge_block(
+        stretching * viscous_stiffening(damping, rate_factor),
+        force * edge.over,
+        sideways * edge.over,
+        edge,
+        chain.start,
+        hinge_block(stiffness, edge),
+    )
+    coupling = hinge_coupling(stiffness, edge, after)
+    put_columns(node, chain.before, chain.coupling, own, coupling, band)
+    residual[2 * node] += chain.force_x - fx
+    residual[2 * node + 1] += chain.force_y - fy
+    return Chain(
+        after,
+        moment,
+        hinge_block(stiffness, after),
+        coupling,
+        own,
+        fx,
+        fy,
+        maximum(chain.largest, absolute(fx) + absolute(fy)),
+    ), EndHinge(moment, stiffness, edge.slope_x, edge.slope_y)
+
+
+@end_chain.member(DiscreteElasticRod)
+def _end_chain(rod: DiscreteElasticRod, chain: Any, node: Any, residual: Any, band: Any) -> Any:
+    i = 2 * node
+    band[i, 0] += chain.before.xx
+    band[i, 1] = chain.before.xy
+    band[i + 1, 0] += chain.before.yy
+    for k in range(2, 6):
+        band[i, k] = 0.0
+        band[i + 1, k - 1] = 0.0
+    residual[i] += chain.force_x
+    residual[i + 1] += chain.force_y
 
 
 @internal_energy.member(DiscreteElasticRod)

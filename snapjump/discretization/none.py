@@ -4,12 +4,15 @@ from typing import Any, NamedTuple
 
 from snapjump.discretization.base import (
     EndHinge,
-    add_internal_forces,
+    add_node_forces,
+    begin_chain,
     clamp_offset,
     damping_power,
+    end_chain,
     has_elements,
     internal_energy,
 )
+from snapjump.number.dispatch import kernel
 
 
 class LooseNodes(NamedTuple):
@@ -26,20 +29,54 @@ def _clamp_offset(discretization: LooseNodes) -> float:
     return 0.0
 
 
-@add_internal_forces.member(LooseNodes)
-def _add_internal_forces(
+class Nothing(NamedTuple):
+    """What a sweep over loose nodes carries."""
+
+    largest: Any
+
+
+@kernel
+def leave_uncoupled(node: Any, band: Any) -> None:
+    """Write zeros beside the diagonal of a node's columns."""
+    for k in range(1, 6):
+        band[2 * node, k] = 0.0
+        band[2 * node + 1, k] = 0.0
+
+
+@begin_chain.member(LooseNodes)
+def _begin_chain(
     discretization: LooseNodes,
     damping: Any,
     position: Any,
     origin: Any,
     rate_factor: Any,
     tangents: Any,
+) -> Any:
+    zero = 0.0 * rate_factor
+    return Nothing(zero), EndHinge(zero, zero, zero, zero)
+
+
+@add_node_forces.member(LooseNodes)
+def _add_node_forces(
+    discretization: LooseNodes,
+    damping: Any,
+    position: Any,
+    origin: Any,
+    rate_factor: Any,
+    tangents: Any,
+    chain: Any,
+    node: Any,
     residual: Any,
     band: Any,
 ) -> Any:
     zero = 0.0 * rate_factor
-    hinge = EndHinge(zero, zero, zero, zero)
-    return hinge, hinge, zero
+    leave_uncoupled(node, band)
+    return chain, EndHinge(zero, zero, zero, zero)
+
+
+@end_chain.member(LooseNodes)
+def _end_chain(discretization: LooseNodes, chain: Any, node: Any, residual: Any, band: Any) -> Any:
+    leave_uncoupled(node, band)
 
 
 @internal_energy.member(LooseNodes)

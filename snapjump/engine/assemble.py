@@ -9,11 +9,23 @@ from typing import Any, NamedTuple
 from snapjump.clamp.base import clamp_angles
 from snapjump.contact.base import bounce_rate_squared, contact_force, contact_reach, has_contact
 from snapjump.damping.base import mass_damping
-from snapjump.discretization.base import add_internal_forces, clamp_offset, has_elements
-from snapjump.frame.base import add_frame_forces, condense_ends, end_tangents, frame_dofs
+from snapjump.discretization.base import (
+    add_node_forces,
+    begin_chain,
+    clamp_offset,
+    end_chain,
+    has_elements,
+)
+from snapjump.frame.base import (
+    add_frame_forces,
+    condense_first,
+    condense_last,
+    end_tangents,
+    frame_dofs,
+)
 from snapjump.friction.base import has_friction, is_lagged, slip
 from snapjump.load.base import gravity, tip_load
-from snapjump.number.dispatch import kernel, routine
+from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, any_true, maximum, minimum, where
 
 
@@ -34,138 +46,195 @@ class Assembly(NamedTuple):
     contact_rate_squared: Any
 
 
+class Sweep(NamedTuple):
+    """An assembly under way, node by node: what it needs at every node, and its figures so far.
+
+    tangents: of the clamps; chain: what the beam's sweep carries; left, right: its end hinges.
+    """
+
+    tangents: Any
+    chain: Any
+    left: Any
+    right: Any
+    figures: Assembly
+
+
 @kernel
-def clear_border(system: Any, zero: Any) -> None:
-    """Zero the frame's rows of the linear system."""
-    for j in range(system.border.shape[0]):
-        for k in range(3):
-            system.border[j, k] = zero
+def clear_frame(system: Any, zero: Any) -> None:
+    """Zero the frame's own block and residual."""
     for k in range(3):
         system.frame_residual[k] = zero
         for m in range(3):
             system.square[k, m] = zero
 
 
-@routine
-def add_inertia(model: Any, motion: Any, masses: Any, work: Any) -> Any:
-    """Begin the system with inertia, drag and weight of the nodes; returns the largest force."""
-    offset = frame_dofs(model.frame)
+@kernel
+def clear_border(system: Any, node: Any, zero: Any) -> None:
+    """Zero the frame's rows in the columns of a node."""
+    for k in range(3):
+        system.border[2 * node, k] = zero
+        system.border[2 * node + 1, k] = zero
+
+
+@kernel
+def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any) -> Any:
+    """Begin a node's columns with inertia, drag and weight; returns the inertial force."""
     rate = motion.rate_factor
     drag = mass_damping(model.damping)
-    fall = gravity(model.load)
-    diagonal = (rate + drag) * rate
-    zero = 0.0 * rate
-    largest = zero
+    diagonal = mass * ((rate + drag) * rate)
     band = work.system.band
     residual = work.system.residual
-    for node in range(masses.shape[0]):
-        mass = masses[node]
-        row = 2 * node
-        i = row + offset
-        vx = (work.state[i] - work.origin[i]) * rate
-        vy = (work.state[i + 1] - work.origin[i + 1]) * rate
-        ax = (vx - work.drift[i]) * rate
-        ay = (vy - work.drift[i + 1]) * rate
-        residual[row] = mass * (ax + drag * vx)
-        residual[row + 1] = mass * (ay + drag * vy + fall)
-        band[row, 0] = mass * diagonal
-        band[row + 1, 0] = mass * diagonal
-        for k in range(1, 6):
-            band[row, k] = zero
-            band[row + 1, k] = zero
-        largest = maximum(largest, mass * (absolute(ax) + absolute(ay)))
-    return largest
+    row = 2 * node
+    i = row + frame_dofs(model.frame)
+    vx = (work.state[i] - work.origin[i]) * rate
+    vy = (work.state[i + 1] - work.origin[i + 1]) * rate
+    ax = (vx - work.drift[i]) * rate
+    ay = (vy - work.drift[i + 1]) * rate
+    residual[row] = mass * (ax + drag * vx)
+    residual[row + 1] = mass * (ay + drag * vy + gravity(model.load))
+    band[row, 0] = diagonal
+    band[row + 1, 0] = diagonal
+    return mass * (absolute(ax) + absolute(ay))
 
 
-@routine
-def add_node_contact(model: Any, motion: Any, masses: Any, work: Any) -> Any:
-    """Contact and friction of the free nodes; returns the same figures as an assembly."""
-    offset = frame_dofs(model.frame)
+@kernel
+def add_node_contact(
+    model: Any, motion: Any, mass: Any, node: Any, work: Any, figures: Assembly
+) -> Assembly:
+    """Add contact and friction of a free node; returns the figures with its own."""
     contact = model.contact
     friction = model.friction
     reach = contact_reach(contact)
     rate = motion.rate_factor
-    smallest = 0.0 * rate + 1.0e30
-    largest = 0.0 * rate
-    fastest = 0.0 * rate
     residual = work.system.residual
     band = work.system.band
-    for node in range(masses.shape[0]):
-        if masses[node] == 0.0:
-            continue
-        row = 2 * node
-        i = row + offset
-        gap = work.state[i + 1]
-        smallest = minimum(smallest, gap)
-        near = gap < reach
-        if has_friction(friction) and is_lagged(friction):
-            begun = work.start[i + 1]
-            was_near = begun < reach
-            if any_true(was_near):
-                normal, _ = contact_force(contact, where(was_near, begun, reach))
-                velocity = work.velocity[0, i]
-                ratio, _ = slip(friction, velocity, 0.0 * velocity)
-                residual[row] += ratio * normal * contact.node_weight
-        if any_true(near):
-            force, stiffness = contact_force(contact, where(near, gap, reach))
-            force = force * contact.node_weight
-            stiffness = stiffness * contact.node_weight
-            residual[row + 1] -= force
-            band[row + 1, 0] += stiffness
-            largest = maximum(largest, force)
-            speed = (gap - work.origin[i + 1]) * rate
-            fastest = maximum(fastest, bounce_rate_squared(stiffness, masses[node], speed))
-            if has_friction(friction) and not is_lagged(friction):
-                velocity = (work.state[i] - work.origin[i]) * rate
-                ratio, slope = slip(friction, velocity, work.slip[node + 4])
-                work.slip[node + 4] = velocity
-                # d(drag)/d(gap) is left out: it alone would make the band unsymmetric.
-                residual[row] += ratio * force
-                band[row, 0] += force * slope * rate
+    row = 2 * node
+    i = row + frame_dofs(model.frame)
+    gap = work.state[i + 1]
+    largest = figures.largest_force
+    smallest = minimum(figures.smallest_gap, gap)
+    fastest = figures.contact_rate_squared
+    near = gap < reach
+    if has_friction(friction) and is_lagged(friction):
+        begun = work.start[i + 1]
+        was_near = begun < reach
+        if any_true(was_near):
+            normal, _ = contact_force(contact, where(was_near, begun, reach))
+            velocity = work.velocity[0, i]
+            ratio, _ = slip(friction, velocity, 0.0 * velocity)
+            residual[row] += ratio * normal * contact.node_weight
+    if any_true(near):
+        force, stiffness = contact_force(contact, where(near, gap, reach))
+        force = force * contact.node_weight
+        stiffness = stiffness * contact.node_weight
+        residual[row + 1] -= force
+        band[row + 1, 0] += stiffness
+        largest = maximum(largest, force)
+        speed = (gap - work.origin[i + 1]) * rate
+        fastest = maximum(fastest, bounce_rate_squared(stiffness, mass, speed))
+        if has_friction(friction) and not is_lagged(friction):
+            velocity = (work.state[i] - work.origin[i]) * rate
+            previous = work.slip[node + 4]
+            ratio, slope = slip(friction, velocity, previous)
+            work.slip[node + 4] = where(near, velocity, previous)
+            # d(drag)/d(gap) is left out: it alone would make the band unsymmetric.
+            residual[row] += ratio * force
+            band[row, 0] += force * slope * rate
     return Assembly(largest, smallest, fastest)
 
 
-@routine
-def assemble(model: Any, motion: Any, masses: Any, work: Any) -> Assembly:
-    """Fill the linear system at the current state; ``masses`` is zero at slave nodes."""
+@kernel
+def begin_assembly(model: Any, motion: Any, work: Any) -> Sweep:
+    """Start a sweep over the nodes: the frame's own forces, the clamps, the first edge."""
+    zero = 0.0 * motion.rate_factor
+    dofs = frame_dofs(model.frame)
+    turn_rate = zero
+    if dofs > 0:
+        clear_frame(work.system, zero)
+        turn_rate = (work.state[2] - work.origin[2]) * motion.rate_factor
+    frame = add_frame_forces(model.frame, model, motion, work)
+    angles = clamp_angles(model.clamp, motion.time)
+    tangents = end_tangents(model.frame, model.load, angles, work.state, turn_rate)
+    chain, left = begin_chain(
+        model.discretization,
+        model.damping,
+        work.state[dofs:],
+        work.origin[dofs:],
+        motion.rate_factor,
+        tangents,
+    )
+    figures = Assembly(frame.largest_force, frame.smallest_gap, frame.contact_rate_squared)
+    return Sweep(tangents, chain, left, left, figures)
+
+
+@kernel
+def assemble_node(
+    model: Any, motion: Any, masses: Any, work: Any, node: Any, sweep: Sweep
+) -> Sweep:
+    """Write the node's columns and residual; the first and the last one move onto the frame.
+
+    The border of a node is complete when the next two nodes have been assembled.
+    """
     system = work.system
     dofs = frame_dofs(model.frame)
-    if dofs > 0:
-        clear_border(system, 0.0 * motion.rate_factor)
-    largest = add_inertia(model, motion, masses, work)
-    force_x, force_y, _ = tip_load(model.load)
-    last = 2 * masses.shape[0] - 2
-    system.residual[last] -= force_x
-    system.residual[last + 1] -= force_y
-    smallest = 0.0 * motion.rate_factor + 1.0e30
-    fastest = 0.0 * motion.rate_factor
+    offset = clamp_offset(model.discretization)
+    last = masses.shape[0] - 1
+    mass = masses[node]
+    figures = sweep.figures
+    chain = sweep.chain
+    right = sweep.right
+    inertial = begin_node(model, motion, mass, node, work)
+    figures = Assembly(
+        maximum(figures.largest_force, inertial),
+        figures.smallest_gap,
+        figures.contact_rate_squared,
+    )
     if has_contact(model.contact):
-        touch = add_node_contact(model, motion, masses, work)
-        largest = maximum(largest, touch.largest_force)
-        smallest = minimum(smallest, touch.smallest_gap)
-        fastest = maximum(fastest, touch.contact_rate_squared)
-    if has_elements(model.discretization):
-        angles = clamp_angles(model.clamp, motion.time)
-        turn_rate = 0.0 * motion.rate_factor
-        if dofs > 0:
-            turn_rate = (work.state[2] - work.origin[2]) * motion.rate_factor
-        tangents = end_tangents(model.frame, model.load, angles, work.state, turn_rate)
-        left, right, internal = add_internal_forces(
+        if mass > 0.0:
+            figures = add_node_contact(model, motion, mass, node, work, figures)
+    if dofs > 0:
+        clear_border(system, node, 0.0 * motion.rate_factor)
+    if node < last:
+        chain, right = add_node_forces(
             model.discretization,
             model.damping,
             work.state[dofs:],
             work.origin[dofs:],
             motion.rate_factor,
-            tangents,
+            sweep.tangents,
+            chain,
+            node,
             system.residual,
             system.band,
         )
-        largest = maximum(largest, internal)
-        offset = clamp_offset(model.discretization)
-        condense_ends(model.frame, tangents, offset, left, right, work.state, system)
-    frame = add_frame_forces(model.frame, model, motion, work)
+    else:
+        end_chain(model.discretization, chain, node, system.residual, system.band)
+        force_x, force_y, _ = tip_load(model.load)
+        system.residual[2 * node] -= force_x
+        system.residual[2 * node + 1] -= force_y
+    if has_elements(model.discretization):
+        if node == 2:
+            condense_first(model.frame, sweep.tangents, offset, sweep.left, work.state, system)
+        if node == last:
+            condense_last(model.frame, sweep.tangents, offset, right, work.state, system)
+    return Sweep(sweep.tangents, chain, sweep.left, right, figures)
+
+
+@kernel
+def end_assembly(sweep: Sweep) -> Assembly:
+    """The figures of a finished sweep."""
+    figures = sweep.figures
     return Assembly(
-        maximum(largest, frame.largest_force),
-        minimum(smallest, frame.smallest_gap),
-        maximum(fastest, frame.contact_rate_squared),
+        maximum(figures.largest_force, sweep.chain.largest),
+        figures.smallest_gap,
+        figures.contact_rate_squared,
     )
+
+
+@kernel
+def assemble(model: Any, motion: Any, masses: Any, work: Any) -> Assembly:
+    """Fill the linear system at the current state; ``masses`` is zero at slave nodes."""
+    sweep = begin_assembly(model, motion, work)
+    for node in range(masses.shape[0]):
+        sweep = assemble_node(model, motion, masses, work, node, sweep)
+    return end_assembly(sweep)

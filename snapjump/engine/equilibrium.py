@@ -37,7 +37,10 @@ def settle(model: Any, masses: Any, work: Any, time: Any) -> Any:
     done = zero > 1.0
     failed = zero > 1.0
     for _ in range(MOST_ITERATIONS):
-        step = newton_iteration(model, motion, masses, work, TOLERANCE, 1.0 * MOST_ITERATIONS, 0.0)
+        # Lanes that are done stay as they are: their result must not depend on the others.
+        step = newton_iteration(
+            model, motion, masses, work, negate(done), TOLERANCE, 1.0 * MOST_ITERATIONS, 0.0
+        )
         negative = where(done, negative, step.negative_pivots)
         done = done | step.converged
         failed = failed | step.failed

@@ -36,7 +36,6 @@ from snapjump.engine.stage import (
     begin_stage,
     commit_step,
     contact_frequency,
-    estimate_error,
     pick,
     store_stage,
 )
@@ -221,6 +220,7 @@ def march(
             motion,
             masses,
             work,
+            active,
             newton_tolerance(stepping),
             limits.of_a_stage,
             MOST_BACKTRACKS,
@@ -239,7 +239,7 @@ def march(
             status = where(under, 1.0 * STEP_UNDERFLOW, status)
         if any_true(converged):
             restage = restage | converged
-            store_stage(tableau, work, converged)
+            error = store_stage(tableau, work, converged)
             tally_stage(recorder, model, masses, motion, tableau, work)
             clock[LARGEST_RESIDUAL] = where(
                 converged,
@@ -250,7 +250,7 @@ def march(
             clock[STAGE] = where(converged, clock[STAGE] + 1.0, clock[STAGE])
             if any_true(ended):
                 status = finish_step(
-                    model, masses, tableau, stepping, ending, recorder, work, ended, status
+                    model, masses, tableau, stepping, ending, recorder, work, ended, error, status
                 )
         exhausted = active & (clock[ITERATIONS] >= limits.of_a_march) & (status == 0.0)
         status = where(exhausted, 1.0 * ITERATION_LIMIT, status)
@@ -280,12 +280,12 @@ def finish_step(
     recorder: Any,
     work: Any,
     ended: Any,
+    error: Any,
     status: Any,
 ) -> Any:
     """Judge the steps that have just ended; returns the status of every lane."""
     clock = work.clock
     h = clock[STEP]
-    error = estimate_error(tableau, work)
     rate = contact_frequency(work)
     good = ended & accepts(stepping, error, h, rate)
     bad = ended & negate(good)

@@ -4,8 +4,14 @@ from typing import Any, NamedTuple
 
 from snapjump.clamp.base import clamp_angles
 from snapjump.contact.base import has_contact
-from snapjump.discretization.base import clamp_offset, has_elements
-from snapjump.engine.assemble import Motion, assemble
+from snapjump.discretization.base import NODES_COUPLED, clamp_offset, has_elements
+from snapjump.engine.assemble import (
+    Assembly,
+    Motion,
+    assemble_node,
+    begin_assembly,
+    end_assembly,
+)
 from snapjump.engine.clock import (
     BACKTRACKS,
     FASTEST,
@@ -16,7 +22,12 @@ from snapjump.engine.clock import (
     SIZE,
 )
 from snapjump.frame.base import frame_dofs, limit_frame_step, place_ends
-from snapjump.linear_solver.banded import solve_bordered, solve_nodes
+from snapjump.linear_solver.banded import (
+    begin_elimination,
+    eliminate_node,
+    solve_frame,
+    substitute_back,
+)
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, any_true, maximum, minimum, negate, where
 
@@ -51,11 +62,49 @@ def allowed_share(model: Any, masses: Any, state: Any, frame_drop: Any, drop: An
 
 
 @kernel
-def largest_entry(values: Any, largest: Any) -> Any:
-    """The largest absolute value, or ``largest`` if that is larger."""
-    for i in range(values.shape[0]):
-        largest = maximum(largest, absolute(values[i]))
+def largest_of_three(values: Any, largest: Any) -> Any:
+    """The largest absolute value of three, or ``largest`` if that is larger."""
+    for k in range(3):
+        largest = maximum(largest, absolute(values[k]))
     return largest
+
+
+class Solution(NamedTuple):
+    """Figures of a solved system: those of its assembly, the largest residual (EI/L^2) and
+    correction (L), and the number of pivots that are not positive."""
+
+    assembly: Assembly
+    residual: Any
+    correction: Any
+    negative_pivots: Any
+
+
+@routine
+def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solution:
+    """Assemble the system and solve it, node by node, in one sweep and back.
+
+    A node is eliminated as soon as it is complete, while its columns are still in fast memory.
+    """
+    system = work.system
+    bordered = frame_dofs(model.frame) > 0
+    nodes = masses.shape[0]
+    zero = 0.0 * motion.rate_factor
+    sweep = begin_assembly(model, motion, work)
+    done = begin_elimination(zero)
+    for node in range(nodes + NODES_COUPLED):
+        if node < nodes:
+            sweep = assemble_node(model, motion, masses, work, node, sweep)
+        if node >= NODES_COUPLED:
+            done = eliminate_node(system, node - NODES_COUPLED, bordered, done)
+    residual = done.largest
+    negative = done.negative
+    correction = zero
+    if bordered:
+        residual = largest_of_three(system.frame_residual, residual)
+        negative = negative + solve_frame(system, done)
+        correction = largest_of_three(system.frame_residual, correction)
+    correction = maximum(correction, substitute_back(system, bordered, zero))
+    return Solution(end_assembly(sweep), residual, correction, negative)
 
 
 @routine
@@ -64,41 +113,35 @@ def newton_iteration(
     motion: Motion,
     masses: Any,
     work: Any,
+    mask: Any,
     tolerance: Any,
     most_iterations: Any,
     most_backtracks: Any,
 ) -> Correction:
-    """Correct ``work.state`` in every lane; lanes without a robot must be masked by the caller."""
+    """Correct ``work.state`` in the masked lanes; what is returned of the others is void."""
     clock = work.clock
     size = work.state.shape[0]
     dofs = frame_dofs(model.frame)
-    assembly = assemble(model, motion, masses, work)
-    clock[GAP] = assembly.smallest_gap
-    clock[FASTEST] = assembly.contact_rate_squared
+    tiny = 1e-300 + 0.0 * motion.rate_factor
     x = work.system.residual
     y = work.system.frame_residual
-    zero = 0.0 * motion.rate_factor
-    tiny = 1e-300 + 0.0 * motion.rate_factor
-    clock[RESIDUAL] = largest_entry(y, largest_entry(x, zero)) / maximum(
-        assembly.largest_force, tiny
-    )
-    if dofs > 0:
-        negative = solve_bordered(work.system)
-    else:
-        negative = solve_nodes(work.system)
-
-    correction = largest_entry(y, largest_entry(x, zero))
+    solution = solve_linearised(model, motion, masses, work)
+    assembly = solution.assembly
+    correction = solution.correction
+    clock[GAP] = assembly.smallest_gap
+    clock[FASTEST] = assembly.contact_rate_squared
+    clock[RESIDUAL] = solution.residual / maximum(assembly.largest_force, tiny)
     finite = correction < 1e30
     first = clock[ITERATION] == 0.0
     grew = (correction > GROWTH_LIMIT * clock[SIZE]) & negate(first)
-    back = grew & (clock[BACKTRACKS] < most_backtracks) & finite
+    back = grew & (clock[BACKTRACKS] < most_backtracks) & finite & mask
     # A correction that outgrows the last one tells that the last one went too far: halve that.
     half = 0.5 * clock[SHARE]
     share = minimum(
         allowed_share(model, masses, work.state, y, x),
         LARGEST_CORRECTION / maximum(correction, tiny),
     )
-    share = where(finite, share, 0.0)
+    share = where(finite & mask, share, 0.0)
     moving = where(back, 0.0, share)
     undoing = where(back, half, 0.0)
     for i in range(size):
@@ -119,4 +162,4 @@ def newton_iteration(
     clock[SIZE] = where(back, clock[SIZE], correction)
     clock[SHARE] = where(back, half, share)
     clock[BACKTRACKS] = clock[BACKTRACKS] + where(back, 1.0, 0.0)
-    return Correction(converged, failed, negative)
+    return Correction(converged, failed, solution.negative_pivots)

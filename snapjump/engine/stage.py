@@ -29,11 +29,16 @@ def pick(table: Any, stage: Any) -> Any:
 
 
 @routine
-def store_stage(tableau: Any, work: Any, mask: Any) -> None:
-    """Keep velocity and acceleration of the stage that has just converged."""
+def store_stage(tableau: Any, work: Any, mask: Any) -> Any:
+    """Keep velocity and acceleration of the stage that has just converged.
+
+    Returns the largest difference in position (L) from the comparison method, for lanes whose
+    step has ended.
+    """
     clock = work.clock
+    last = tableau.nodes.shape[0] - 1
     rate = 1.0 / (tableau.gamma * clock[STEP])
-    for k in range(1, tableau.nodes.shape[0]):
+    for k in range(1, last):
         here = mask & (clock[STAGE] == 1.0 * k)
         if any_true(here):
             velocity = work.velocity[k]
@@ -43,19 +48,20 @@ def store_stage(tableau: Any, work: Any, mask: Any) -> None:
                 a = (v - work.drift[i]) * rate
                 velocity[i] = where(here, v, velocity[i])
                 acceleration[i] = where(here, a, acceleration[i])
-
-
-@routine
-def estimate_error(tableau: Any, work: Any) -> Any:
-    """Largest difference in position (L) from the comparison method."""
-    stages = tableau.nodes.shape[0]
-    largest = 0.0 * work.clock[STEP]
-    for i in range(work.state.shape[0]):
-        error = 0.0 * largest
-        for k in range(stages):
-            error = error + tableau.error[k] * work.velocity[k, i]
-        largest = maximum(largest, absolute(error))
-    return largest * work.clock[STEP]
+    largest = 0.0 * rate
+    if any_true(mask & (clock[STAGE] >= 1.0 * last)):
+        # The last stage is used up at once: other lanes' entries may be overwritten.
+        velocity = work.velocity[last]
+        acceleration = work.acceleration[last]
+        for i in range(work.state.shape[0]):
+            v = (work.state[i] - work.origin[i]) * rate
+            velocity[i] = v
+            acceleration[i] = (v - work.drift[i]) * rate
+            error = tableau.error[last] * v
+            for k in range(last):
+                error = fma(tableau.error[k], work.velocity[k, i], error)
+            largest = maximum(largest, absolute(error))
+    return largest * clock[STEP]
 
 
 @routine
@@ -97,9 +103,10 @@ def begin_stage(model: Any, tableau: Any, masses: Any, work: Any, mask: Any) -> 
         work.origin[i] = where(mask, origin, work.origin[i])
         work.drift[i] = where(mask, drift, work.drift[i])
         work.state[i] = state
-        work.change[i] = where(mask, state - aim, 0.0)
+        work.change[i] = where(mask, state - aim, work.change[i])
     dofs = frame_dofs(model.frame)
     allowed = allowed_share(model, masses, work.state, work.change, work.change[dofs:])
+    allowed = where(mask, allowed, 0.0)
     for i in range(size):
         work.state[i] = work.state[i] - allowed * work.change[i]
     for i in range(work.slip.shape[0]):

@@ -35,10 +35,17 @@ def place_ends(frame: Any, offset: Any, angles: Any, state: Any) -> Any:
 
 
 @family_function
-def condense_ends(
-    frame: Any, tangents: Any, offset: Any, left: Any, right: Any, state: Any, system: Any
+def condense_first(
+    frame: Any, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
 ) -> Any:
-    """Move the slave nodes' rows and columns, and the end hinges, onto the frame's coordinates."""
+    """Move the first node's rows and columns, and its hinge, onto the frame's coordinates."""
+
+
+@family_function
+def condense_last(
+    frame: Any, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+) -> Any:
+    """Move the last node's rows and columns, and its hinge, onto the frame's coordinates."""
 
 
 @family_function

@@ -6,7 +6,8 @@ from snapjump.discretization.base import EndTangents
 from snapjump.frame.base import (
     FrameForces,
     add_frame_forces,
-    condense_ends,
+    condense_first,
+    condense_last,
     end_tangents,
     frame_dofs,
     limit_frame_step,
@@ -48,17 +49,18 @@ def _place_ends(frame: CantileverFrame, offset: Any, angles: Any, state: Any) ->
     state[1] = -offset * sin(angles.left)
 
 
-@condense_ends.member(CantileverFrame)
-def _condense_ends(
-    frame: CantileverFrame,
-    tangents: Any,
-    offset: Any,
-    left: Any,
-    right: Any,
-    state: Any,
-    system: Any,
+@condense_first.member(CantileverFrame)
+def _condense_first(
+    frame: CantileverFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
 ) -> None:
     release_first_node(system.residual, system.band)
+
+
+@condense_last.member(CantileverFrame)
+def _condense_last(
+    frame: CantileverFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+) -> None:
+    pass
 
 
 @add_frame_forces.member(CantileverFrame)

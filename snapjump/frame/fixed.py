@@ -6,7 +6,8 @@ from snapjump.discretization.base import EndTangents
 from snapjump.frame.base import (
     FrameForces,
     add_frame_forces,
-    condense_ends,
+    condense_first,
+    condense_last,
     end_tangents,
     frame_dofs,
     limit_frame_step,
@@ -51,11 +52,17 @@ def _place_ends(frame: FixedFrame, offset: Any, angles: Any, state: Any) -> None
     state[last + 1] = frame.mount_height - offset * sin(angles.right)
 
 
-@condense_ends.member(FixedFrame)
-def _condense_ends(
-    frame: FixedFrame, tangents: Any, offset: Any, left: Any, right: Any, state: Any, system: Any
+@condense_first.member(FixedFrame)
+def _condense_first(
+    frame: FixedFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
 ) -> None:
     release_first_node(system.residual, system.band)
+
+
+@condense_last.member(FixedFrame)
+def _condense_last(
+    frame: FixedFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+) -> None:
     release_last_node(system.residual, system.band, state.shape[0] // 2 - 1)
 
 

@@ -6,7 +6,8 @@ from snapjump.discretization.base import EndTangents
 from snapjump.frame.base import (
     FrameForces,
     add_frame_forces,
-    condense_ends,
+    condense_first,
+    condense_last,
     end_tangents,
     frame_dofs,
     limit_frame_step,
@@ -34,9 +35,16 @@ def _place_ends(frame: NoFrame, offset: Any, angles: Any, state: Any) -> None:
     pass
 
 
-@condense_ends.member(NoFrame)
-def _condense_ends(
-    frame: NoFrame, tangents: Any, offset: Any, left: Any, right: Any, state: Any, system: Any
+@condense_first.member(NoFrame)
+def _condense_first(
+    frame: NoFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+) -> None:
+    pass
+
+
+@condense_last.member(NoFrame)
+def _condense_last(
+    frame: NoFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
 ) -> None:
     pass
 

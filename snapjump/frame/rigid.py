@@ -11,7 +11,8 @@ from snapjump.discretization.base import EndTangents
 from snapjump.frame.base import (
     FrameForces,
     add_frame_forces,
-    condense_ends,
+    condense_first,
+    condense_last,
     end_tangents,
     frame_dofs,
     limit_frame_step,
@@ -58,26 +59,32 @@ def _end_tangents(frame: RigidFrame, load: Any, angles: Any, state: Any, velocit
 
 
 @kernel
-def end_arms(frame: Any, offset: Any, tangents: Any, turn: Any) -> Any:
-    """Vectors from the centre of mass to the first and the last node."""
+def first_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Any:
+    """Vector from the centre of mass to the first node."""
     c = cos(turn)
     s = sin(turn)
-    across_x = frame.half_span * c
-    across_y = frame.half_span * s
-    up_x = -frame.mount_y * s
-    up_y = frame.mount_y * c
     return (
-        up_x - across_x + offset * tangents.left_x,
-        up_y - across_y + offset * tangents.left_y,
-        up_x + across_x - offset * tangents.right_x,
-        up_y + across_y - offset * tangents.right_y,
+        -frame.mount_y * s - frame.half_span * c + offset * tangents.left_x,
+        frame.mount_y * c - frame.half_span * s + offset * tangents.left_y,
+    )
+
+
+@kernel
+def last_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Any:
+    """Vector from the centre of mass to the last node."""
+    c = cos(turn)
+    s = sin(turn)
+    return (
+        -frame.mount_y * s + frame.half_span * c - offset * tangents.right_x,
+        frame.mount_y * c + frame.half_span * s - offset * tangents.right_y,
     )
 
 
 @place_ends.member(RigidFrame)
 def _place_ends(frame: RigidFrame, offset: Any, angles: Any, state: Any) -> None:
     tangents = _end_tangents(frame, 0.0, angles, state, 0.0 * state[2])
-    lx, ly, rx, ry = end_arms(frame, offset, tangents, state[2])
+    lx, ly = first_arm(frame, offset, tangents, state[2])
+    rx, ry = last_arm(frame, offset, tangents, state[2])
     last = state.shape[0] - 2
     state[3] = state[0] + lx
     state[4] = state[1] + ly
@@ -126,25 +133,24 @@ def add_arm(
     )
 
 
-@condense_ends.member(RigidFrame)
-def _condense_ends(
-    frame: RigidFrame, tangents: Any, offset: Any, left: Any, right: Any, state: Any, system: Any
+@condense_first.member(RigidFrame)
+def _condense_first(
+    frame: RigidFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
 ) -> None:
     residual = system.frame_residual
     nodes = system.residual
     band = system.band
     border = system.border
-    lx, ly, rx, ry = end_arms(frame, offset, tangents, state[2])
-
+    lx, ly = first_arm(frame, offset, tangents, state[2])
     # The left hinge's angle falls with the frame's direction; its edge leaves node 0.
-    coupling = left.stiffness
+    coupling = hinge.stiffness
     add_arm(
         band[0, 0],
         band[0, 1],
         band[1, 0],
-        coupling * left.slope_x,
-        coupling * left.slope_y,
-        left,
+        coupling * hinge.slope_x,
+        coupling * hinge.slope_y,
+        hinge,
         -1.0,
         nodes[0],
         nodes[1],
@@ -156,23 +162,33 @@ def _condense_ends(
     for row in range(2, 6):
         bx = band[0, row]
         by = band[1, row - 1]
-        border[row, 0] = bx
-        border[row, 1] = by
-        border[row, 2] = by * lx - bx * ly
-    border[2, 2] -= coupling * left.slope_x
-    border[3, 2] -= coupling * left.slope_y
+        border[row, 0] += bx
+        border[row, 1] += by
+        border[row, 2] += by * lx - bx * ly
+    border[2, 2] -= coupling * hinge.slope_x
+    border[3, 2] -= coupling * hinge.slope_y
     release_first_node(nodes, band)
 
+
+@condense_last.member(RigidFrame)
+def _condense_last(
+    frame: RigidFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+) -> None:
+    residual = system.frame_residual
+    nodes = system.residual
+    band = system.band
+    border = system.border
+    rx, ry = last_arm(frame, offset, tangents, state[2])
     last = (state.shape[0] - 3) // 2 - 1
     row = 2 * last
-    coupling = right.stiffness
+    coupling = hinge.stiffness
     add_arm(
         band[row, 0],
         band[row, 1],
         band[row + 1, 0],
-        -coupling * right.slope_x,
-        -coupling * right.slope_y,
-        right,
+        -coupling * hinge.slope_x,
+        -coupling * hinge.slope_y,
+        hinge,
         1.0,
         nodes[row],
         nodes[row + 1],
@@ -187,8 +203,8 @@ def _condense_ends(
         border[row - k, 0] += bx
         border[row - k, 1] += by
         border[row - k, 2] += by * rx - bx * ry
-    border[row - 2, 2] += coupling * right.slope_x
-    border[row - 1, 2] += coupling * right.slope_y
+    border[row - 2, 2] += coupling * hinge.slope_x
+    border[row - 1, 2] += coupling * hinge.slope_y
     release_last_node(nodes, band, last)
 
 
@@ -288,8 +304,9 @@ def add_corner_friction(
         rate = motion.rate_factor
         turn = (work.state[2] - work.origin[2]) * rate
         velocity = (work.state[0] - work.origin[0]) * rate - ry * turn
-        ratio, slope = slip(friction, velocity, work.slip[corner])
-        work.slip[corner] = velocity
+        previous = work.slip[corner]
+        ratio, slope = slip(friction, velocity, previous)
+        work.slip[corner] = where(near, velocity, previous)
         drag = ratio * force
         residual[0] += drag
         residual[2] -= ry * drag

@@ -4,142 +4,261 @@ The nodes' matrix has half-bandwidth 5; the frame's three coordinates couple to 
 near the clamps but fill in, so they are kept as a border of three rows. Only the frame's own
 3 x 3 block may be unsymmetric (friction at its feet): it is solved last, with pivoting by size
 of the diagonal being unnecessary since its inertia dominates it.
+
+Nodes are eliminated one by one, so that the columns of a node can be formed just before and are
+still at hand (a whole matrix of many lanes is larger than the fastest memory). A node couples to
+the next two: the column of its x reaches five rows down, that of its y four. In ``band[j]`` of an
+eliminated column, entry 0 is one over the pivot, the others are those of L D.
 """
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from snapjump.discretization.base import HALF_BANDWIDTH
-from snapjump.number.dispatch import kernel, routine
-from snapjump.number.functions import fma, where
+from snapjump.number.dispatch import kernel
+from snapjump.number.functions import absolute, fma, maximum, where
+
+
+class Elimination(NamedTuple):
+    """Running figures of an elimination.
+
+    negative: pivots of the nodes that are not positive; largest: residual so far; (xx, xy, yy,
+    xt, yt, tt) and (x, y, t): what the nodes take from the frame's block and right-hand side
+    (t for its direction theta).
+    """
+
+    negative: Any
+    largest: Any
+    xx: Any
+    xy: Any
+    yy: Any
+    xt: Any
+    yt: Any
+    tt: Any
+    x: Any
+    y: Any
+    t: Any
 
 
 @kernel
-def eliminate_node_row(band: Any, x: Any, j: Any) -> Any:
-    """Bring column j of the band and entry j of x up to date; returns the factors of the five
-    columns before it, nearest first."""
+def begin_elimination(zero: Any) -> Elimination:
+    """No node eliminated yet."""
+    return Elimination(zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero)
+
+
+@kernel
+def eliminate_x_column(band: Any, j: Any) -> Any:
+    """Bring column j, of a node's x, up to date; returns the factors of the four columns before
+    it, nearest first."""
+    # The column just before comes last everywhere: its pivot is the one still being computed.
+    f1 = band[j - 1, 1] * band[j - 1, 0]
+    f2 = band[j - 2, 2] * band[j - 2, 0]
+    f3 = band[j - 3, 3] * band[j - 3, 0]
+    f4 = band[j - 4, 4] * band[j - 4, 0]
+    pivot = fma(-f4, band[j - 4, 4], band[j, 0])
+    pivot = fma(-f3, band[j - 3, 3], pivot)
+    pivot = fma(-f2, band[j - 2, 2], pivot)
+    pivot = fma(-f1, band[j - 1, 1], pivot)
+    below = fma(-f4, band[j - 4, 5], band[j, 1])
+    below = fma(-f3, band[j - 3, 4], below)
+    below = fma(-f2, band[j - 2, 3], below)
+    band[j, 0] = 1.0 / pivot
+    band[j, 1] = fma(-f1, band[j - 1, 2], below)
+    band[j, 2] = fma(-f1, band[j - 1, 3], fma(-f2, band[j - 2, 4], band[j, 2]))
+    band[j, 3] = fma(-f1, band[j - 1, 4], fma(-f2, band[j - 2, 5], band[j, 3]))
+    return f1, f2, f3, f4
+
+
+@kernel
+def eliminate_y_column(band: Any, j: Any) -> Any:
+    """Bring column j, of a node's y, up to date; returns the factors of the five columns before
+    it, nearest first."""
     f1 = band[j - 1, 1] * band[j - 1, 0]
     f2 = band[j - 2, 2] * band[j - 2, 0]
     f3 = band[j - 3, 3] * band[j - 3, 0]
     f4 = band[j - 4, 4] * band[j - 4, 0]
     f5 = band[j - 5, 5] * band[j - 5, 0]
-    # The column just before comes last everywhere: its pivot is the one still being computed.
     pivot = fma(-f5, band[j - 5, 5], band[j, 0])
     pivot = fma(-f4, band[j - 4, 4], pivot)
     pivot = fma(-f3, band[j - 3, 3], pivot)
     pivot = fma(-f2, band[j - 2, 2], pivot)
     pivot = fma(-f1, band[j - 1, 1], pivot)
+    next_x = fma(-f2, band[j - 2, 3], fma(-f3, band[j - 3, 4], band[j, 1]))
+    next_y = fma(-f2, band[j - 2, 4], fma(-f3, band[j - 3, 5], band[j, 2]))
     band[j, 0] = 1.0 / pivot
-    value = fma(-f4, band[j - 4, 5], band[j, 1])
-    value = fma(-f3, band[j - 3, 4], value)
-    value = fma(-f2, band[j - 2, 3], value)
-    band[j, 1] = fma(-f1, band[j - 1, 2], value)
-    value = fma(-f3, band[j - 3, 5], band[j, 2])
-    value = fma(-f2, band[j - 2, 4], value)
-    band[j, 2] = fma(-f1, band[j - 1, 3], value)
-    value = fma(-f2, band[j - 2, 5], band[j, 3])
-    band[j, 3] = fma(-f1, band[j - 1, 4], value)
+    band[j, 1] = fma(-f1, band[j - 1, 2], next_x)
+    band[j, 2] = fma(-f1, band[j - 1, 3], next_y)
+    band[j, 3] = fma(-f1, band[j - 1, 4], band[j, 3])
     band[j, 4] = fma(-f1, band[j - 1, 5], band[j, 4])
-    value = fma(-f5, x[j - 5], x[j])
-    value = fma(-f4, x[j - 4], value)
-    value = fma(-f3, x[j - 3], value)
-    value = fma(-f2, x[j - 2], value)
-    x[j] = fma(-f1, x[j - 1], value)
     return f1, f2, f3, f4, f5
 
 
 @kernel
-def substitute_back(band: Any, x: Any, j: Any, value: Any) -> None:
-    """Entry j of the solution, ``value`` being its right-hand side."""
-    value = fma(-band[j, 1], x[j + 1], value)
-    value = fma(-band[j, 2], x[j + 2], value)
-    value = fma(-band[j, 3], x[j + 3], value)
-    value = fma(-band[j, 4], x[j + 4], value)
-    value = fma(-band[j, 5], x[j + 5], value)
-    x[j] = value * band[j, 0]
-
-
-@routine
-def solve_nodes(system: Any) -> Any:
-    """Solve without a frame."""
-    band = system.padded_band
-    x = system.padded_residual
-    size = band.shape[0] - HALF_BANDWIDTH
-    negative = 0.0 * band[0, 0]
-    for j in range(HALF_BANDWIDTH, size):
-        eliminate_node_row(band, x, j)
-        negative = negative + where(band[j, 0] > 0.0, 0.0, 1.0)
-    for j in range(size - 1, HALF_BANDWIDTH - 1, -1):
-        substitute_back(band, x, j, x[j])
-    return negative
+def reduce_x_entry(values: Any, j: Any, factors: Any) -> Any:
+    """Bring entry j of a right-hand side up to date with its column and return it."""
+    f1, f2, f3, f4 = factors
+    value = fma(-f4, values[j - 4], values[j])
+    value = fma(-f3, values[j - 3], value)
+    value = fma(-f2, values[j - 2], value)
+    value = fma(-f1, values[j - 1], value)
+    values[j] = value
+    return value
 
 
 @kernel
-def eliminate_border_row(border: Any, j: Any, factors: Any) -> Any:
-    """Bring column j of the border's three rows up to date and return it."""
+def reduce_y_entry(values: Any, j: Any, factors: Any) -> Any:
+    """The same for a column of a node's y."""
     f1, f2, f3, f4, f5 = factors
-    b0 = fma(-f5, border[j - 5, 0], border[j, 0])
-    b0 = fma(-f4, border[j - 4, 0], b0)
-    b0 = fma(-f3, border[j - 3, 0], b0)
-    b0 = fma(-f2, border[j - 2, 0], b0)
-    b0 = fma(-f1, border[j - 1, 0], b0)
-    b1 = fma(-f5, border[j - 5, 1], border[j, 1])
-    b1 = fma(-f4, border[j - 4, 1], b1)
-    b1 = fma(-f3, border[j - 3, 1], b1)
-    b1 = fma(-f2, border[j - 2, 1], b1)
-    b1 = fma(-f1, border[j - 1, 1], b1)
-    b2 = fma(-f5, border[j - 5, 2], border[j, 2])
-    b2 = fma(-f4, border[j - 4, 2], b2)
-    b2 = fma(-f3, border[j - 3, 2], b2)
-    b2 = fma(-f2, border[j - 2, 2], b2)
-    b2 = fma(-f1, border[j - 1, 2], b2)
+    value = fma(-f5, values[j - 5], values[j])
+    value = fma(-f4, values[j - 4], value)
+    value = fma(-f3, values[j - 3], value)
+    value = fma(-f2, values[j - 2], value)
+    value = fma(-f1, values[j - 1], value)
+    values[j] = value
+    return value
+
+
+@kernel
+def reduce_x_border(border: Any, j: Any, factors: Any) -> Any:
+    """Bring column j of the border's three rows up to date and return it."""
+    f1, f2, f3, f4 = factors
+    b0 = fma(-f3, border[j - 3, 0], fma(-f4, border[j - 4, 0], border[j, 0]))
+    b1 = fma(-f3, border[j - 3, 1], fma(-f4, border[j - 4, 1], border[j, 1]))
+    b2 = fma(-f3, border[j - 3, 2], fma(-f4, border[j - 4, 2], border[j, 2]))
+    b0 = fma(-f1, border[j - 1, 0], fma(-f2, border[j - 2, 0], b0))
+    b1 = fma(-f1, border[j - 1, 1], fma(-f2, border[j - 2, 1], b1))
+    b2 = fma(-f1, border[j - 1, 2], fma(-f2, border[j - 2, 2], b2))
     border[j, 0] = b0
     border[j, 1] = b1
     border[j, 2] = b2
     return b0, b1, b2
 
 
-@routine
-def solve_bordered(system: Any) -> Any:
-    """Solve with a frame of three coordinates."""
+@kernel
+def reduce_y_border(border: Any, j: Any, factors: Any) -> Any:
+    """The same for a column of a node's y."""
+    f1, f2, f3, f4, f5 = factors
+    border[j, 0] = fma(-f5, border[j - 5, 0], border[j, 0])
+    border[j, 1] = fma(-f5, border[j - 5, 1], border[j, 1])
+    border[j, 2] = fma(-f5, border[j - 5, 2], border[j, 2])
+    return reduce_x_border(border, j, (f1, f2, f3, f4))
+
+
+@kernel
+def eliminate_node(system: Any, node: Any, bordered: Any, done: Elimination) -> Elimination:
+    """Eliminate a node whose columns, and whose share of the border, are complete."""
     band = system.padded_band
+    rhs = system.padded_residual
     border = system.padded_border
+    i = 2 * node + HALF_BANDWIDTH
+    j = i + 1
+    largest = maximum(maximum(done.largest, absolute(rhs[i])), absolute(rhs[j]))
+    of_x = eliminate_x_column(band, i)
+    of_y = eliminate_y_column(band, j)
+    ri = reduce_x_entry(rhs, i, of_x)
+    rj = reduce_y_entry(rhs, j, of_y)
+    over_i = band[i, 0]
+    over_j = band[j, 0]
+    negative = done.negative + where(over_i > 0.0, 0.0, 1.0) + where(over_j > 0.0, 0.0, 1.0)
+    if not bordered:
+        return Elimination(
+            negative,
+            largest,
+            done.xx,
+            done.xy,
+            done.yy,
+            done.xt,
+            done.yt,
+            done.tt,
+            done.x,
+            done.y,
+            done.t,
+        )
+    xi, yi, ti = reduce_x_border(border, i, of_x)
+    xj, yj, tj = reduce_y_border(border, j, of_y)
+    fxi = xi * over_i
+    fyi = yi * over_i
+    fti = ti * over_i
+    fxj = xj * over_j
+    fyj = yj * over_j
+    ftj = tj * over_j
+    return Elimination(
+        negative,
+        largest,
+        fma(fxj, xj, fma(fxi, xi, done.xx)),
+        fma(fxj, yj, fma(fxi, yi, done.xy)),
+        fma(fyj, yj, fma(fyi, yi, done.yy)),
+        fma(fxj, tj, fma(fxi, ti, done.xt)),
+        fma(fyj, tj, fma(fyi, ti, done.yt)),
+        fma(ftj, tj, fma(fti, ti, done.tt)),
+        fma(fxj, rj, fma(fxi, ri, done.x)),
+        fma(fyj, rj, fma(fyi, ri, done.y)),
+        fma(ftj, rj, fma(fti, ri, done.t)),
+    )
+
+
+@kernel
+def solve_frame(system: Any, done: Elimination) -> Any:
+    """Solve for the frame once all nodes are eliminated; returns the number of pivots <= 0."""
     square = system.square
     x = system.frame_residual
-    nodes = system.padded_residual
-    size = band.shape[0] - HALF_BANDWIDTH
-    negative = 0.0 * band[0, 0]
-    for j in range(HALF_BANDWIDTH, size):
-        factors = eliminate_node_row(band, nodes, j)
-        b0, b1, b2 = eliminate_border_row(border, j, factors)
-        inverse = band[j, 0]
-        value = nodes[j]
-        negative = negative + where(inverse > 0.0, 0.0, 1.0)
-        f0 = b0 * inverse
-        f1 = b1 * inverse
-        f2 = b2 * inverse
-        # The nodes' share is symmetric: only the lower triangle is formed.
-        square[0, 0] = fma(-f0, b0, square[0, 0])
-        square[1, 0] = fma(-f1, b0, square[1, 0])
-        square[1, 1] = fma(-f1, b1, square[1, 1])
-        square[2, 0] = fma(-f2, b0, square[2, 0])
-        square[2, 1] = fma(-f2, b1, square[2, 1])
-        square[2, 2] = fma(-f2, b2, square[2, 2])
-        square[0, 1] = fma(-f0, b1, square[0, 1])
-        square[0, 2] = fma(-f0, b2, square[0, 2])
-        square[1, 2] = fma(-f1, b2, square[1, 2])
-        x[0] = fma(-f0, value, x[0])
-        x[1] = fma(-f1, value, x[1])
-        x[2] = fma(-f2, value, x[2])
-    negative = negative + solve_square(square, x)
-    x0 = x[0]
-    x1 = x[1]
-    x2 = x[2]
-    for j in range(size - 1, HALF_BANDWIDTH - 1, -1):
-        value = fma(-border[j, 0], x0, nodes[j])
-        value = fma(-border[j, 1], x1, value)
-        value = fma(-border[j, 2], x2, value)
-        substitute_back(band, nodes, j, value)
-    return negative
+    square[0, 0] -= done.xx
+    square[0, 1] -= done.xy
+    square[1, 0] -= done.xy
+    square[1, 1] -= done.yy
+    square[0, 2] -= done.xt
+    square[2, 0] -= done.xt
+    square[1, 2] -= done.yt
+    square[2, 1] -= done.yt
+    square[2, 2] -= done.tt
+    x[0] -= done.x
+    x[1] -= done.y
+    x[2] -= done.t
+    return solve_square(square, x)
+
+
+@kernel
+def substitute_back(system: Any, bordered: Any, zero: Any) -> Any:
+    """Replace the nodes' right-hand side by the solution; returns its largest entry."""
+    band = system.padded_band
+    border = system.padded_border
+    rhs = system.padded_residual
+    frame = system.frame_residual
+    x0 = frame[0]
+    x1 = frame[1]
+    x2 = frame[2]
+    next_x = zero  # of the next node
+    next_y = zero
+    far_x = zero  # of the next but one
+    far_y = zero
+    largest = zero
+    for j in range(rhs.shape[0] - HALF_BANDWIDTH - 1, HALF_BANDWIDTH, -2):
+        i = j - 1
+        y = rhs[j]
+        x = rhs[i]
+        if bordered:
+            y = fma(-border[j, 0], x0, y)
+            y = fma(-border[j, 1], x1, y)
+            y = fma(-border[j, 2], x2, y)
+            x = fma(-border[i, 0], x0, x)
+            x = fma(-border[i, 1], x1, x)
+            x = fma(-border[i, 2], x2, x)
+        y = fma(-band[j, 4], far_y, y)
+        y = fma(-band[j, 3], far_x, y)
+        y = fma(-band[j, 2], next_y, y)
+        y = fma(-band[j, 1], next_x, y) * band[j, 0]
+        x = fma(-band[i, 5], far_y, x)
+        x = fma(-band[i, 4], far_x, x)
+        x = fma(-band[i, 3], next_y, x)
+        x = fma(-band[i, 2], next_x, x)
+        x = fma(-band[i, 1], y, x) * band[i, 0]
+        rhs[j] = y
+        rhs[i] = x
+        largest = maximum(maximum(largest, absolute(x)), absolute(y))
+        far_x = next_x
+        far_y = next_y
+        next_x = x
+        next_y = y
+    return largest
 
 
 @kernel

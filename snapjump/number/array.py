@@ -30,7 +30,22 @@ class NumberArray(types.Array):
         )
 
 
-register_model(NumberArray)(models.ArrayModel)
+@register_model(NumberArray)
+class NumberArrayModel(models.StructModel):
+    """numba's array, with an address in place of the counted reference to its memory."""
+
+    def __init__(self, dmm: Any, fe_type: NumberArray):
+        extents = types.UniTuple(types.intp, fe_type.ndim)
+        members = [
+            ("meminfo", types.voidptr),
+            ("parent", types.voidptr),
+            ("nitems", types.intp),
+            ("itemsize", types.intp),
+            ("data", types.CPointer(fe_type.dtype)),
+            ("shape", extents),
+            ("strides", extents),
+        ]
+        super().__init__(dmm, fe_type, members)
 
 
 def unsigned(index: types.Type) -> types.Type:

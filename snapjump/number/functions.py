@@ -11,6 +11,7 @@ from llvmlite import ir
 from numba.core import types
 from numba.extending import intrinsic, overload
 
+from snapjump.number.dispatch import kernel
 from snapjump.number.lane import (
     LaneType,
     MaskType,
@@ -59,8 +60,7 @@ sqrt = _elementwise(
 )
 log = _elementwise("log", False, lambda x: cmath.log(x) if isinstance(x, complex) else math.log(x))
 exp = _elementwise("exp", False, lambda x: cmath.exp(x) if isinstance(x, complex) else math.exp(x))
-sin = _elementwise("sin", False, lambda x: cmath.sin(x) if isinstance(x, complex) else math.sin(x))
-cos = _elementwise("cos", False, lambda x: cmath.cos(x) if isinstance(x, complex) else math.cos(x))
+nearest = _elementwise("rint", True, lambda x: float(round(getattr(x, "real", x))))
 absolute = _elementwise("fabs", True, lambda x: x if getattr(x, "real", x) >= 0 else -x)
 
 
@@ -109,6 +109,69 @@ def _fused(typingctx: Any, a: Any, b: Any, c: Any) -> Any:
 @overload(fma, strict=False, jit_options=INLINED)
 def _fma(a: Any, b: Any, c: Any) -> Any:
     return lambda a, b, c: _fused(a, b, c)
+
+
+# pi / 2 in two parts, and the polynomials of sine and cosine on [-pi/4, pi/4] from fdlibm.
+HALF_PI = 1.5707963267948966
+HALF_PI_REST = 6.123233995736766e-17
+SINE = (
+    -1.66666666666666324348e-01,
+    8.33333333332248946124e-03,
+    -1.98412698298579493134e-04,
+    2.75573137070700676789e-06,
+    -2.50507602534068634195e-08,
+    1.58969099521155010221e-10,
+)
+COSINE = (
+    4.16666666666666019037e-02,
+    -1.38888888888741095749e-03,
+    2.48015872894767294178e-05,
+    -2.75573143513906633035e-07,
+    2.08757232129817482790e-09,
+    -1.13596475577881948265e-11,
+)
+
+
+@kernel
+def reduced_sine_cosine(x: Any) -> Any:
+    """Sine and cosine of x less a number of quarter turns, and that number from -2 to 2.
+
+    In plain arithmetic, which is as fast for lanes as for one number, and equal in both; good to
+    about one unit in the last place for the angles of a robot (|x| < 1e5).
+    """
+    quarters = nearest(x * (1.0 / HALF_PI))
+    r = fma(-quarters, HALF_PI_REST, fma(-quarters, HALF_PI, x))
+    z = r * r
+    s = fma(z, SINE[5], SINE[4])
+    s = fma(z, s, SINE[3])
+    s = fma(z, s, SINE[2])
+    s = fma(z, s, SINE[1])
+    s = fma(z, s, SINE[0])
+    c = fma(z, COSINE[5], COSINE[4])
+    c = fma(z, c, COSINE[3])
+    c = fma(z, c, COSINE[2])
+    c = fma(z, c, COSINE[1])
+    c = fma(z, c, COSINE[0])
+    half = 0.5 * z
+    near_one = 1.0 - half
+    cosine = near_one + ((1.0 - near_one - half) + z * z * c)
+    return fma(z * r, s, r), cosine, quarters - 4.0 * nearest(0.25 * quarters)
+
+
+@kernel
+def sin(x: Any) -> Any:
+    """Sine of an angle (rad)."""
+    sine, cosine, quarters = reduced_sine_cosine(x)
+    value = where(absolute(quarters) == 1.0, cosine, sine)
+    return where((quarters == -1.0) | (absolute(quarters) == 2.0), -value, value)
+
+
+@kernel
+def cos(x: Any) -> Any:
+    """Cosine of an angle (rad)."""
+    sine, cosine, quarters = reduced_sine_cosine(x)
+    value = where(absolute(quarters) == 1.0, sine, cosine)
+    return where((quarters == 1.0) | (absolute(quarters) == 2.0), -value, value)
 
 
 def minimum(a: Any, b: Any) -> Any:
