@@ -36,7 +36,7 @@ def store_stage(tableau: Any, work: Any, mask: Any) -> Any:
     step has ended.
     """
     clock = work.clock
-    last = tableau.nodes.shape[0] - 1
+    last = len(tableau.error) - 1
     rate = 1.0 / (tableau.gamma * clock[STEP])
     for k in range(1, last):
         here = mask & (clock[STAGE] == 1.0 * k)
@@ -67,7 +67,7 @@ def store_stage(tableau: Any, work: Any, mask: Any) -> Any:
 @routine
 def commit_step(tableau: Any, work: Any, mask: Any) -> None:
     """Make the last stage the beginning of the next step."""
-    last = tableau.nodes.shape[0] - 1
+    last = len(tableau.error) - 1
     clock = work.clock
     clock[TIME] = where(mask, clock[TIME] + clock[STEP], clock[TIME])
     for i in range(work.state.shape[0]):
@@ -80,7 +80,7 @@ def commit_step(tableau: Any, work: Any, mask: Any) -> None:
 def begin_stage(model: Any, tableau: Any, masses: Any, work: Any, mask: Any) -> None:
     """Set origin, drift and a gap-safe first guess of every masked lane's current stage."""
     clock = work.clock
-    stages = tableau.nodes.shape[0]
+    stages = len(tableau.error)
     stage = clock[STAGE]
     step = clock[STEP]
     share = tableau.gamma * step

@@ -17,14 +17,15 @@ class Tableau(NamedTuple):
     """A Butcher tableau for the kernels.
 
     gamma: diagonal coefficient; matrix (S, S) strictly lower part by which earlier stages enter;
-    nodes (S); weights (S): the last row; error (S): weights minus those of a comparison method.
+    nodes (S); weights (S): the last row; error (S): weights minus those of a comparison method,
+    a tuple, so that kernels know the number of stages while they are compiled.
     """
 
     gamma: float
     matrix: NDArray[np.float64]
     nodes: NDArray[np.float64]
     weights: NDArray[np.float64]
-    error: NDArray[np.float64]
+    error: tuple[float, ...]
     error_order: float
 
 
@@ -54,6 +55,6 @@ class Integrator:
             matrix=np.tril(full, -1),
             nodes=nodes,
             weights=full[-1].copy(),
-            error=full[-1] - interpolatory,
+            error=tuple(float(e) for e in full[-1] - interpolatory),
             error_order=float(self.order + 1),
         )

@@ -16,8 +16,11 @@ Function = Callable[..., Any]
 
 # Plain Python functions that compiled code may call: small ones are merged into their callers
 # (lanes travel through memory across a call), large ones are compiled once a program.
-kernel = register_jitable(forceinline=True)
-routine = register_jitable
+# No C code calls them, so that numba need not compile a door for it.
+COMPILED = {"no_cfunc_wrapper": True}
+INLINED = {"forceinline": True, "no_cfunc_wrapper": True}
+kernel = register_jitable(**INLINED)
+routine = register_jitable(**COMPILED)
 
 
 def member_class(kind: Any) -> Any:
@@ -45,7 +48,7 @@ def family_function(declaration: Function) -> Any:
     call.member = member  # type: ignore[attr-defined]
     call.versions = versions  # type: ignore[attr-defined]
 
-    @overload(call, strict=False, jit_options={"forceinline": True})
+    @overload(call, strict=False, jit_options=INLINED)
     def _resolve(member: Any, *args: Any) -> Any:
         return versions.get(member_class(member))
 

@@ -11,7 +11,7 @@ from llvmlite import ir
 from numba.core import types
 from numba.extending import intrinsic, overload
 
-from snapjump.number.dispatch import kernel
+from snapjump.number.dispatch import INLINED, kernel
 from snapjump.number.lane import (
     LaneType,
     MaskType,
@@ -20,8 +20,6 @@ from snapjump.number.lane import (
     splat,
     vector_intrinsic,
 )
-
-INLINED = {"forceinline": True}
 
 
 def _elementwise(name: str, vectorised: bool, in_python: Any) -> Any:
