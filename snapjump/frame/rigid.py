@@ -267,7 +267,7 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
                 fastest = maximum(fastest, bounce)
                 if has_friction(model.friction):
                     add_corner_friction(
-                        model, motion, work, corner, frame, rx, ry, force, stiffness
+                        model, motion, work, corner, frame, rx, ry, near, force, stiffness
                     )
     return FrameForces(largest, smallest, fastest)
 
@@ -281,6 +281,7 @@ def add_corner_friction(
     frame: Any,
     rx: Any,
     ry: Any,
+    near: Any,
     force: Any,
     stiffness: Any,
 ) -> None:
@@ -293,8 +294,8 @@ def add_corner_friction(
         begun = work.velocity[0]
         _, sy = corner_arm(frame, corner, cos(start[2]), sin(start[2]))
         gap = start[1] + sy
-        near = gap < contact_reach(model.contact)
-        normal, _ = contact_force(model.contact, where(near, gap, contact_reach(model.contact)))
+        was_near = gap < contact_reach(model.contact)
+        normal, _ = contact_force(model.contact, where(was_near, gap, contact_reach(model.contact)))
         velocity = begun[0] - sy * begun[2]
         ratio, _ = slip(friction, velocity, 0.0 * velocity)
         drag = ratio * normal * model.contact.corner_weight
