@@ -53,6 +53,7 @@ def only_folder(path: Path) -> Path:
         ("design.epsilon=${nope}", ["design.epsilon", "nope"]),
         ("hydra/launcher=foo", ["hydra/launcher = 'foo'", "joblib"]),
         ("accuracy=null", ["accuracy=null"]),
+        ("--foo", ["--foo", "--help"]),
         ("~sim", ["sim = None"]),
         ("design=3", ["design = 3"]),
         ("+foo=1", ["foo = 1"]),
