@@ -14,7 +14,7 @@ LINES: dict[str, tuple[str, dict[str, Any]]] = {
     "kinetic": ("kinetic", {"color": palette.CLAMP, "lw": 2.2}),
     "gravitational": ("gravitational", {"color": palette.CENTRE, "lw": 2.0}),
     "contact": ("contact", {"color": palette.FORCE, "lw": 1.6}),
-    "friction_loss": ("lost to friction", {"color": palette.FORCE, "lw": 2.2}),
+    "friction_loss": ("lost to friction", {"color": palette.PLUM, "lw": 2.2}),
     "damping_loss": ("lost to damping", {"color": palette.VIOLET, "lw": 2.2}),
     "numerical_loss": ("lost to time stepping", {"color": palette.SKY, "lw": 2.2}),
 }

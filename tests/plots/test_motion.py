@@ -57,6 +57,6 @@ def test_moments_are_named_in_order_and_eight(jump: Any) -> None:
     chosen = moments(motion, 6.0)
     assert len(chosen) == 8
     assert [index for index, _ in chosen] == sorted({index for index, _ in chosen})
-    wanted = ["start", "snap begins", "at clamp level", "beam strikes", "hardest push", "lift-off"]
+    wanted = ["start", "snap begins", "at clamp level", "beam touches", "hardest push", "lift-off"]
     assert [name for _, name in chosen if name] == [*wanted, "in flight"]
     assert len(moments(motion, None, wanted=3)) >= 3
