@@ -93,7 +93,7 @@ def _mark_apex(axes: Any, apex: tuple[float, float], length_m: float) -> None:
     axes.annotate(
         f"apex ({apex[0]:.2f}, {apex[1]:.2f}) L\n({apex[0] * size:.1f}, {apex[1] * size:.1f}) mm",
         apex,
-        xytext=(-24 if roomy_left else 24, 0),
+        xytext=(-16 if roomy_left else 16, 0),
         textcoords="offset points",
         ha="right" if roomy_left else "left",
         va="center",
