@@ -16,7 +16,7 @@ LINES: dict[str, tuple[str, dict[str, Any]]] = {
     "contact": ("contact", {"color": palette.FORCE, "lw": 1.6}),
     "friction_loss": ("lost to friction", {"color": palette.PLUM, "lw": 2.2}),
     "damping_loss": ("lost to damping", {"color": palette.VIOLET, "lw": 2.2}),
-    "numerical_loss": ("lost to time stepping", {"color": palette.SKY, "lw": 2.2}),
+    "numerical_loss": ("lost to numerics", {"color": palette.SKY, "lw": 2.2}),
 }
 
 
@@ -74,6 +74,8 @@ def _draw_balance(axes: Any, books: Books) -> None:
     axes.plot(books.time, books.work, color=palette.QUIET, lw=2.2, label="work of the clamps")
     for name, values in books.lost.items():
         label, style = LINES[name]
+        if name == "numerical_loss":
+            label = f"{label} ({values[-1]:.1g})"
         axes.plot(books.time, values, label=label, **style)
     worst = float(np.max(np.abs(books.balance)))
     label = f"balance (within {worst:.0e})"

@@ -26,7 +26,9 @@ def since_start(result: Any, key: str) -> float | None:
 
 
 def apex_of(result: Any) -> tuple[float, float] | None:
-    """The apex in L, or None."""
+    """The apex in L, or None if the robot did not jump."""
+    if result.status != "ok":
+        return None
     x, y = number(result.summary, "x_bar"), number(result.summary, "y_bar")
     return None if x is None or y is None else (x, y)
 

@@ -52,7 +52,6 @@ def moments(motion: Motion, liftoff_ms: float | None, wanted: int = 8) -> list[t
     snap = snap_interval(motion)
     if snap is not None:
         add(snap[0], "snap begins")
-        add(snap[1], "at clamp level")
     if motion.push.max(initial=0.0) > 2.0:
         add(int(np.argmax(motion.push)), "hardest push")
     last = motion.count - 1
