@@ -3,10 +3,11 @@
 from typing import Any, NamedTuple
 
 from snapjump.discretization.base import (
+    ChainPowers,
     EndHinge,
     add_internal_forces,
+    chain_powers,
     clamp_offset,
-    damping_power,
     has_elements,
     internal_energy,
 )
@@ -47,9 +48,9 @@ def _internal_energy(discretization: LooseNodes, position: Any, tangents: Any) -
     return 0.0 * position[0]
 
 
-@damping_power.member(LooseNodes)
-def _damping_power(
+@chain_powers.member(LooseNodes)
+def _chain_powers(
     discretization: LooseNodes, damping: Any, position: Any, velocity: Any, tangents: Any
 ) -> Any:
     zero = 0.0 * position[0]
-    return zero, zero, zero
+    return ChainPowers(zero, zero, zero, zero, zero, zero, zero)

@@ -7,7 +7,13 @@ equilibrium is the same with rate = 0.
 from typing import Any, NamedTuple
 
 from snapjump.clamp.base import clamp_angles
-from snapjump.contact.base import bounce_rate_squared, contact_force, contact_reach, has_contact
+from snapjump.contact.base import (
+    bounce_rate_squared,
+    contact_force,
+    contact_reach,
+    contact_weights,
+    has_contact,
+)
 from snapjump.damping.base import mass_damping
 from snapjump.discretization.base import add_internal_forces, clamp_offset, has_elements
 from snapjump.frame.base import add_frame_forces, condense_ends, end_tangents, frame_dofs
@@ -84,6 +90,7 @@ def add_node_contact(model: Any, motion: Any, masses: Any, work: Any) -> Any:
     contact = model.contact
     friction = model.friction
     reach = contact_reach(contact)
+    weight, _ = contact_weights(contact)
     rate = motion.rate_factor
     smallest = 0.0 * rate + 1.0e30
     largest = 0.0 * rate
@@ -105,11 +112,11 @@ def add_node_contact(model: Any, motion: Any, masses: Any, work: Any) -> Any:
                 normal, _ = contact_force(contact, where(was_near, begun, reach))
                 velocity = work.velocity[0, i]
                 ratio, _ = slip(friction, velocity, 0.0 * velocity)
-                residual[row] += ratio * normal * contact.node_weight
+                residual[row] += ratio * normal * weight
         if any_true(near):
             force, stiffness = contact_force(contact, where(near, gap, reach))
-            force = force * contact.node_weight
-            stiffness = stiffness * contact.node_weight
+            force = force * weight
+            stiffness = stiffness * weight
             residual[row + 1] -= force
             band[row + 1, 0] += stiffness
             largest = maximum(largest, force)

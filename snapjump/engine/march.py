@@ -50,9 +50,8 @@ from snapjump.engine.status import (
 from snapjump.contact.base import contact_reach
 from snapjump.number.dispatch import routine
 from snapjump.number.functions import any_true, maximum, minimum, negate, where
-from snapjump.number.lane import view_numbers
-from snapjump.engine.work import System, Work
-from snapjump.recorder.base import record_start, record_step, tally_stage
+from snapjump.engine.view import view_work
+from snapjump.recorder.base import record_stage, record_start, record_step
 from snapjump.stepping.base import (
     accepts,
     first_step,
@@ -88,35 +87,6 @@ class Limits(NamedTuple):
 
     of_a_stage: float
     of_a_march: float
-
-
-@routine
-def view_work(work: Any, lanes: Any) -> Work:
-    """The memory as arrays of numbers, one lane or many."""
-    system = System(
-        view_numbers(work.system.residual, lanes),
-        view_numbers(work.system.band, lanes),
-        view_numbers(work.system.border, lanes),
-        view_numbers(work.system.padded_residual, lanes),
-        view_numbers(work.system.padded_band, lanes),
-        view_numbers(work.system.padded_border, lanes),
-        view_numbers(work.system.frame_residual, lanes),
-        view_numbers(work.system.square, lanes),
-    )
-    return Work(
-        view_numbers(work.state, lanes),
-        view_numbers(work.start, lanes),
-        view_numbers(work.origin, lanes),
-        view_numbers(work.drift, lanes),
-        view_numbers(work.change, lanes),
-        view_numbers(work.velocity, lanes),
-        view_numbers(work.acceleration, lanes),
-        view_numbers(work.slip, lanes),
-        view_numbers(work.clock, lanes),
-        view_numbers(work.numbers, lanes),
-        view_numbers(work.weights, lanes),
-        system,
-    )
 
 
 @routine
@@ -205,7 +175,7 @@ def march(
             refill(memory, lane, queue, step)
         model = with_numbers(template, work.numbers)
         begin_stage(model, tableau, masses, work, clock[ACTIVE] >= 0.0)
-        record_start(recorder, work)
+        record_start(recorder, model, masses, work)
 
     for _ in range(passes):
         if queue.cursor[1] == 0:
@@ -240,7 +210,7 @@ def march(
         if any_true(converged):
             restage = restage | converged
             store_stage(tableau, work, converged)
-            tally_stage(recorder, model, masses, motion, tableau, work)
+            record_stage(recorder, model, masses, motion, tableau, work, converged)
             clock[LARGEST_RESIDUAL] = where(
                 converged,
                 maximum(clock[LARGEST_RESIDUAL], clock[RESIDUAL]),

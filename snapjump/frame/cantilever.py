@@ -7,8 +7,10 @@ from snapjump.frame.base import (
     FrameForces,
     add_frame_forces,
     condense_ends,
+    corner_point,
     end_tangents,
     frame_dofs,
+    frame_mass,
     limit_frame_step,
     place_ends,
 )
@@ -70,3 +72,14 @@ def _add_frame_forces(frame: CantileverFrame, model: Any, motion: Any, work: Any
 @limit_frame_step.member(CantileverFrame)
 def _limit_frame_step(frame: CantileverFrame, state: Any, drop: Any, fraction: Any) -> Any:
     return 1.0 + 0.0 * state[0]
+
+
+@corner_point.member(CantileverFrame)
+def _corner_point(frame: CantileverFrame, corner: Any, state: Any, velocity: Any) -> Any:
+    zero = 0.0 * state[0]
+    return zero, zero, zero
+
+
+@frame_mass.member(CantileverFrame)
+def _frame_mass(frame: CantileverFrame, coordinate: Any) -> float:
+    return 0.0

@@ -67,7 +67,7 @@ def _cost(summary: Mapping[str, Any]) -> str:
         "steps": "{} steps",
         "newton_iterations": "{} Newton iterations",
         "kernel_seconds": "{:.3g} s in kernels",
-        "wall_seconds": "{:.3g} s in all",
+        "wall_seconds": "{:.3g} s wall",
     }
     return ", ".join(
         text.format(summary[key]) for key, text in texts.items() if summary.get(key) is not None
