@@ -18,7 +18,7 @@ from snapjump.damping.base import mass_damping
 from snapjump.discretization.base import add_internal_forces, clamp_offset, has_elements
 from snapjump.frame.base import add_frame_forces, condense_ends, end_tangents, frame_dofs
 from snapjump.friction.base import has_friction, is_lagged, slip
-from snapjump.load.base import gravity, tip_load
+from snapjump.load.base import gravity, pull, tip_load
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, any_true, maximum, minimum, where
 
@@ -59,6 +59,7 @@ def add_inertia(model: Any, motion: Any, masses: Any, work: Any) -> Any:
     rate = motion.rate_factor
     drag = mass_damping(model.damping)
     fall = gravity(model.load)
+    tug = pull(model.load)
     diagonal = (rate + drag) * rate
     zero = 0.0 * rate
     largest = zero
@@ -72,7 +73,7 @@ def add_inertia(model: Any, motion: Any, masses: Any, work: Any) -> Any:
         vy = (work.state[i + 1] - work.origin[i + 1]) * rate
         ax = (vx - work.drift[i]) * rate
         ay = (vy - work.drift[i + 1]) * rate
-        residual[row] = mass * (ax + drag * vx)
+        residual[row] = mass * (ax + drag * vx - tug)
         residual[row + 1] = mass * (ay + drag * vy + fall)
         band[row, 0] = mass * diagonal
         band[row + 1, 0] = mass * diagonal

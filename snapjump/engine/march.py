@@ -11,6 +11,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from snapjump.contact.base import contact_reach
 from snapjump.ending.base import judge, time_limit
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import (
@@ -47,10 +48,9 @@ from snapjump.engine.status import (
     RUNNING,
     STEP_UNDERFLOW,
 )
-from snapjump.contact.base import contact_reach
+from snapjump.engine.view import view_work
 from snapjump.number.dispatch import routine
 from snapjump.number.functions import any_true, maximum, minimum, negate, where
-from snapjump.engine.view import view_work
 from snapjump.recorder.base import record_stage, record_start, record_step
 from snapjump.stepping.base import (
     accepts,

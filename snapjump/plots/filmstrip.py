@@ -100,11 +100,11 @@ def _draw_panel(
     if largest > 0.0 and push > 0.05:
         foot = motion.pad_x[index] + dx, np.full(motion.pad_x.shape[1], dy)
         draw_forces(axes, foot, ARROW * arrows(motion, index))
-        axes.text(
-            left + dx + 0.97 * width, low + dy + 0.03 * height,
-            f"{push:.1f} × weight" if push < 10 else f"{push:.0f} × weight",
-            color=palette.FORCE, ha="right", va="bottom",
-        )  # fmt: skip
+        strongest = motion.pad_x[index, np.argmax(motion.pad_force[index, :, 1])]
+        aside, part = ("left", 0.03) if strongest > left + 0.5 * width else ("right", 0.97)
+        size = f"{push:.1f} × weight" if push < 10 else f"{push:.0f} × weight"
+        place = left + dx + part * width, low + dy + 0.03 * height
+        axes.text(*place, size, color=palette.FORCE, ha=aside, va="bottom")
 
 
 def _ghosts(motion: Motion, before: int, index: int) -> tuple[Array, Array]:

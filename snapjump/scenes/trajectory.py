@@ -18,7 +18,7 @@ from snapjump.discretization.base import has_elements, internal_energy
 from snapjump.engine.model import Model
 from snapjump.frame.base import corner_point, end_tangents, frame_dofs, frame_mass
 from snapjump.friction.base import has_friction, slip
-from snapjump.load.base import gravity
+from snapjump.load.base import gravity, pull
 from snapjump.scenes.runner import March
 
 Array = NDArray[np.float64]
@@ -165,7 +165,8 @@ def energy_arrays(
     weights = np.repeat(masses, 2)
     kinetic = 0.5 * (velocities[:, dofs:] ** 2) @ weights
     fall = gravity(model.load)
-    potential = fall * states[:, dofs + 1 :: 2] @ masses
+    tug = pull(model.load)
+    potential = (fall * states[:, dofs + 1 :: 2] - tug * states[:, dofs::2]) @ masses
     for k in range(dofs):
         kinetic = kinetic + 0.5 * float(frame_mass(model.frame, k)) * velocities[:, k] ** 2
     if dofs:

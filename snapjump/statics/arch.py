@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import eig_banded
 
+from snapjump.clamp.base import ClampAngles
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
@@ -18,7 +19,6 @@ from snapjump.frame.base import end_tangents
 from snapjump.frame.fixed import FixedFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.none import NoLoad
-from snapjump.clamp.base import ClampAngles
 from snapjump.options.discretization import DiscreteElasticRodOptions
 from snapjump.parameters.robot import Robot
 from snapjump.statics.elastica import buckled_arch, resampled
@@ -110,13 +110,18 @@ class StaticArch:
         """Tangent (lower band, (6, free)) of the last state that was settled or evaluated."""
         return np.ascontiguousarray(self.memory.system.band[self.free, :, 0].T)
 
-    def smallest_eigenvalue(self) -> float:
-        """Smallest eigenvalue of the last tangent: its sign is the state's stability."""
-        return float(
-            eig_banded(
-                self.tangent_band(), lower=True, eigvals_only=True, select="i", select_range=(0, 0)
-            )[0]
+    def stability(self) -> tuple[float, int]:
+        """Smallest eigenvalue of the last tangent and the number of negative ones (of the first
+        three): a state is stable if there is none."""
+        values = eig_banded(
+            self.tangent_band(), lower=True, eigvals_only=True, select="i", select_range=(0, 2)
         )
+        return float(values[0]), int(np.sum(values < 0.0))
+
+    def critical_mode(self) -> Array:
+        """Unit eigenvector of the last tangent's smallest eigenvalue, over free coordinates."""
+        _, vectors = eig_banded(self.tangent_band(), lower=True, select="i", select_range=(0, 0))
+        return np.asarray(vectors[:, 0])
 
     def equilibrium(self, state: Array, left: float, right: float) -> Equilibrium:
         """Describe a settled state."""

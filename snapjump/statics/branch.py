@@ -21,11 +21,13 @@ SAFELY_STABLE = 4.0  # smallest eigenvalue from which the tangent is well condit
 @dataclass(frozen=True)
 class Point:
     """A point of a branch: state (2 nodes), left clamp angle (rad), smallest eigenvalue of the
-    tangent, and the branch's unit tangent (free coordinates, angle)."""
+    tangent and number of negative ones, and the branch's unit tangent (free coordinates, angle).
+    """
 
     state: Array
     left: float
     eigenvalue: float
+    negative_eigenvalues: int
     direction: Array
 
 
@@ -56,9 +58,11 @@ def solve_bordered(
 class Branch:
     """The branch of a :class:`StaticArch` with the right clamp lagging by ``delta_alpha``."""
 
-    def __init__(self, arch: StaticArch, delta_alpha: float):
+    def __init__(self, arch: StaticArch, delta_alpha: float, symmetric: bool = True):
+        """``symmetric``: keep to mirror-symmetric shapes if ``delta_alpha`` is 0."""
         self.arch = arch
         self.delta_alpha = delta_alpha
+        self.symmetric = symmetric and delta_alpha == 0.0
 
     def _residual(self, state: Array, left: float) -> Array:
         return self.arch.residual(state, left, left - self.delta_alpha)
@@ -70,9 +74,9 @@ class Branch:
         return self._residual(state, left), (ahead - behind) / (2.0 * ANGLE_DIFFERENCE)
 
     def _mirrored(self, change: Array) -> Array:
-        """A change of the free coordinates without its antisymmetric part, if the problem is
-        symmetric: at the pitchfork that part is undetermined and rounding would fill it."""
-        if self.delta_alpha != 0.0:
+        """A change of the free coordinates without its antisymmetric part, on symmetric branches:
+        at the pitchfork that part is undetermined and rounding would fill it."""
+        if not self.symmetric:
             return change
         x, y = change[0::2], change[1::2]
         symmetric = np.empty_like(change)
@@ -98,7 +102,7 @@ class Branch:
             towards = np.append(np.zeros(self.arch.size - 4), 1.0)
         direction = self._direction(state, left, towards, stable=False)
         self._residual(state, left)
-        return Point(state, left, self.arch.smallest_eigenvalue(), direction)
+        return Point(state, left, *self.arch.stability(), direction)
 
     def step(self, point: Point, length: float) -> Point:
         """The next point, ``length`` further along the branch.
@@ -134,7 +138,7 @@ class Branch:
                 direction = self._direction(state, left, point.direction, stable)
                 self._residual(state, left)
                 state = self.arch.memory.state[:, 0].copy()
-                return Point(state, left, self.arch.smallest_eigenvalue(), direction)
+                return Point(state, left, *self.arch.stability(), direction)
         raise ArithmeticError(f"the branch was lost at a clamp angle of {left:g} rad")
 
     def follow(self, point: Point, length: float) -> Iterator[Point]:
@@ -143,7 +147,7 @@ class Branch:
         while True:
             try:
                 point = self.step(point, step)
-            except ArithmeticError:
+            except (ArithmeticError, np.linalg.LinAlgError):
                 step *= 0.5
                 if step < 1e-6 * length:
                     return
