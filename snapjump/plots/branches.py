@@ -75,7 +75,10 @@ def _draw_branches(
         if critical_rad is not None:
             label = f"critical, {critical_rad:.6f} rad"
             axes.plot([], [], color=palette.QUIET, lw=1.0, label=label)
-        axes.legend(loc="best")
+        axes.legend(
+            loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, borderaxespad=0.3,
+            columnspacing=1.2, handlelength=1.6,
+        )  # fmt: skip
 
 
 def _draw_shapes(axes: Any, arrays: dict[str, Any]) -> None:

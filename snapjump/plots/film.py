@@ -8,7 +8,7 @@ import numpy as np
 from snapjump.plots import palette
 from snapjump.plots.camera import View, views
 from snapjump.plots.canvas import Canvas
-from snapjump.plots.moments import snap_interval
+from snapjump.plots.moments import settled, snap_interval
 from snapjump.plots.motion import Array, Motion, Poses, poses
 from snapjump.plots.robot_drawing import arrows, clamp_stubs
 from snapjump.plots.saving import save_bytes
@@ -24,11 +24,13 @@ LEAD, ACTION, FLIGHT = 20, 56, 36  # frames before the snap, of snap and strike,
 def film_times(motion: Motion, apex_ms: float | None) -> tuple[Array, int]:
     """The instants shown (ms), and how many of them come before the flight."""
     first, last = 0.0, float(motion.time[-1])
+    end = flight_end(motion, apex_ms)
     interval = snap_interval(motion)
+    if interval is not None and end <= last:
+        last = end = float(motion.time[settled(motion)])
     begin = float(motion.time[interval[0]]) if interval is not None else first
     lead = np.linspace(first, begin, LEAD, endpoint=False) if begin > first else np.array([])
     near = np.concatenate([lead, np.linspace(begin, last, ACTION)])
-    end = flight_end(motion, apex_ms)
     if end <= last:
         return near, len(near)
     return np.concatenate([near, np.linspace(last, end, FLIGHT + 1)[1:]]), len(near)

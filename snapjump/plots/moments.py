@@ -61,6 +61,9 @@ def moments(motion: Motion, liftoff_ms: float | None, wanted: int = 8) -> list[t
         add(_risen(motion, last), "in flight")
     else:
         add(last, "end")
+        if snap is not None:
+            last = _lowest(motion, snap[1])
+            add(last, "first swing ends")
     _fill_gaps(motion, found, last, min(wanted, motion.count))
     return sorted(found.items())
 
@@ -71,6 +74,20 @@ def travel(motion: Motion) -> Array:
     steps = np.diff(along, axis=0) ** 2 + np.diff(above, axis=0) ** 2
     way = np.concatenate([[0.0], np.cumsum(np.sqrt(steps.mean(axis=1)))])
     return way + 1e-6 * motion.time
+
+
+def settled(motion: Motion) -> int:
+    """The sample by which nineteen twentieths of the beam's way since the snap began are done."""
+    snap = snap_interval(motion)
+    begin = snap[0] if snap is not None else 0
+    way = travel(motion)
+    return int(np.searchsorted(way, way[begin] + 0.95 * (way[-1] - way[begin])))
+
+
+def _lowest(motion: Motion, down: int) -> int:
+    """The first sample after `down` from which the middle rises."""
+    rises = np.flatnonzero(np.diff(middle_height(motion)[down:]) > 0.0)
+    return down + int(rises[0]) if len(rises) else motion.count - 1
 
 
 def _risen(motion: Motion, liftoff: int) -> int:
