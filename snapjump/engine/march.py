@@ -12,7 +12,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from snapjump.contact.base import contact_reach
-from snapjump.ending.base import judge, time_limit
+from snapjump.ending.base import judge, leniency, time_limit
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import (
     ACTIVE,
@@ -20,10 +20,8 @@ from snapjump.engine.clock import (
     FAILURES,
     GAP,
     ITERATIONS,
-    LARGEST_RESIDUAL,
     LAST_CONTACT,
     REJECTED,
-    RESIDUAL,
     SMALLEST_GAP,
     STAGE,
     STATUS,
@@ -173,6 +171,8 @@ def march(
         for lane in range(width):
             load_robot(memory, lane, queue, 0, step)
             refill(memory, lane, queue, step)
+        if queue.cursor[1] == 0:
+            return True
         model = with_numbers(template, work.numbers)
         begin_stage(model, tableau, masses, work, clock[ACTIVE] >= 0.0)
         record_start(recorder, model, masses, work)
@@ -211,11 +211,6 @@ def march(
             restage = restage | converged
             store_stage(tableau, work, converged)
             record_stage(recorder, model, masses, motion, tableau, work, converged)
-            clock[LARGEST_RESIDUAL] = where(
-                converged,
-                maximum(clock[LARGEST_RESIDUAL], clock[RESIDUAL]),
-                clock[LARGEST_RESIDUAL],
-            )
             ended = converged & (clock[STAGE] >= last_stage)
             clock[STAGE] = where(converged, clock[STAGE] + 1.0, clock[STAGE])
             if any_true(ended):
@@ -255,7 +250,7 @@ def finish_step(
     """Judge the steps that have just ended; returns the status of every lane."""
     clock = work.clock
     h = clock[STEP]
-    error = estimate_error(tableau, work)
+    error = estimate_error(tableau, work) / leniency(ending, model, work)
     rate = contact_frequency(work)
     good = ended & accepts(stepping, error, h, rate)
     bad = ended & negate(good)

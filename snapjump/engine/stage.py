@@ -16,7 +16,7 @@ from snapjump.engine.clock import (
 from snapjump.engine.newton import allowed_share
 from snapjump.frame.base import frame_dofs, place_ends
 from snapjump.number.dispatch import kernel, routine
-from snapjump.number.functions import absolute, any_true, fma, maximum, sqrt, where
+from snapjump.number.functions import any_true, fma, sqrt, where
 
 
 @kernel
@@ -47,15 +47,15 @@ def store_stage(tableau: Any, work: Any, mask: Any) -> None:
 
 @routine
 def estimate_error(tableau: Any, work: Any) -> Any:
-    """Largest difference in position (L) from the comparison method."""
+    """Root-mean-square difference in position (L) from the comparison method."""
     stages = tableau.nodes.shape[0]
-    largest = 0.0 * work.clock[STEP]
+    total = 0.0 * work.clock[STEP]
     for i in range(work.state.shape[0]):
-        error = 0.0 * largest
+        error = 0.0 * total
         for k in range(stages):
             error = error + tableau.error[k] * work.velocity[k, i]
-        largest = maximum(largest, absolute(error))
-    return largest * work.clock[STEP]
+        total = fma(error, error, total)
+    return sqrt(total / work.state.shape[0]) * work.clock[STEP]
 
 
 @routine

@@ -1,6 +1,6 @@
 """Linear solvers of a Newton iteration: the contract that every one fulfils.
 
 Given a :class:`snapjump.engine.work.System`, a solver replaces ``residual`` and
-``frame_residual`` by the solution x of K x = residual and returns the number of pivots of the nodes that are not positive. It may destroy
-the matrix. Members: ``banded`` (all that compiled marches use).
+``frame_residual`` by the solution x of K x = residual and returns the number of pivots that are
+not positive. It may destroy the matrix. Members: ``banded`` (all that compiled marches use).
 """

@@ -61,7 +61,7 @@ log = _elementwise("log", False, lambda x: cmath.log(x) if isinstance(x, complex
 exp = _elementwise("exp", False, lambda x: cmath.exp(x) if isinstance(x, complex) else math.exp(x))
 sin = _elementwise("sin", False, lambda x: cmath.sin(x) if isinstance(x, complex) else math.sin(x))
 cos = _elementwise("cos", False, lambda x: cmath.cos(x) if isinstance(x, complex) else math.cos(x))
-absolute = _elementwise("fabs", True, lambda x: x if getattr(x, "real", x) >= 0 else -x)
+absolute = _elementwise("fabs", True, lambda x: x if x.real >= 0 else -x)
 
 
 def where(mask: Any, a: Any, b: Any) -> Any:

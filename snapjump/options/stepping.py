@@ -10,8 +10,10 @@ from snapjump.units import Scales
 FIRST_STEP_BAR = 2e-4
 SMALLEST_STEP_BAR = 1e-10
 LARGEST_STEP_BAR = 0.2
-NEWTON_SHARE = 0.1
-NEWTON_TOLERANCE_BAR = 1e-7
+# Newton's corrections are measured at their largest, errors by their root mean square: a largest
+# correction of five tolerances is an error of about one.
+NEWTON_SHARE = 5.0
+NEWTON_TOLERANCE_BAR = 1e-9
 
 
 @dataclass(frozen=True)
@@ -32,11 +34,11 @@ class FixedStepOptions:
 class AdaptiveStepOptions:
     """Steps by the embedded error estimate and by the time scale of contact.
 
-    ``tolerance``: error in position a step may make, in L; ``contact_steps``: largest step in
-    units of sqrt(m/k) of a node that bounces in the barrier.
+    ``tolerance``: error in position a step may make (root mean square over the nodes, in L);
+    ``contact_steps``: largest step in units of sqrt(m/k) of a node that bounces in the barrier.
     """
 
-    tolerance: float = 3.0e-7
+    tolerance: float = 3.0e-8
     contact_steps: float = 2.0
 
     def __post_init__(self) -> None:

@@ -9,10 +9,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.engine.clock import STAGE, STEP, TIME
+from snapjump.engine.assemble import assemble
+from snapjump.engine.clock import LARGEST_RESIDUAL, STAGE, STEP, TIME
+from snapjump.engine.newton import largest_entry
 from snapjump.engine.powers import powers
+from snapjump.frame.base import frame_dofs
 from snapjump.number.dispatch import kernel
-from snapjump.number.functions import any_true
+from snapjump.number.functions import any_true, maximum
 from snapjump.recorder.base import record_stage, record_start, record_step
 
 LEDGER = 3  # works of friction, damping, clamps
@@ -21,14 +24,14 @@ LEDGER = 3  # works of friction, damping, clamps
 class TrajectoryRecorder(NamedTuple):
     """Samples, at most S of them, and the ledger between them.
 
-    interval (1): least time between samples (T); count (1): samples so far; times (S); states,
+    interval (1): least time between samples (T); filled (1): samples so far; times (S); states,
     velocities (S, D); works (S, 3): of friction, damping and clamps since the beginning (EI/L);
     totals, pending, begun, ended (3): works committed and of the step under way, powers at its
     beginning and end; clock (1): time up to which works are committed.
     """
 
     interval: NDArray[np.float64]
-    count: NDArray[np.int64]
+    filled: NDArray[np.int64]
     times: NDArray[np.float64]
     states: NDArray[np.float64]
     velocities: NDArray[np.float64]
@@ -45,7 +48,7 @@ def make_recorder(size: int, duration: float, interval: float) -> TrajectoryReco
     samples = int(duration / interval) + 16
     return TrajectoryRecorder(
         interval=np.array([interval]),
-        count=np.zeros(1, dtype=np.int64),
+        filled=np.zeros(1, dtype=np.int64),
         times=np.empty(samples),
         states=np.empty((samples, size)),
         velocities=np.empty((samples, size)),
@@ -61,14 +64,14 @@ def make_recorder(size: int, duration: float, interval: float) -> TrajectoryReco
 @kernel
 def keep_sample(recorder: Any, work: Any) -> None:
     """Copy the state at the step's beginning into the next sample."""
-    k = recorder.count[0]
+    k = recorder.filled[0]
     recorder.times[k] = work.clock[TIME]
     for i in range(work.state.shape[0]):
         recorder.states[k, i] = work.start[i]
         recorder.velocities[k, i] = work.velocity[0, i]
     for w in range(LEDGER):
         recorder.works[k, w] = recorder.totals[w]
-    recorder.count[0] = k + 1
+    recorder.filled[0] = k + 1
 
 
 @record_start.member(TrajectoryRecorder)
@@ -91,6 +94,10 @@ def _record_stage(
     work: Any,
     converged: Any,
 ) -> None:
+    assembly = assemble(model, motion, masses, work)
+    left = largest_entry(work.system.frame_residual, 0.0) if frame_dofs(model.frame) > 0 else 0.0
+    left = largest_entry(work.system.residual, left) / (assembly.largest_force + 1e-300)
+    work.clock[LARGEST_RESIDUAL] = maximum(work.clock[LARGEST_RESIDUAL], left)
     stage = int(work.clock[STAGE])
     step = work.clock[STEP]
     friction, damping, clamps = powers(
@@ -113,7 +120,7 @@ def _record_step(recorder: TrajectoryRecorder, work: Any) -> None:
         for w in range(LEDGER):
             recorder.totals[w] += recorder.pending[w]
             recorder.begun[w] = recorder.ended[w]
-        last = recorder.times[recorder.count[0] - 1]
-        room = recorder.count[0] < recorder.times.shape[0] - 1
+        last = recorder.times[recorder.filled[0] - 1]
+        room = recorder.filled[0] < recorder.times.shape[0] - 1
         if room and time >= last + recorder.interval[0]:
             keep_sample(recorder, work)

@@ -36,7 +36,7 @@ def simulate_jump_scene(simulation: Simulation, progress: Progress | None = None
     march.find_starts()
     outcome = march.run(progress)[0]
     arrays: dict[str, Any] = {}
-    if march.recorder.count[0] > 0:
+    if march.recorder.filled[0] > 0:
         arrays = trajectory_arrays(simulation, model, march)
     summary = jump_summary(simulation, model, outcome)
     summary["kernel_seconds"] = march.kernel_seconds

@@ -2,7 +2,6 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
 from snapjump.checks import ParameterError
 from snapjump.clamp.constant_rate import ConstantRate
@@ -12,6 +11,7 @@ from snapjump.contact.logbarrier import LogBarrier
 from snapjump.engine.model import Model
 from snapjump.load.gravity import Gravity
 from snapjump.scenes.frame_body import rigid_frame
+from snapjump.statics.arch import StaticArch
 from snapjump.statics.critical import symmetric_snap
 from snapjump.statics.elastica import buckled_arch, resampled
 
@@ -30,6 +30,8 @@ def mount_height_bar(simulation: Simulation) -> float:
 def resting_gap(contact: LogBarrier, weight: float) -> float:
     """Gap (in L) at which two feet in the barrier carry the weight (in EI/L^2)."""
 
+    from scipy.optimize import brentq
+
     def surplus(share: float) -> float:
         force, _ = contact_force(contact, share * contact.distance)
         return 2.0 * contact.corner_weight * force - weight
@@ -43,10 +45,32 @@ def start_angle_rad(simulation: Simulation) -> float:
     return simulation.sim.start_fraction * snap.alpha_rad
 
 
+def check_mount_height(simulation: Simulation, start: float) -> None:
+    """Require a given mount height to keep the arch above the ground where the motion starts."""
+    robot = simulation.robot
+    if robot.mount_height == "optimal":
+        return
+    arch = StaticArch(robot, simulation.discretization, simulation.design.epsilon)
+    state = arch.settle(arch.guess(), 0.0, 0.0)
+    steps = max(8, int(np.ceil(start / 0.05)))
+    right = start - simulation.design.delta_alpha
+    for k in range(1, steps + 1):
+        state = arch.settle(state, start * k / steps, right * k / steps)
+    depth_m = -arch.equilibrium(state, start, right).lowest * robot.length_m
+    if robot.mount_height <= depth_m:
+        raise ParameterError(
+            "robot.mount_height",
+            robot.mount_height,
+            f"above {depth_m:.4g} m, or the beam starts in the ground, up to "
+            f"robot.frame_height_m = {robot.frame_height_m:g} m",
+        )
+
+
 def jump_model(simulation: Simulation) -> Model:
     """The dimensionless robot."""
     robot, scales = simulation.robot, simulation.robot.scales
     start = start_angle_rad(simulation)
+    check_mount_height(simulation, start)
     if start >= robot.rotation_end_rad:
         raise ParameterError(
             "robot.rotation_end_rad",

@@ -5,7 +5,6 @@ import time
 from typing import Any
 
 import numpy as np
-from scipy.optimize import brentq
 
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
@@ -46,6 +45,8 @@ def resting_gap_bar(model: Model, mass_bar: float) -> float:
     weight = mass_bar * model.load.normal
     if weight == 0.0:
         return float(model.contact.distance)
+
+    from scipy.optimize import brentq
 
     def surplus(gap: float) -> float:
         return float(contact_force(model.contact, gap)[0]) - weight

@@ -67,7 +67,9 @@ class March:
         """Replace the states by the equilibria that the march begins from."""
         arguments = (self.models[0], self.masses, self.memory)
         lanes = (0,) * self.lanes
-        nobody = Queue(*(part[:0] for part in self.queue))
+        nobody = self.queue._replace(
+            numbers=self.numbers[:0], status=self.queue.status[:0], outcome=self.queue.outcome[:0]
+        )
         load(find_starts, *arguments, nobody, lanes)
         begun = time.perf_counter()
         find_starts(*arguments, self.queue, lanes)

@@ -36,9 +36,12 @@ def simulate_static_scene(simulation: Simulation, progress: Progress | None = No
         tables.append(_asymmetric(arch, snap, simulation.sim.steps))
     shapes = [tables[0]["start"], snap.before, snap.after]
     arrays: dict[str, NDArray[Any]] = {
-        f"branch_{key}": _joined([t[key] for t in tables])
+        f"branch_{key}": np.concatenate([t[key] for t in tables])
         for key in ("alpha_rad", "midpoint_bar", "energy_bar", "negative_pivots")
     }
+    arrays["branch_number"] = np.repeat(
+        np.arange(len(tables)), [len(t["alpha_rad"]) for t in tables]
+    )
     arrays["shapes_x_bar"] = np.array([s.x for s in shapes])
     arrays["shapes_y_bar"] = np.array([s.y for s in shapes])
     arrays["shapes_label"] = np.array(["flat clamps", "at the snap", "snapped"])
@@ -58,12 +61,6 @@ def simulate_static_scene(simulation: Simulation, progress: Progress | None = No
     return Result("ok", "", summary, arrays, simulation)
 
 
-def _joined(pieces: list[Array]) -> Array:
-    """Pieces of branches in one array, with NaN between them."""
-    gap = np.array([np.nan])
-    return np.concatenate([part for piece in pieces for part in (piece, gap)])[:-1]
-
-
 def _row(arch: StaticArch, branch: Branch, point: Point) -> tuple[float, float, float, float]:
     equilibrium = arch.equilibrium(point.state, point.left, point.left - branch.delta_alpha)
     return (
@@ -79,7 +76,7 @@ def _collect(
 ) -> dict[str, Array]:
     rows = []
     for point in points:
-        if not -farthest <= point.left <= farthest:
+        if not 0.0 <= point.left <= farthest:
             break
         rows.append(_row(arch, branch, point))
     table = np.array(rows).reshape(-1, 4)

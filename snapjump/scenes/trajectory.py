@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 def samples_of(march: March) -> tuple[Array, Array, Array, Array]:
     """Times (S), states and velocities (S, D), works (S, 3), the march's last state included."""
     recorder = march.recorder
-    count = int(recorder.count[0])
+    count = int(recorder.filled[0])
     times, states = recorder.times[:count], recorder.states[:count]
     velocities, works = recorder.velocities[:count], recorder.works[:count]
     # The lane's clock has been reset if the march is over; the recorder's has not.

@@ -2,8 +2,6 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
-from scipy.special import ellipe, ellipj, ellipk
 
 
 def buckled_arch(epsilon: float, elements: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -12,6 +10,9 @@ def buckled_arch(epsilon: float, elements: int) -> tuple[NDArray[np.float64], ND
     End shortening epsilon = 2 - 2 E(m)/K(m), tangent 2 asin(sqrt(m) sn(4 K s)); x runs from
     -(1 - epsilon)/2 to (1 - epsilon)/2 and y is measured from the clamps.
     """
+    from scipy.optimize import brentq
+    from scipy.special import ellipe, ellipj, ellipk
+
     m = brentq(lambda m: 2.0 - 2.0 * ellipe(m) / ellipk(m) - epsilon, 1e-12, 0.99)
     s = (np.arange(elements) + 0.5) / elements
     sine = ellipj(4.0 * ellipk(m) * s, m)[0]
