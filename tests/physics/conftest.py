@@ -2,14 +2,14 @@
 
 import json
 from collections.abc import Callable
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from snapjump.composition import Simulation
+from snapjump.composition import Simulation, with_tier
 from snapjump.families import FAMILIES
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
@@ -60,7 +60,7 @@ def arch() -> Callable[..., StaticArch]:
 def snap() -> Callable[..., Snap]:
     """The snap of an arch, each computed once."""
 
-    @lru_cache(maxsize=None)
+    @cache
     def find(
         epsilon: float,
         elements: int,
@@ -130,3 +130,23 @@ def run() -> Callable[[Simulation], Result]:
         return result
 
     return succeed
+
+
+@pytest.fixture(scope="session")
+def jump() -> Callable[..., Result]:
+    """A cheap jump, each computed once; every part can be replaced."""
+    done: dict[str, Result] = {}
+
+    def simulate_once(allowed: tuple[str, ...] = ("ok",), **parts: Any) -> Result:
+        cheap = {
+            "discretization": DER(elements=40),
+            "stepping": FAMILIES["stepping"]["adaptive"](tolerance=1e-6),
+        }
+        simulation = with_tier("standard", **(cheap | parts))
+        key = repr(simulation)
+        if key not in done:
+            done[key] = simulate(simulation)
+        assert done[key].status in allowed, done[key].message
+        return done[key]
+
+    return simulate_once
