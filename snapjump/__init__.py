@@ -1,0 +1,36 @@
+"""Snapjump: simulation and design of snap-actuated jumping robots.
+
+    from snapjump import Design, Robot, simulate_jump
+    jump = simulate_jump(Robot(), Design(epsilon=0.2, delta_alpha=0.1))
+    print(jump.x_bar, jump.y_bar)
+
+Names are loaded when they are first used, so that importing the package costs nothing.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from snapjump.checks import ParameterError
+    from snapjump.parameters.design import Design
+    from snapjump.parameters.environment import Environment
+    from snapjump.parameters.robot import Robot
+    from snapjump.results import Result
+    from snapjump.simulation import simulate_jump
+
+_HOMES = {
+    "Design": "snapjump.parameters.design",
+    "Environment": "snapjump.parameters.environment",
+    "ParameterError": "snapjump.checks",
+    "Result": "snapjump.results",
+    "Robot": "snapjump.parameters.robot",
+    "simulate_jump": "snapjump.simulation",
+}
+
+__all__ = ["Design", "Environment", "ParameterError", "Result", "Robot", "simulate_jump"]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'snapjump' has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)

@@ -1,6 +1,5 @@
 """What tests of several folders share."""
 
-import os
 import subprocess
 import sys
 from collections.abc import Callable
@@ -20,7 +19,6 @@ def command(tmp_path: Path) -> Command:
         return subprocess.run(
             [sys.executable, *python, str(ROOT / "run.py"), *arguments],
             cwd=tmp_path,
-            env={**os.environ, "PYTHONPATH": os.environ.get("PYTHONPATH", "")},
             capture_output=True,
             text=True,
             timeout=timeout_s,

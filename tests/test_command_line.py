@@ -1,4 +1,4 @@
-"""``python run.py``: the help page, bad input in one line, what a run leaves and what it imports."""
+"""``python run.py``: help page, bad input in one line, what a run leaves and what it imports."""
 
 import json
 import os
@@ -53,6 +53,7 @@ def only_folder(path: Path) -> Path:
         ("design.epsilon=${nope}", ["design.epsilon", "nope"]),
         ("hydra/launcher=foo", ["hydra/launcher = 'foo'", "joblib"]),
         ("accuracy=null", ["accuracy=null"]),
+        ("--foo", ["--foo", "--help"]),
         ("~sim", ["sim = None"]),
         ("design=3", ["design = 3"]),
         ("+foo=1", ["foo = 1"]),
@@ -72,7 +73,7 @@ def only_folder(path: Path) -> Path:
         ("environment.mu=-0.1", ["environment.mu = -0.1"]),
         ("stepping.tolerance=0", ["stepping.tolerance = 0"]),
         ("stepping={tolerance: -1}", ["stepping.tolerance = -1"]),
-        ("contact.name=foo", ["contact.name = 'foo'", "logbarrier"]),
+        ("contact.name=foo", ["contact", "'foo'", "logbarrier"]),
         ("discretization.elements=2.5", ["discretization.elements = 2.5"]),
         ("seed=-1", ["seed = -1"]),
         ("figures=maybe", ["figures = 'maybe'"]),
@@ -116,9 +117,10 @@ def test_the_help_page_tells_every_group_and_member(
 
 
 def test_help_is_quick(command) -> None:
-    started = time.monotonic()
+    before = os.times()
     assert command("--help").returncode == 0
-    assert time.monotonic() - started < 2.0
+    # Processor time, since others may keep this machine busy.
+    assert os.times().children_user - before.children_user < 1.0
 
 
 def test_what_a_run_leaves(command, tmp_path: Path) -> None:
@@ -169,12 +171,21 @@ def test_without_tracking_the_heavy_libraries_stay_out(command) -> None:
 
 
 def test_a_simulation_that_cannot_finish_says_so(command, tmp_path: Path) -> None:
-    done = command(*JUMP, "tracking=off", "sim.time_limit_s=1e-4")
+    done = command(*JUMP, "tracking=off", "contact.distance_m=1e-9")
     assert done.returncode == 3
     result = json.loads((only_folder(tmp_path) / "result.json").read_text())
-    assert result["status"] not in ("ok", "no_jump", "error")
-    assert result["message"]
+    assert result["status"] == "step_underflow"
+    assert " ms after the start" in result["message"]
+    assert result["x_bar"] is None
     assert done.stderr.splitlines()[-1] == f"{result['status']}: {result['message']}"
+
+
+def test_a_robot_that_does_not_jump_is_no_failure(command, tmp_path: Path) -> None:
+    done = command(*JUMP, "tracking=off", "sim.time_limit_s=1e-4")
+    assert done.returncode == 0
+    result = json.loads((only_folder(tmp_path) / "result.json").read_text())
+    assert result["status"] == "no_jump" and result["liftoff_time_s"] is None
+    assert "no_jump" in done.stdout
 
 
 def test_ctrl_c_leaves_a_clean_marked_run(tmp_path: Path) -> None:

@@ -23,6 +23,9 @@ from snapjump.tracking.registry import TRACKERS
 CONF = Path(__file__).resolve().parents[1] / "conf"
 MEMBERS = [(family, name) for family, members in FAMILIES.items() for name in members]
 
+# Members that a jump cannot have.
+SCENE_OF = {("frame", "fixed"): "snap", ("contact", "none"): "snap"}
+
 
 def composed(*overrides: str) -> dict[str, Any]:
     register_resolvers()
@@ -87,6 +90,9 @@ def test_a_tier_is_the_library_s(name: str) -> None:
     assert values.pop("name") == name
     tier = dataclasses.asdict(TIERS[name])
     assert values == {key: tier[key] for key in values}
+    config = composed(f"accuracy={name}")
+    for family in ("integrator", "stepping", "friction", "damping"):
+        assert config[family]["name"] == tier[family]
 
 
 @pytest.mark.parametrize(
@@ -108,10 +114,10 @@ def test_every_scene_builds_at_every_accuracy(scene: str, accuracy: str) -> None
 
 @pytest.mark.parametrize(("family", "name"), MEMBERS)
 def test_every_member_can_be_chosen(family: str, name: str) -> None:
-    config = composed(f"{family}={name}")
+    scene = () if family == "sim" else (f"sim={SCENE_OF.get((family, name), 'jump')}",)
+    config = composed(*scene, f"{family}={name}")
     assert config[family]["name"] == name
-    if (family, name) != ("frame", "fixed"):
-        assert build(config) is not None
+    assert build(config) is not None
 
 
 def test_the_command_line_wins_over_scene_and_tier() -> None:

@@ -1,8 +1,6 @@
 """Normal contact with the ground, y = 0: the contract that every contact law fulfils.
 
-A law is a ``NamedTuple`` of dimensionless numbers with ``node_weight`` and ``corner_weight``, the
-factors that its force is multiplied with at a node of the beam and at a corner of the frame.
-Lengths are in L, forces in EI/L^2.
+A law is a ``NamedTuple`` of dimensionless numbers. Lengths are in L, forces in EI/L^2.
 """
 
 from typing import Any
@@ -27,6 +25,11 @@ def contact_energy(contact: Any, gap: Any) -> Any:
 @family_function
 def contact_force(contact: Any, gap: Any) -> Any:
     """Repulsive force -dE/dgap and stiffness d2E/dgap2 at a gap within reach, before the weight."""
+
+
+@family_function
+def contact_weights(contact: Any) -> Any:
+    """Factors of the force at a node of the beam and at a corner of the frame."""
 
 
 @family_function

@@ -7,7 +7,13 @@ never becomes negative. The paper prints the bracket of dE/dd; the force is its 
 
 from typing import Any, NamedTuple
 
-from snapjump.contact.base import contact_energy, contact_force, contact_reach, has_contact
+from snapjump.contact.base import (
+    contact_energy,
+    contact_force,
+    contact_reach,
+    contact_weights,
+    has_contact,
+)
 from snapjump.number.functions import log
 
 
@@ -44,3 +50,8 @@ def _force(contact: LogBarrier, gap: Any) -> Any:
     force = contact.stiffness * depth * (2.0 * logarithm + ratio)
     stiffness = contact.stiffness * (ratio * ratio - 4.0 * ratio - 2.0 * logarithm)
     return force, stiffness
+
+
+@contact_weights.member(LogBarrier)
+def _weights(contact: LogBarrier) -> Any:
+    return contact.node_weight, contact.corner_weight

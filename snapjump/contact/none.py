@@ -2,7 +2,13 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.contact.base import contact_energy, contact_force, contact_reach, has_contact
+from snapjump.contact.base import (
+    contact_energy,
+    contact_force,
+    contact_reach,
+    contact_weights,
+    has_contact,
+)
 
 
 class NoContact(NamedTuple):
@@ -27,3 +33,8 @@ def _energy(contact: NoContact, gap: Any) -> Any:
 @contact_force.member(NoContact)
 def _force(contact: NoContact, gap: Any) -> Any:
     return 0.0 * gap, 0.0 * gap
+
+
+@contact_weights.member(NoContact)
+def _weights(contact: NoContact) -> Any:
+    return 0.0, 0.0

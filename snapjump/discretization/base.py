@@ -103,8 +103,21 @@ def internal_energy(discretization: Any, position: Any, tangents: Any) -> Any:
     """Elastic energy of the chain, stretching and bending (in EI/L)."""
 
 
+class ChainPowers(NamedTuple):
+    """Power that damping takes out of the chain (EI/(L T)), the moments dE/dphi of both end
+    hinges (EI/L), and the gradients of the energy at the first and the last node (EI/L^2)."""
+
+    dissipation: Any
+    left_moment: Any
+    right_moment: Any
+    left_x: Any
+    left_y: Any
+    right_x: Any
+    right_y: Any
+
+
 @family_function
-def damping_power(
+def chain_powers(
     discretization: Any, damping: Any, position: Any, velocity: Any, tangents: Any
 ) -> Any:
-    """Power that damping takes out of the chain (in EI/(L T)), and the moments of both clamps."""
+    """The :class:`ChainPowers` of a state, for the energy ledger."""

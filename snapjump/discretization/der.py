@@ -13,11 +13,12 @@ from typing import Any, NamedTuple
 
 from snapjump.damping.base import viscous_stiffening, viscous_strain
 from snapjump.discretization.base import (
+    ChainPowers,
     EndHinge,
     add_node_forces,
     begin_chain,
+    chain_powers,
     clamp_offset,
-    damping_power,
     end_chain,
     has_elements,
     internal_energy,
@@ -355,37 +356,52 @@ def hinge_power(damping: Any, t: Any, angle_rate: Any, hinge_length: Any) -> Any
     return (moving - still) * angle_rate, moving
 
 
-@damping_power.member(DiscreteElasticRod)
-def _damping_power(
+@kernel
+def edge_force(force: Any, turning: Any, edge: Any) -> Any:
+    """Gradient of the energy with respect to the edge vector."""
+    sideways = turning * edge.over
+    return force * edge.cx - sideways * edge.cy, force * edge.cy + sideways * edge.cx
+
+
+@chain_powers.member(DiscreteElasticRod)
+def _chain_powers(
     rod: DiscreteElasticRod, damping: Any, position: Any, velocity: Any, tangents: Any
 ) -> Any:
     elements = position.shape[0] // 2 - 1
     stretching = rod.stretching_stiffness / rod.element_length
-    ax = tangents.left_x
-    ay = tangents.left_y
+    edge = make_edge(tangents.left_x, tangents.left_y, 0.0 * position[0], 0.0 * position[0])
     rate = tangents.left_rate
     hinge_length = rod.clamp_hinge_length
-    power = 0.0 * position[0]
-    left = 0.0 * position[0]
+    zero = 0.0 * position[0]
+    power = zero
+    moment = zero
+    left = zero
+    left_x = zero
+    left_y = zero
+    force = zero
     for j in range(elements):
-        edge = make_edge(
+        after = make_edge(
             position[2 * j + 2] - position[2 * j],
             position[2 * j + 3] - position[2 * j + 1],
             velocity[2 * j + 2] - velocity[2 * j],
             velocity[2 * j + 3] - velocity[2 * j + 1],
         )
-        elastic = stretching * (edge.length - rod.element_length)
-        viscous = axial_force(rod, damping, stretching, edge) - elastic
-        t = half_angle_tangent(ax, ay, edge.cx, edge.cy)
-        bending, moment = hinge_power(damping, t, edge.turn_rate - rate, hinge_length)
-        power = power + viscous * edge.stretch_rate + bending
+        t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
+        bending, next_moment = hinge_power(damping, t, after.turn_rate - rate, hinge_length)
         if j == 0:
-            left = moment
-        ax = edge.cx
-        ay = edge.cy
-        rate = edge.turn_rate
+            left = next_moment
+        if j == 1:
+            left_x, left_y = edge_force(force, moment - next_moment, edge)
+        force = axial_force(rod, damping, stretching, after)
+        elastic = stretching * (after.length - rod.element_length)
+        power = power + (force - elastic) * after.stretch_rate + bending
+        moment = next_moment
+        edge = after
+        rate = after.turn_rate
         hinge_length = rod.element_length
-    t = half_angle_tangent(ax, ay, tangents.right_x, tangents.right_y)
+    t = half_angle_tangent(edge.cx, edge.cy, tangents.right_x, tangents.right_y)
     bending, right = hinge_power(damping, t, tangents.right_rate - rate, rod.clamp_hinge_length)
     held = 1.0 - tangents.right_free
-    return power + held * bending, left, held * right
+    right = held * right + tangents.right_free * tangents.right_moment
+    right_x, right_y = edge_force(force, moment - right, edge)
+    return ChainPowers(power + held * bending, left, right, -left_x, -left_y, right_x, right_y)

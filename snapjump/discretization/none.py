@@ -3,11 +3,12 @@
 from typing import Any, NamedTuple
 
 from snapjump.discretization.base import (
+    ChainPowers,
     EndHinge,
     add_node_forces,
     begin_chain,
+    chain_powers,
     clamp_offset,
-    damping_power,
     end_chain,
     has_elements,
     internal_energy,
@@ -84,9 +85,9 @@ def _internal_energy(discretization: LooseNodes, position: Any, tangents: Any) -
     return 0.0 * position[0]
 
 
-@damping_power.member(LooseNodes)
-def _damping_power(
+@chain_powers.member(LooseNodes)
+def _chain_powers(
     discretization: LooseNodes, damping: Any, position: Any, velocity: Any, tangents: Any
 ) -> Any:
     zero = 0.0 * position[0]
-    return zero, zero, zero
+    return ChainPowers(zero, zero, zero, zero, zero, zero, zero)

@@ -11,5 +11,11 @@ def time_limit(ending: Any) -> Any:
 
 
 @family_function
+def leniency(ending: Any, model: Any, work: Any) -> Any:
+    """Factor (at least 1) by which a step's error may exceed the tolerance: what can no longer
+    change the result need not be resolved."""
+
+
+@family_function
 def judge(ending: Any, model: Any, masses: Any, work: Any) -> Any:
     """Status (:mod:`snapjump.engine.status`) after an accepted step, 0 to go on."""

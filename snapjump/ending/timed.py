@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.ending.base import judge, time_limit
+from snapjump.ending.base import judge, leniency, time_limit
 from snapjump.engine.clock import TIME
 from snapjump.engine.status import OK, RUNNING
 from snapjump.number.functions import where
@@ -17,6 +17,11 @@ class TimedEnding(NamedTuple):
 @time_limit.member(TimedEnding)
 def _time_limit(ending: TimedEnding) -> Any:
     return ending.duration
+
+
+@leniency.member(TimedEnding)
+def _leniency(ending: TimedEnding, model: Any, work: Any) -> float:
+    return 1.0
 
 
 @judge.member(TimedEnding)

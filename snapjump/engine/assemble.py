@@ -7,7 +7,13 @@ equilibrium is the same with rate = 0.
 from typing import Any, NamedTuple
 
 from snapjump.clamp.base import clamp_angles
-from snapjump.contact.base import bounce_rate_squared, contact_force, contact_reach, has_contact
+from snapjump.contact.base import (
+    bounce_rate_squared,
+    contact_force,
+    contact_reach,
+    contact_weights,
+    has_contact,
+)
 from snapjump.damping.base import mass_damping
 from snapjump.discretization.base import (
     add_node_forces,
@@ -24,7 +30,7 @@ from snapjump.frame.base import (
     frame_dofs,
 )
 from snapjump.friction.base import has_friction, is_lagged, slip
-from snapjump.load.base import gravity, tip_load
+from snapjump.load.base import gravity, pull, tip_load
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, any_true, maximum, minimum, where
 
@@ -90,7 +96,7 @@ def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any) -> Any:
     vy = (work.state[i + 1] - work.origin[i + 1]) * rate
     ax = (vx - work.drift[i]) * rate
     ay = (vy - work.drift[i + 1]) * rate
-    residual[row] = mass * (ax + drag * vx)
+    residual[row] = mass * (ax + drag * vx - pull(model.load))
     residual[row + 1] = mass * (ay + drag * vy + gravity(model.load))
     band[row, 0] = diagonal
     band[row + 1, 0] = diagonal
@@ -105,6 +111,7 @@ def add_node_contact(
     contact = model.contact
     friction = model.friction
     reach = contact_reach(contact)
+    weight, _ = contact_weights(contact)
     rate = motion.rate_factor
     residual = work.system.residual
     band = work.system.band
@@ -122,11 +129,11 @@ def add_node_contact(
             normal, _ = contact_force(contact, where(was_near, begun, reach))
             velocity = work.velocity[0, i]
             ratio, _ = slip(friction, velocity, 0.0 * velocity)
-            residual[row] += ratio * normal * contact.node_weight
+            residual[row] += ratio * normal * weight
     if any_true(near):
         force, stiffness = contact_force(contact, where(near, gap, reach))
-        force = force * contact.node_weight
-        stiffness = stiffness * contact.node_weight
+        force = force * weight
+        stiffness = stiffness * weight
         residual[row + 1] -= force
         band[row + 1, 0] += stiffness
         largest = maximum(largest, force)

@@ -5,11 +5,11 @@ from typing import Any
 from snapjump.clamp.base import clamp_angles
 from snapjump.discretization.base import clamp_offset
 from snapjump.engine.assemble import Motion
-from snapjump.engine.clock import BACKTRACKS, ITERATION, RESIDUAL, SIZE
+from snapjump.engine.clock import BACKTRACKS, ITERATION, SIZE
 from snapjump.engine.newton import newton_iteration
 from snapjump.frame.base import frame_dofs, place_ends
 from snapjump.number.dispatch import routine
-from snapjump.number.functions import any_true, maximum, negate, where
+from snapjump.number.functions import any_true, negate, where
 
 TOLERANCE = 1e-10  # of the last correction (L)
 ANCHOR = 1e3  # spring that holds the x that statics leaves undetermined (EI/L^3)

@@ -11,7 +11,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from snapjump.ending.base import judge, time_limit
+from snapjump.contact.base import contact_reach
+from snapjump.ending.base import judge, leniency, time_limit
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import (
     ACTIVE,
@@ -19,10 +20,8 @@ from snapjump.engine.clock import (
     FAILURES,
     GAP,
     ITERATIONS,
-    LARGEST_RESIDUAL,
     LAST_CONTACT,
     REJECTED,
-    RESIDUAL,
     SMALLEST_GAP,
     STAGE,
     STATUS,
@@ -46,12 +45,10 @@ from snapjump.engine.status import (
     RUNNING,
     STEP_UNDERFLOW,
 )
-from snapjump.contact.base import contact_reach
+from snapjump.engine.view import view_work
 from snapjump.number.dispatch import routine
 from snapjump.number.functions import any_true, maximum, minimum, negate, where
-from snapjump.number.lane import view_numbers
-from snapjump.engine.work import System, Work
-from snapjump.recorder.base import record_start, record_step, tally_stage
+from snapjump.recorder.base import record_stage, record_start, record_step
 from snapjump.stepping.base import (
     accepts,
     first_step,
@@ -87,35 +84,6 @@ class Limits(NamedTuple):
 
     of_a_stage: float
     of_a_march: float
-
-
-@routine
-def view_work(work: Any, lanes: Any) -> Work:
-    """The memory as arrays of numbers, one lane or many."""
-    system = System(
-        view_numbers(work.system.residual, lanes),
-        view_numbers(work.system.band, lanes),
-        view_numbers(work.system.border, lanes),
-        view_numbers(work.system.padded_residual, lanes),
-        view_numbers(work.system.padded_band, lanes),
-        view_numbers(work.system.padded_border, lanes),
-        view_numbers(work.system.frame_residual, lanes),
-        view_numbers(work.system.square, lanes),
-    )
-    return Work(
-        view_numbers(work.state, lanes),
-        view_numbers(work.start, lanes),
-        view_numbers(work.origin, lanes),
-        view_numbers(work.drift, lanes),
-        view_numbers(work.change, lanes),
-        view_numbers(work.velocity, lanes),
-        view_numbers(work.acceleration, lanes),
-        view_numbers(work.slip, lanes),
-        view_numbers(work.clock, lanes),
-        view_numbers(work.numbers, lanes),
-        view_numbers(work.weights, lanes),
-        system,
-    )
 
 
 @routine
@@ -202,9 +170,11 @@ def march(
         for lane in range(width):
             load_robot(memory, lane, queue, 0, step)
             refill(memory, lane, queue, step)
+        if queue.cursor[1] == 0:
+            return True
         model = with_numbers(template, work.numbers)
         begin_stage(model, tableau, masses, work, clock[ACTIVE] >= 0.0)
-        record_start(recorder, work)
+        record_start(recorder, model, masses, work)
 
     for _ in range(passes):
         if queue.cursor[1] == 0:
@@ -240,12 +210,7 @@ def march(
         if any_true(converged):
             restage = restage | converged
             error = store_stage(tableau, work, converged)
-            tally_stage(recorder, model, masses, motion, tableau, work)
-            clock[LARGEST_RESIDUAL] = where(
-                converged,
-                maximum(clock[LARGEST_RESIDUAL], clock[RESIDUAL]),
-                clock[LARGEST_RESIDUAL],
-            )
+            record_stage(recorder, model, masses, motion, tableau, work, converged)
             ended = converged & (clock[STAGE] >= last_stage)
             clock[STAGE] = where(converged, clock[STAGE] + 1.0, clock[STAGE])
             if any_true(ended):
@@ -286,6 +251,7 @@ def finish_step(
     """Judge the steps that have just ended; returns the status of every lane."""
     clock = work.clock
     h = clock[STEP]
+    error = error / leniency(ending, model, work)
     rate = contact_frequency(work)
     good = ended & accepts(stepping, error, h, rate)
     bad = ended & negate(good)

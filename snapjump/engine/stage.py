@@ -16,7 +16,7 @@ from snapjump.engine.clock import (
 from snapjump.engine.newton import allowed_share
 from snapjump.frame.base import frame_dofs, place_ends
 from snapjump.number.dispatch import kernel, routine
-from snapjump.number.functions import absolute, any_true, fma, maximum, sqrt, where
+from snapjump.number.functions import any_true, fma, sqrt, where
 
 
 @kernel
@@ -48,7 +48,7 @@ def store_stage(tableau: Any, work: Any, mask: Any) -> Any:
                 a = (v - work.drift[i]) * rate
                 velocity[i] = where(here, v, velocity[i])
                 acceleration[i] = where(here, a, acceleration[i])
-    largest = 0.0 * rate
+    total = 0.0 * rate
     if any_true(mask & (clock[STAGE] >= 1.0 * last)):
         # The last stage is used up at once: other lanes' entries may be overwritten.
         velocity = work.velocity[last]
@@ -60,8 +60,8 @@ def store_stage(tableau: Any, work: Any, mask: Any) -> Any:
             error = tableau.error[last] * v
             for k in range(last):
                 error = fma(tableau.error[k], work.velocity[k, i], error)
-            largest = maximum(largest, absolute(error))
-    return largest * clock[STEP]
+            total = fma(error, error, total)
+    return sqrt(total / work.state.shape[0]) * clock[STEP]
 
 
 @routine

@@ -11,6 +11,7 @@ from snapjump.engine.equilibrium import settle
 from snapjump.engine.model import Model
 from snapjump.engine.status import NO_EQUILIBRIUM, RUNNING
 from snapjump.frame.base import frame_dofs
+from snapjump.friction.none import NoFriction
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import where
 
@@ -20,14 +21,15 @@ DIFFERENCE_RAD = 2e-3  # clamp angle between the equilibria that velocity is tak
 
 @kernel
 def with_angles(model: Any, left: Any, lag: Any) -> Any:
-    """The model with other clamp angles at time 0."""
+    """The model with other clamp angles at time 0, and without friction: slow loading has no
+    sliding velocity, and a lagged law would look for one that is not there yet."""
     clamp = ConstantRate(left, model.clamp.end, model.clamp.rate, lag)
     return Model(
         model.discretization,
         model.frame,
         clamp,
         model.contact,
-        model.friction,
+        NoFriction(),
         model.damping,
         model.load,
     )
@@ -65,13 +67,14 @@ def follow_branch(model: Any, masses: Any, work: Any) -> Any:
     for i in range(size):
         work.start[i] = past[i]
 
+    resting = with_angles(model, clamp.start, clamp.delta_alpha)
     difference = DIFFERENCE_RAD / clamp.rate
-    negative, failed = settle(model, masses, work, -difference)
+    negative, failed = settle(resting, masses, work, -difference)
     lost = lost | failed | (negative > 0.0)
     for i in range(size):
         work.velocity[0, i] = state[i]
         state[i] = 2.0 * work.start[i] - state[i]
-    negative, failed = settle(model, masses, work, difference)
+    negative, failed = settle(resting, masses, work, difference)
     lost = lost | failed | (negative > 0.0)
     for i in range(size):
         before = work.velocity[0, i]

@@ -36,7 +36,8 @@ class Work(NamedTuple):
     the stage's position and velocity before its own share (D); change: last Newton correction
     (D); velocity, acceleration: of every stage, the first being the step's beginning (S, D);
     slip: sliding velocities at the last iterate, corners first (4 + nodes); clock: scalars by
-    lane (see :mod:`snapjump.engine.clock`); numbers: of the model (P); weights: of earlier stages (S).
+    lane (see :mod:`snapjump.engine.clock`); numbers: of the model (P); weights: of earlier
+    stages (S).
     """
 
     state: Any

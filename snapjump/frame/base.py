@@ -56,3 +56,13 @@ def add_frame_forces(frame: Any, model: Any, motion: Any, work: Any) -> Any:
 @family_function
 def limit_frame_step(frame: Any, state: Any, drop: Any, fraction: Any) -> Any:
     """Share of ``state -= drop`` (at most 1) that leaves every corner ``fraction`` of its gap."""
+
+
+@family_function
+def corner_point(frame: Any, corner: Any, state: Any, velocity: Any) -> Any:
+    """Place (x, y) of a corner of a moving frame (in L) and its velocity along x (in L/T)."""
+
+
+@family_function
+def frame_mass(frame: Any, coordinate: Any) -> Any:
+    """Mass, mass or moment of inertia that belongs to one of the frame's own coordinates."""

@@ -8,8 +8,10 @@ from snapjump.frame.base import (
     add_frame_forces,
     condense_first,
     condense_last,
+    corner_point,
     end_tangents,
     frame_dofs,
+    frame_mass,
     limit_frame_step,
     place_ends,
 )
@@ -72,3 +74,14 @@ def _add_frame_forces(frame: CantileverFrame, model: Any, motion: Any, work: Any
 @limit_frame_step.member(CantileverFrame)
 def _limit_frame_step(frame: CantileverFrame, state: Any, drop: Any, fraction: Any) -> Any:
     return 1.0 + 0.0 * state[0]
+
+
+@corner_point.member(CantileverFrame)
+def _corner_point(frame: CantileverFrame, corner: Any, state: Any, velocity: Any) -> Any:
+    zero = 0.0 * state[0]
+    return zero, zero, zero
+
+
+@frame_mass.member(CantileverFrame)
+def _frame_mass(frame: CantileverFrame, coordinate: Any) -> float:
+    return 0.0

@@ -5,7 +5,13 @@ The clamped end nodes of the beam belong to it, so that its mass matrix is diago
 
 from typing import Any, NamedTuple
 
-from snapjump.contact.base import bounce_rate_squared, contact_force, contact_reach, has_contact
+from snapjump.contact.base import (
+    bounce_rate_squared,
+    contact_force,
+    contact_reach,
+    contact_weights,
+    has_contact,
+)
 from snapjump.damping.base import mass_damping
 from snapjump.discretization.base import EndTangents
 from snapjump.frame.base import (
@@ -13,8 +19,10 @@ from snapjump.frame.base import (
     add_frame_forces,
     condense_first,
     condense_last,
+    corner_point,
     end_tangents,
     frame_dofs,
+    frame_mass,
     limit_frame_step,
     place_ends,
 )
@@ -243,6 +251,7 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
     if has_contact(model.contact):
         contact = model.contact
         reach = contact_reach(contact)
+        _, weight = contact_weights(contact)
         c = cos(state[2])
         s = sin(state[2])
         for corner in range(4):
@@ -252,8 +261,8 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
             near = gap < reach
             if any_true(near):
                 force, stiffness = contact_force(contact, where(near, gap, reach))
-                force = force * contact.corner_weight
-                stiffness = stiffness * contact.corner_weight
+                force = force * weight
+                stiffness = stiffness * weight
                 largest = maximum(largest, force)
                 residual[1] -= force
                 residual[2] -= force * rx
@@ -298,7 +307,8 @@ def add_corner_friction(
         normal, _ = contact_force(model.contact, where(was_near, gap, contact_reach(model.contact)))
         velocity = begun[0] - sy * begun[2]
         ratio, _ = slip(friction, velocity, 0.0 * velocity)
-        drag = ratio * normal * model.contact.corner_weight
+        _, weight = contact_weights(model.contact)
+        drag = ratio * normal * weight
         residual[0] += drag
         residual[2] -= ry * drag
     else:
@@ -335,3 +345,14 @@ def _limit_frame_step(frame: RigidFrame, state: Any, drop: Any, fraction: Any) -
         allowed = (1.0 - fraction) * gap
         share = minimum(share, where(fall > allowed, allowed / fall, 1.0))
     return share
+
+
+@corner_point.member(RigidFrame)
+def _corner_point(frame: RigidFrame, corner: Any, state: Any, velocity: Any) -> Any:
+    rx, ry = corner_arm(frame, corner, cos(state[2]), sin(state[2]))
+    return state[0] + rx, state[1] + ry, velocity[0] - ry * velocity[2]
+
+
+@frame_mass.member(RigidFrame)
+def _frame_mass(frame: RigidFrame, coordinate: Any) -> Any:
+    return where(coordinate == 2, frame.inertia, frame.mass)

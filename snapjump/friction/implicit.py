@@ -2,7 +2,6 @@
 
 from typing import Any, NamedTuple
 
-
 from snapjump.friction.base import has_friction, is_lagged, regularised_sign, slip
 from snapjump.number.functions import where
 

@@ -5,7 +5,6 @@ It is explicit, hence unstable for steps above eps_v m / (mu N).
 
 from typing import Any, NamedTuple
 
-
 from snapjump.friction.base import has_friction, is_lagged, regularised_sign, slip
 
 

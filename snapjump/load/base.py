@@ -11,5 +11,10 @@ def gravity(load: Any) -> Any:
 
 
 @family_function
+def pull(load: Any) -> Any:
+    """Acceleration along +x (in L/T^2), of masses on a slope."""
+
+
+@family_function
 def tip_load(load: Any) -> Any:
     """Force (x, y) on the last node and moment on the last tangent."""

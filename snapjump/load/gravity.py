@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.load.base import gravity, tip_load
+from snapjump.load.base import gravity, pull, tip_load
 
 
 class Gravity(NamedTuple):
@@ -19,3 +19,8 @@ def _gravity(load: Gravity) -> Any:
 @tip_load.member(Gravity)
 def _tip(load: Gravity) -> Any:
     return 0.0, 0.0, 0.0
+
+
+@pull.member(Gravity)
+def _pull(load: Gravity) -> float:
+    return 0.0

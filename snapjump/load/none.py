@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.load.base import gravity, tip_load
+from snapjump.load.base import gravity, pull, tip_load
 
 
 class NoLoad(NamedTuple):
@@ -17,3 +17,8 @@ def _gravity(load: NoLoad) -> float:
 @tip_load.member(NoLoad)
 def _tip(load: NoLoad) -> Any:
     return 0.0, 0.0, 0.0
+
+
+@pull.member(NoLoad)
+def _pull(load: NoLoad) -> float:
+    return 0.0

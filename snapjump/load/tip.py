@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.load.base import gravity, tip_load
+from snapjump.load.base import gravity, pull, tip_load
 
 
 class TipLoad(NamedTuple):
@@ -21,3 +21,8 @@ def _gravity(load: TipLoad) -> float:
 @tip_load.member(TipLoad)
 def _tip(load: TipLoad) -> Any:
     return load.force_x, load.force_y, load.moment
+
+
+@pull.member(TipLoad)
+def _pull(load: TipLoad) -> float:
+    return 0.0

@@ -58,8 +58,8 @@ sqrt = _elementwise(
 )
 log = _elementwise("log", False, lambda x: cmath.log(x) if isinstance(x, complex) else math.log(x))
 exp = _elementwise("exp", False, lambda x: cmath.exp(x) if isinstance(x, complex) else math.exp(x))
-nearest = _elementwise("rint", True, lambda x: float(round(getattr(x, "real", x))))
-absolute = _elementwise("fabs", True, lambda x: x if getattr(x, "real", x) >= 0 else -x)
+nearest = _elementwise("rint", True, lambda x: float(round(x.real)))
+absolute = _elementwise("fabs", True, lambda x: x if x.real >= 0 else -x)
 
 
 def where(mask: Any, a: Any, b: Any) -> Any:

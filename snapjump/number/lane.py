@@ -46,12 +46,16 @@ class LaneType(types.Type):
 
 @register_model(MaskType)
 class MaskModel(models.PrimitiveModel):
+    """A mask as an LLVM vector of bits."""
+
     def __init__(self, dmm: Any, fe_type: MaskType):
         super().__init__(dmm, fe_type, ir.VectorType(ir.IntType(1), fe_type.width))
 
 
 @register_model(LaneType)
 class LaneModel(models.PrimitiveModel):
+    """A lane as an LLVM vector of doubles."""
+
     def __init__(self, dmm: Any, fe_type: LaneType):
         super().__init__(dmm, fe_type, ir.VectorType(DOUBLE, fe_type.width))
 

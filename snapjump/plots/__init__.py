@@ -78,14 +78,14 @@ def _pictures(result: Any, scene: str, film: bool) -> list[tuple[str, Draw]]:
 
 def _busy(motion: Motion | None, books: Books) -> tuple[float, float] | None:
     """From the snap to the end of the strike (ms), if that is a part of the run worth a panel."""
-    from snapjump.plots.moments import snap_interval
+    from snapjump.plots.moments import settled, snap_interval
 
     if motion is None or motion.node_x.shape[1] < 3:
         return None
     snap = snap_interval(motion)
     begin = float(motion.time[snap[0]]) if snap is not None else 0.0
     pushed = motion.time[motion.push > 2.0]
-    end = float(pushed[-1]) if len(pushed) else float(motion.time[-1])
+    end = float(pushed[-1]) if len(pushed) else float(motion.time[settled(motion)])
     room = 0.08 * max(end - begin, 0.0)
     begin, end = max(begin - room, 0.0), min(end + room, float(books.time[-1]))
     whole = float(books.time[-1] - books.time[0])

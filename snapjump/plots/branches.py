@@ -17,7 +17,8 @@ def branches_picture(
 ) -> pathlib.Path:
     """Draw those of the three panels that there are arrays for.
 
-    ``branch_*`` are 1-D with NaN between branches, ``shapes_*_bar`` are (S, N+1) in L.
+    ``branch_*`` are 1-D, ``branch_number`` telling which branch a point belongs to;
+    ``shapes_*_bar`` are (S, N+1) in L.
     """
     arrays = {name: np.asarray(values) for name, values in arrays.items()}
     curves = [
@@ -41,16 +42,14 @@ def branches_picture(
     return path
 
 
-def stable_runs(alpha: Any, negative: Any) -> Iterator[tuple[slice, bool]]:
-    """Pieces of equal stability, parted at NaN; each reaches the next one's first point."""
-    broken = ~np.isfinite(alpha)
+def stable_runs(number: Any, negative: Any) -> Iterator[tuple[slice, bool]]:
+    """Pieces of equal stability of each branch; each reaches the branch's next point."""
     stable = np.asarray(negative) == 0
     start = 0
-    for end in range(1, len(alpha) + 1):
-        if end == len(alpha) or broken[end] != broken[start] or stable[end] != stable[start]:
-            if not broken[start]:
-                joined = end < len(alpha) and not broken[end]
-                yield slice(start, end + joined), bool(stable[start])
+    for end in range(1, len(number) + 1):
+        over = end == len(number) or number[end] != number[start]
+        if over or stable[end] != stable[start]:
+            yield slice(start, end + (not over)), bool(stable[start])
             start = end
 
 
@@ -60,7 +59,8 @@ def _draw_branches(
     """Solid where no pivot is negative (stable), dashed where one is."""
     alpha = arrays["branch_alpha_rad"]
     negative = arrays.get("branch_negative_pivots", np.zeros(len(alpha)))
-    for piece, stable in stable_runs(alpha, negative):
+    number = arrays.get("branch_number", np.zeros(len(alpha)))
+    for piece, stable in stable_runs(number, negative):
         if stable:
             axes.plot(alpha[piece], values[piece], color=palette.BEAM, lw=2.4, zorder=3)
         else:
@@ -75,7 +75,10 @@ def _draw_branches(
         if critical_rad is not None:
             label = f"critical, {critical_rad:.6f} rad"
             axes.plot([], [], color=palette.QUIET, lw=1.0, label=label)
-        axes.legend(loc="best")
+        axes.legend(
+            loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, borderaxespad=0.3,
+            columnspacing=1.2, handlelength=1.6,
+        )  # fmt: skip
 
 
 def _draw_shapes(axes: Any, arrays: dict[str, Any]) -> None:

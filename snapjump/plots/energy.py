@@ -14,9 +14,9 @@ LINES: dict[str, tuple[str, dict[str, Any]]] = {
     "kinetic": ("kinetic", {"color": palette.CLAMP, "lw": 2.2}),
     "gravitational": ("gravitational", {"color": palette.CENTRE, "lw": 2.0}),
     "contact": ("contact", {"color": palette.FORCE, "lw": 1.6}),
-    "friction_loss": ("lost to friction", {"color": palette.FORCE, "lw": 2.2}),
+    "friction_loss": ("lost to friction", {"color": palette.PLUM, "lw": 2.2}),
     "damping_loss": ("lost to damping", {"color": palette.VIOLET, "lw": 2.2}),
-    "numerical_loss": ("lost to time stepping", {"color": palette.SKY, "lw": 2.2}),
+    "numerical_loss": ("lost to numerics", {"color": palette.SKY, "lw": 2.2}),
 }
 
 
@@ -25,11 +25,13 @@ def energy_picture(
 ) -> pathlib.Path:
     """Stored energies above, work and losses below; on the right the same, close to `window`."""
     with picture(path, (12.0, 8.0), headline) as figure:
-        columns: list[tuple[float, float, tuple[float, float] | None]] = [(0.06, 0.335, None)]
+        columns: list[tuple[float, float, tuple[float, float] | None]] = [(0.075, 0.325, None)]
         if window is None:
-            columns = [(0.06, 0.69, None)]
+            columns = [(0.075, 0.675, None)]
         else:
-            columns.append((0.415, 0.335, window))
+            columns.append((0.425, 0.325, window))
+        struck = np.any(books.stored.get("contact", 0.0))
+        close_up = "snap and strike" if struck else "snap"
         for place, (left, width, zoom) in enumerate(columns):
             upper = figure.add_axes((left, 0.43, width, 0.46))
             lower = figure.add_axes((left, 0.08, width, 0.28))
@@ -40,9 +42,9 @@ def energy_picture(
                 axes.set_xlim(zoom or (books.time[0], books.time[-1]))
             upper.tick_params(labelbottom=False)
             lower.set_xlabel("time from the start (ms)")
-            upper.set_title("whole run" if zoom is None else "snap and strike", loc="left")
+            upper.set_title("whole run" if zoom is None else close_up, loc="left")
             if place == 0:
-                lower.set_title("balance = stored − initial − work + losses", loc="left")
+                lower.set_title("balance = stored − initial − work + losses")
             if place > 0:
                 upper.tick_params(labelleft=False)
                 lower.tick_params(labelleft=False)
@@ -56,7 +58,13 @@ def energy_picture(
         _second_scale(lower, books)
         for axes, top in ((upper, 0.89), (lower, 0.36)):
             handles, labels = axes.get_legend_handles_labels()
-            figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.812, top + 0.015))
+            figure.legend(
+                handles,
+                labels,
+                loc="upper left",
+                bbox_to_anchor=(0.805, top + 0.015),
+                handlelength=1.5,
+            )
     return path
 
 
@@ -64,17 +72,22 @@ def _draw_stored(axes: Any, books: Books) -> None:
     """Each stored energy and their sum."""
     for name, values in books.stored.items():
         label, style = LINES[name]
-        axes.plot(books.time, values, label=label, **style)
+        if np.any(values):
+            axes.plot(books.time, values, label=label, **style)
     axes.plot(books.time, books.total, color=palette.INK, lw=1.6, ls="--", label="total stored")
     axes.axhline(0.0, color=palette.QUIET, lw=0.8, zorder=1)
 
 
 def _draw_balance(axes: Any, books: Books) -> None:
     """Work of the clamps, losses, and the balance, which is zero."""
-    axes.plot(books.time, books.work, color=palette.QUIET, lw=2.2, label="work of the clamps")
+    if np.any(books.work):
+        axes.plot(books.time, books.work, color=palette.QUIET, lw=2.2, label="work of the clamps")
     for name, values in books.lost.items():
         label, style = LINES[name]
-        axes.plot(books.time, values, label=label, **style)
+        if name == "numerical_loss":
+            label = f"{label} ({values[-1]:.1g})"
+        if np.any(values):
+            axes.plot(books.time, values, label=label, **style)
     worst = float(np.max(np.abs(books.balance)))
     label = f"balance (within {worst:.0e})"
     axes.plot(books.time, books.balance, color=palette.INK, lw=1.6, ls=":", label=label, zorder=5)
@@ -82,7 +95,7 @@ def _draw_balance(axes: Any, books: Books) -> None:
 
 def _second_scale(axes: Any, books: Books) -> None:
     """The same energies in millijoule, or microjoule, on the right."""
-    name, factor = ("mJ", 1e3) if books.unit_J > 2e-4 else ("µJ", 1e6)
+    name, factor = ("mJ", 1e3) if books.unit_J * np.max(np.abs(books.total)) > 2e-4 else ("µJ", 1e6)
     right = axes.secondary_yaxis(
         "right",
         functions=(lambda e: e * books.unit_J * factor, lambda e: e / books.unit_J / factor),

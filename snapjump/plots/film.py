@@ -8,9 +8,9 @@ import numpy as np
 from snapjump.plots import palette
 from snapjump.plots.camera import View, views
 from snapjump.plots.canvas import Canvas
-from snapjump.plots.moments import snap_interval
+from snapjump.plots.moments import settled, snap_interval
 from snapjump.plots.motion import Array, Motion, Poses, poses
-from snapjump.plots.robot_drawing import clamp_stubs
+from snapjump.plots.robot_drawing import arrows, clamp_stubs
 from snapjump.plots.saving import save_bytes
 from snapjump.plots.trajectory import flight_end
 
@@ -18,17 +18,19 @@ SIZE = (420, 460)
 BAR = 34  # pixels of the caption
 FRAME_MS = 40  # a frame's time on the screen
 HOLD_MS = 2000  # the last frame's
-LEAD, ACTION, FLIGHT = 14, 62, 36  # frames before the snap, of snap and strike, of the flight
+LEAD, ACTION, FLIGHT = 20, 56, 36  # frames before the snap, of snap and strike, of the flight
 
 
 def film_times(motion: Motion, apex_ms: float | None) -> tuple[Array, int]:
     """The instants shown (ms), and how many of them come before the flight."""
     first, last = 0.0, float(motion.time[-1])
+    end = flight_end(motion, apex_ms)
     interval = snap_interval(motion)
+    if interval is not None and end <= last:
+        last = end = float(motion.time[settled(motion)])
     begin = float(motion.time[interval[0]]) if interval is not None else first
     lead = np.linspace(first, begin, LEAD, endpoint=False) if begin > first else np.array([])
     near = np.concatenate([lead, np.linspace(begin, last, ACTION)])
-    end = flight_end(motion, apex_ms)
     if end <= last:
         return near, len(near)
     return np.concatenate([near, np.linspace(last, end, FLIGHT + 1)[1:]]), len(near)
@@ -44,14 +46,13 @@ def draw_film(
     times, close = film_times(motion, apex_ms)
     shown = poses(motion, times)
     cameras = views(motion, shown, close, SIZE, BAR)
-    largest = float(motion.push.max(initial=0.0))
     pictures = []
     for k, camera in enumerate(cameras):
         canvas = Canvas(*SIZE)
         _draw_world(canvas, camera, motion, shown, k, apex if k == len(cameras) - 1 else None)
         _draw_robot(canvas, camera, shown, k)
-        if largest > 0.0 and times[k] <= motion.time[-1]:
-            _draw_push(canvas, camera, motion, times[k], largest)
+        if times[k] <= motion.time[-1]:
+            _draw_push(canvas, camera, motion, times[k])
         _draw_caption(canvas, camera, motion, times, k)
         pictures.append(canvas.picture())
     durations = [FRAME_MS] * (len(pictures) - 1) + [HOLD_MS]
@@ -111,14 +112,12 @@ def _draw_robot(canvas: Canvas, view: View, shown: Poses, k: int) -> None:
         canvas.disc(float(at[0]), float(at[1]), 2.0 + 3.0 * thin, palette.CENTRE)
 
 
-def _draw_push(canvas: Canvas, view: View, motion: Motion, time: float, largest: float) -> None:
+def _draw_push(canvas: Canvas, view: View, motion: Motion, time: float) -> None:
     """Arrows where the ground pushes, at the sample nearest in time."""
     sample = int(np.argmin(abs(motion.time - time)))
-    for x, force in zip(motion.pad_x[sample], motion.pad_force[sample], strict=True):
-        vector = 0.25 * force / largest
-        if np.hypot(*vector) > 0.02:
-            tail, tip = np.array([x, 0.0]) - vector, np.array([x, 0.0])
-            canvas.arrow(view.at(*tail), view.at(*tip), palette.FORCE)
+    for x, vector in zip(motion.pad_x[sample], 0.25 * arrows(motion, sample), strict=True):
+        tip = np.array([x, 0.0])
+        canvas.arrow(view.at(*(tip - vector)), view.at(*tip), palette.FORCE)
 
 
 def _draw_caption(canvas: Canvas, view: View, motion: Motion, times: Array, k: int) -> None:

@@ -7,10 +7,10 @@ import numpy as np
 from snapjump.plots import palette
 from snapjump.plots.moments import moments, travel
 from snapjump.plots.motion import Array, Motion, poses
-from snapjump.plots.robot_drawing import draw_forces, draw_ground, draw_robot
+from snapjump.plots.robot_drawing import arrows, draw_forces, draw_ground, draw_robot
 
 GHOSTS = 5
-ARROW = 0.2  # length in L of the largest force
+ARROW = 0.18  # length in L of the largest force
 Window = tuple[float, float, float, float]  # x, y, width, height in L
 
 
@@ -99,17 +99,17 @@ def _draw_panel(
     push = motion.push[index]
     if largest > 0.0 and push > 0.05:
         foot = motion.pad_x[index] + dx, np.full(motion.pad_x.shape[1], dy)
-        draw_forces(axes, foot, motion.pad_force[index], ARROW / largest)
-        axes.text(
-            left + dx + 0.97 * width, low + dy + 0.03 * height,
-            f"{push:.1f} × weight" if push < 10 else f"{push:.0f} × weight",
-            color=palette.FORCE, ha="right", va="bottom",
-        )  # fmt: skip
+        draw_forces(axes, foot, ARROW * arrows(motion, index))
+        strongest = motion.pad_x[index, np.argmax(motion.pad_force[index, :, 1])]
+        aside, part = ("left", 0.03) if strongest > left + 0.5 * width else ("right", 0.97)
+        size = f"{push:.1f} × weight" if push < 10 else f"{push:.0f} × weight"
+        place = left + dx + part * width, low + dy + 0.03 * height
+        axes.text(*place, size, color=palette.FORCE, ha=aside, va="bottom")
 
 
 def _ghosts(motion: Motion, before: int, index: int) -> tuple[Array, Array]:
     """Beams evenly spread over the way between two samples, parted by NaN."""
-    path = travel(motion)[before : index + 1] + 1e-9 * motion.time[before : index + 1]
+    path = travel(motion)[before : index + 1]
     marks = np.linspace(path[0], path[-1], GHOSTS + 1)[:-1]
     ghosts = poses(motion, np.interp(marks, path, motion.time[before : index + 1]))
     gap = np.full((len(marks), 1), np.nan)
@@ -130,7 +130,7 @@ def _draw_key(
     if motion.centre is not None:
         entries.append(("centre of mass", {"color": palette.CENTRE, "marker": "o", "lw": 0}))
     if forces:
-        entries.append(("push of the ground", {"color": palette.FORCE, "lw": 2.4}))
+        entries.append(("push of the ground (√)", {"color": palette.FORCE, "lw": 2.4}))
     for name, style in entries:
         axes.plot([], [], label=name, **style)
     axes.legend(

@@ -26,7 +26,9 @@ def since_start(result: Any, key: str) -> float | None:
 
 
 def apex_of(result: Any) -> tuple[float, float] | None:
-    """The apex in L, or None."""
+    """The apex in L, or None if the robot did not jump."""
+    if result.status != "ok":
+        return None
     x, y = number(result.summary, "x_bar"), number(result.summary, "y_bar")
     return None if x is None or y is None else (x, y)
 
@@ -54,6 +56,6 @@ def jump_picture(result: Any, motion: Motion, path: pathlib.Path) -> pathlib.Pat
     with picture(path, (12.0, 8.0), headline(result)) as figure:
         liftoff = since_start(result, "liftoff_time_s")
         draw_filmstrip(figure, motion, liftoff, (0.015, 0.02, 0.63, 0.91))
-        axes = figure.add_axes((0.70, 0.07, 0.285, 0.82))
+        axes = figure.add_axes((0.70, 0.07, 0.285, 0.81))
         draw_trajectory(axes, motion, since_start(result, "apex_time_s"), apex_of(result))
     return path

@@ -6,27 +6,37 @@ import numpy as np
 
 from snapjump.plots.motion import Array, Motion
 
+RISE = 0.12  # from lift-off to the picture of the flight, in L
+TOUCH = 0.05  # what counts as the beam's first touch, in weights of the robot
+
+
+def beam_in_frame(motion: Motion) -> tuple[Array, Array]:
+    """The beam (K, N+1) along and above the line of its clamps, in L."""
+    x, y = motion.node_x, motion.node_y
+    along_x, along_y = x[:, -1:] - x[:, :1], y[:, -1:] - y[:, :1]
+    span = np.maximum(np.hypot(along_x, along_y), 1e-12)
+    cos, sin = along_x / span, along_y / span
+    dx, dy = x - x[:, :1], y - y[:, :1]
+    return cos * dx + sin * dy, cos * dy - sin * dx
+
 
 def middle_height(motion: Motion) -> Array:
-    """Height of the beam's middle above the line of its clamps, in L, in the frame's axes (K,)."""
-    left = np.stack([motion.node_x[:, 0], motion.node_y[:, 0]], axis=1)
-    right = np.stack([motion.node_x[:, -1], motion.node_y[:, -1]], axis=1)
-    centre = motion.node_x.shape[1] // 2
-    middle = np.stack([motion.node_x[:, centre], motion.node_y[:, centre]], axis=1)
-    along = right - left
-    span = np.maximum(np.hypot(along[:, 0], along[:, 1]), 1e-12)
-    offset = middle - left
-    return (along[:, 0] * offset[:, 1] - along[:, 1] * offset[:, 0]) / span
+    """Height of the beam's middle above the line of its clamps, in L (K,)."""
+    return beam_in_frame(motion)[1][:, motion.node_x.shape[1] // 2]
 
 
 def snap_interval(motion: Motion) -> tuple[int, int] | None:
-    """Samples at which the middle starts to fall and is first down; None if it never flips."""
+    """Samples at which the middle starts to fall fast and is first down; None if it never is."""
     height = middle_height(motion)
     down = np.flatnonzero(height < 0.0)
     if height[0] <= 0.0 or len(down) == 0:
         return None
-    begin = np.flatnonzero(height[: down[0]] > 0.85 * height[0])
-    return int(begin[-1]) if len(begin) else 0, int(down[0])
+    end = int(down[0])
+    low = np.flatnonzero(height < -0.5 * height[0])
+    speed = np.abs(np.diff(height) / np.maximum(np.diff(motion.time), 1e-9))
+    fastest = speed[: low[0] if len(low) else None].max()
+    slow = np.flatnonzero(speed[:end] < 0.1 * fastest)
+    return (int(slow[-1]) + 1 if len(slow) else 0), end
 
 
 def moments(motion: Motion, liftoff_ms: float | None, wanted: int = 8) -> list[tuple[int, str]]:
@@ -36,35 +46,63 @@ def moments(motion: Motion, liftoff_ms: float | None, wanted: int = 8) -> list[t
     def add(index: int, name: str) -> None:
         found.setdefault(int(index), name)
 
+    touch = np.flatnonzero(motion.pad_force[:, 0, 1] > TOUCH)
+    if len(touch) and touch[0] > 0:
+        add(touch[0], "beam touches")
     snap = snap_interval(motion)
     if snap is not None:
         add(snap[0], "snap begins")
-        add(snap[1], "at clamp level")
-    strong = np.flatnonzero(motion.push > 2.0)
-    if len(strong):
-        hits = np.flatnonzero((motion.push > 2.0) & (motion.pad_force[:, 0, 1] > 0.5 * motion.push))
-        add(hits[0] if len(hits) else strong[0], "beam strikes")
+    if motion.push.max(initial=0.0) > 2.0:
         add(int(np.argmax(motion.push)), "hardest push")
+    last = motion.count - 1
     if liftoff_ms is not None and liftoff_ms <= motion.time[-1]:
-        add(int(np.argmin(abs(motion.time - liftoff_ms))), "lift-off")
-        add(motion.count - 1, "in flight")
+        last = min(int(np.searchsorted(motion.time, liftoff_ms, side="right")), last)
+        add(last, "lift-off")
+        add(_risen(motion, last), "in flight")
     else:
-        add(motion.count - 1, "end")
-    _fill_gaps(motion, found, min(wanted, motion.count))
+        add(last, "end")
+        if snap is not None:
+            last = _lowest(motion, snap[1])
+            add(last, "first swing ends")
+    _fill_gaps(motion, found, last, min(wanted, motion.count))
     return sorted(found.items())
 
 
 def travel(motion: Motion) -> Array:
-    """How far the beam has moved, added up: root mean square over its nodes, in L (K,)."""
-    steps = np.diff(motion.node_x, axis=0) ** 2 + np.diff(motion.node_y, axis=0) ** 2
-    return np.concatenate([[0.0], np.cumsum(np.sqrt(steps.mean(axis=1)))])
+    """How far the beam has moved in its frame, added up: root mean square, in L (K,)."""
+    along, above = beam_in_frame(motion)
+    steps = np.diff(along, axis=0) ** 2 + np.diff(above, axis=0) ** 2
+    way = np.concatenate([[0.0], np.cumsum(np.sqrt(steps.mean(axis=1)))])
+    return way + 1e-6 * motion.time
 
 
-def _fill_gaps(motion: Motion, found: dict[int, str], wanted: int) -> None:
-    """Add nameless samples where the beam moves farthest between two of those found."""
-    path = travel(motion) + 1e-9 * motion.time
+def settled(motion: Motion) -> int:
+    """The sample by which nineteen twentieths of the beam's way since the snap began are done."""
+    snap = snap_interval(motion)
+    begin = snap[0] if snap is not None else 0
+    way = travel(motion)
+    return int(np.searchsorted(way, way[begin] + 0.95 * (way[-1] - way[begin])))
+
+
+def _lowest(motion: Motion, down: int) -> int:
+    """The first sample after `down` from which the middle rises."""
+    rises = np.flatnonzero(np.diff(middle_height(motion)[down:]) > 0.0)
+    return down + int(rises[0]) if len(rises) else motion.count - 1
+
+
+def _risen(motion: Motion, liftoff: int) -> int:
+    """The last sample at which the robot is still near the ground, but after lift-off."""
+    if motion.centre is None:
+        return motion.count - 1
+    near = np.flatnonzero(motion.centre[:, 1] < motion.centre[liftoff, 1] + RISE)
+    return min(max(int(near[-1]), liftoff + 1), motion.count - 1)
+
+
+def _fill_gaps(motion: Motion, found: dict[int, str], last: int, wanted: int) -> None:
+    """Add nameless samples, up to `last`, where the beam moves farthest between those found."""
+    path = travel(motion)
     while len(found) < wanted:
-        chosen = sorted(found)
+        chosen = sorted(index for index in found if index <= last)
         widest = sorted(itertools.pairwise(chosen), key=lambda p: path[p[0]] - path[p[1]])
         for left, right in widest:
             if right - left > 1:

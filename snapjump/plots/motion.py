@@ -24,7 +24,7 @@ class Motion:
     corner_x: Array | None  # (K, 4): left foot, left top, right top, right foot
     corner_y: Array | None
     centre: Array | None  # (K, 2) centre of mass
-    velocity: Array | None  # (2,) of the centre of mass at the last sample, L/ms
+    velocity: Array | None  # (2,) of the centre of mass at the last sample, L/ms, if it flies
     gravity: float  # L/ms^2
     turning: float  # rad/ms of the frame in flight
     pad_x: Array  # (K, P) where the ground pushes: centre of pressure of the beam, then corners
@@ -72,7 +72,7 @@ def read_motion(result: Any) -> Motion | None:
     centre = velocity = None
     if "com_x_m" in data and "com_y_m" in data:
         centre = np.stack([data["com_x_m"], data["com_y_m"]], axis=1) / length
-    if "com_vx_m_s" in data and "com_vy_m_s" in data:
+    if result.status == "ok" and "com_vx_m_s" in data and "com_vy_m_s" in data:
         velocity = np.array([data["com_vx_m_s"][-1], data["com_vy_m_s"][-1]]) / length * 1e-3
     corner_x = corner_y = None
     turning = 0.0

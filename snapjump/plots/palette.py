@@ -13,6 +13,7 @@ FRAME = "#4b5563"
 CLAMP = "#e69f00"
 FORCE = "#d55e00"
 CENTRE = "#009e73"
+PLUM = "#7b3294"
 VIOLET = "#cc79a7"
 SKY = "#56b4e9"
 

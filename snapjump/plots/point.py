@@ -19,11 +19,15 @@ def point_picture(
     for label, column in (("x / L", x), ("height y / L", y)):
         if np.ptp(column) > 1e-9:
             rows.append((label, [(column, palette.BEAM, "")]))
-    if motion.count > 2:
-        speeds = [
-            (np.gradient(column * motion.length_m, 1e-3 * motion.time), colour, name)
-            for column, colour, name in ((x, palette.CLAMP, "along"), (y, palette.CENTRE, "up"))
-        ]
+    speeds = [
+        (np.asarray(arrays[name]).reshape(-1), colour, label)
+        for name, colour, label in (
+            ("node_vx_m_s", palette.CLAMP, "along"),
+            ("node_vy_m_s", palette.CENTRE, "up"),
+        )
+        if np.size(arrays.get(name, ())) == motion.count and np.any(arrays[name])
+    ]
+    if speeds:
         rows.append(("speed (m/s)", speeds))
     forces = [
         (np.asarray(arrays[name]).reshape(-1), colour, label)
@@ -31,7 +35,7 @@ def point_picture(
             ("node_normal_N", palette.FORCE, "normal"),
             ("node_friction_N", palette.VIOLET, "friction"),
         )
-        if np.size(arrays.get(name, ())) == motion.count
+        if np.size(arrays.get(name, ())) == motion.count and np.any(arrays[name])
     ]
     if forces:
         rows.append(("force (N)", forces))
@@ -45,8 +49,8 @@ def point_picture(
             axes.set_ylabel(label)
             axes.grid(True)
             axes.set_xlim(motion.time[0], max(motion.time[-1], motion.time[0] + 1e-9))
-            if len(curves) > 1:
-                axes.legend(loc="upper right")
+            if curves[0][2]:
+                axes.legend(loc="best")
             if place < len(rows) - 1:
                 axes.tick_params(labelbottom=False)
         axes.set_xlabel("time from the start (ms)")

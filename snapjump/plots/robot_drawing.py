@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from snapjump.plots import palette
-from snapjump.plots.motion import Array
+from snapjump.plots.motion import Array, Motion
 
 
 def draw_ground(axes: Any, levels: tuple[float, float], left: float, right: float) -> None:
@@ -63,12 +63,22 @@ def draw_robot(
         )
 
 
-def draw_forces(axes: Any, foot: tuple[Array, Array], force: Array, scale: float) -> None:
-    """Arrows that end at `foot`, x and y (P,): forces (P, 2), `scale` in L per unit of force."""
-    seen = scale * np.hypot(force[:, 0], force[:, 1]) > 0.02
+def arrows(motion: Motion, sample: int) -> Array:
+    """Forces of the ground (P, 2) as arrows; their lengths go as the root, the largest push's is 1.
+
+    A strike pushes some hundred times harder than the robot's weight: the root shows both.
+    """
+    force = motion.pad_force[sample]
+    size = np.hypot(force[:, 0], force[:, 1])[:, None]
+    return force / np.sqrt(np.maximum(size, 1e-12) * max(float(motion.push.max()), 1e-12))
+
+
+def draw_forces(axes: Any, foot: tuple[Array, Array], vector: Array) -> None:
+    """Arrows (P, 2) in L that end at `foot`, x and y (P,)."""
+    seen = np.hypot(vector[:, 0], vector[:, 1]) > 5e-3
     if not seen.any():
         return
-    vector = scale * force[seen]
+    vector = vector[seen]
     axes.quiver(
         foot[0][seen] - vector[:, 0],
         foot[1][seen] - vector[:, 1],

@@ -6,7 +6,7 @@ import numpy as np
 
 from snapjump.plots import palette
 from snapjump.plots.filmstrip import draw_filmstrip
-from snapjump.plots.moments import middle_height
+from snapjump.plots.moments import middle_height, settled, snap_interval
 from snapjump.plots.motion import Array, Motion
 from snapjump.plots.saving import picture
 
@@ -19,6 +19,15 @@ def middle_angle(motion: Motion) -> Array:
         right = middle  # an odd number of elements: the middle one
     rise = motion.node_y[:, right] - motion.node_y[:, left]
     return np.arctan2(rise, motion.node_x[:, right] - motion.node_x[:, left])
+
+
+def _close_up(motion: Motion) -> tuple[float, float]:
+    """From a little before the snap until the beam has come to rest (ms); else the whole run."""
+    snap = snap_interval(motion)
+    if snap is None:
+        return 0.0, max(float(motion.time[-1]), 1e-9)
+    begin, end = float(motion.time[snap[0]]), float(motion.time[settled(motion)])
+    return max(begin - 0.3 * (end - begin), 0.0), max(end, begin + 1e-9)
 
 
 def snap_picture(motion: Motion, headline: str, path: pathlib.Path) -> pathlib.Path:
@@ -35,7 +44,7 @@ def snap_picture(motion: Motion, headline: str, path: pathlib.Path) -> pathlib.P
             axes.set_title(label, loc="left")
             axes.grid(True)
             axes.axhline(0.0, color=palette.QUIET, lw=0.8, zorder=1)
-            axes.set_xlim(0.0, max(float(motion.time[-1]), 1e-9))
+            axes.set_xlim(*_close_up(motion))
             if place == 1:
                 axes.set_xlabel("time from the start (ms)")
     return path

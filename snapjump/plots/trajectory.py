@@ -8,7 +8,7 @@ from snapjump.plots import palette
 from snapjump.plots.motion import Motion, Poses, poses
 from snapjump.plots.robot_drawing import draw_ground, draw_robot
 
-SILHOUETTES = 7
+SPACING, MOST = 1.3, 7  # of the silhouettes: least distance in L, greatest number
 
 
 def flight_end(motion: Motion, apex_ms: float | None) -> float:
@@ -43,31 +43,27 @@ def draw_trajectory(
     flies = end > motion.time[-1]
     axes.plot(
         *flight.centre.T, ls=(0, (4, 2.5)), lw=1.6, color=palette.CENTRE, alpha=0.75, zorder=7,
-        label="ballistic flight" if flies else None,
+        label="centre of mass, in ballistic flight" if flies else None,
     )  # fmt: skip
-    axes.plot(*motion.centre.T, lw=2.8, color=palette.CENTRE, zorder=8, label="simulated")
+    axes.plot(
+        *motion.centre.T, lw=2.8, color=palette.CENTRE, zorder=8, label="centre of mass, simulated"
+    )
     if apex is not None:
         _mark_apex(axes, apex, motion.length_m)
     axes.set(xlabel="x / L", ylabel="y / L", aspect="equal")
     axes.grid(True)
-    axes.set_title(
-        "centre of mass, from start to apex" if flies else "centre of mass", loc="left", pad=6
-    )
-    if flies:
-        side, room = ("right", 1.0) if top[0] >= motion.centre[0, 0] else ("left", 0.0)
-        low, high = axes.get_ylim()
-        place = {"loc": f"lower {side}", "bbox_to_anchor": (room, -low / (high - low))}
-    else:
-        place = {"loc": "upper right"}
-    axes.legend(handlelength=1.8, borderaxespad=0.3, **place)
+    axes.legend(
+        loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.2, borderpad=0.0,
+        handlelength=2.2, labelspacing=0.25,
+    )  # fmt: skip
 
 
 def _silhouettes(motion: Motion, end: float) -> Poses:
-    """The robot at the start and at instants evenly spread in height up to the apex."""
+    """The robot at the start and at instants evenly spread in height, so that none overlap."""
     last = float(motion.time[-1])
-    part = np.linspace(0.0, 1.0, SILHOUETTES)
-    rise = 1.0 - np.sqrt(1.0 - part)  # evenly in height when slowed by gravity
-    times = last + rise * (end - last)
+    rise = 0.5 * motion.gravity * (end - last) ** 2
+    part = np.linspace(0.0, 1.0, int(np.clip(rise / SPACING, 1, MOST)) + 1)
+    times = last + (1.0 - np.sqrt(1.0 - part)) * (end - last)  # slowed by gravity
     return poses(motion, np.concatenate([[0.0], times[1:] if end > last else [last]]))
 
 
@@ -77,7 +73,7 @@ def _limits(axes: Any, shown: Poses, top: Any) -> None:
     if shown.corner_x is not None and shown.corner_y is not None:
         x, y = np.hstack([x, shown.corner_x]), np.hstack([y, shown.corner_y])
     low_x, high_x = min(x.min(), top[0]), max(x.max(), top[0])
-    high_y = max(y.max(), top[1], 1.0)
+    high_y = max(y.max(), top[1], 2.0)
     margin = 0.06 * max(high_y, high_x - low_x) + 0.1
     box = axes.get_window_extent()
     aspect = box.width / box.height
@@ -97,7 +93,7 @@ def _mark_apex(axes: Any, apex: tuple[float, float], length_m: float) -> None:
     axes.annotate(
         f"apex ({apex[0]:.2f}, {apex[1]:.2f}) L\n({apex[0] * size:.1f}, {apex[1] * size:.1f}) mm",
         apex,
-        xytext=(-24 if roomy_left else 24, 0),
+        xytext=(-16 if roomy_left else 16, 0),
         textcoords="offset points",
         ha="right" if roomy_left else "left",
         va="center",

@@ -9,17 +9,17 @@ from snapjump.number.dispatch import family_function
 
 
 @family_function
-def record_start(recorder: Any, work: Any) -> None:
+def record_start(recorder: Any, model: Any, masses: Any, work: Any) -> None:
     """Called once before the first step."""
 
 
 @family_function
-def tally_stage(
-    recorder: Any, model: Any, masses: Any, motion: Any, tableau: Any, work: Any
+def record_stage(
+    recorder: Any, model: Any, masses: Any, motion: Any, tableau: Any, work: Any, converged: Any
 ) -> None:
-    """Called when a stage has converged, before the clock's stage moves on."""
+    """Called when stages have converged, before the clock's stage moves on."""
 
 
 @family_function
 def record_step(recorder: Any, work: Any) -> None:
-    """Called when a step has been judged; its error has been committed if it stands."""
+    """Called when a step has been judged and, if it stands, committed."""

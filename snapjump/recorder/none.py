@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.recorder.base import record_start, record_step, tally_stage
+from snapjump.recorder.base import record_stage, record_start, record_step
 
 
 class NoRecorder(NamedTuple):
@@ -10,13 +10,19 @@ class NoRecorder(NamedTuple):
 
 
 @record_start.member(NoRecorder)
-def _record_start(recorder: NoRecorder, work: Any) -> None:
+def _record_start(recorder: NoRecorder, model: Any, masses: Any, work: Any) -> None:
     pass
 
 
-@tally_stage.member(NoRecorder)
-def _tally_stage(
-    recorder: NoRecorder, model: Any, masses: Any, motion: Any, tableau: Any, work: Any
+@record_stage.member(NoRecorder)
+def _record_stage(
+    recorder: NoRecorder,
+    model: Any,
+    masses: Any,
+    motion: Any,
+    tableau: Any,
+    work: Any,
+    converged: Any,
 ) -> None:
     pass
 

@@ -17,10 +17,10 @@ from snapjump.stepping.base import (
     step_after_failure,
 )
 
-SAFETY = 0.9
-GROWTH = 2.0
+SAFETY = 0.8
+GROWTH = 1.5
 SHRINKAGE = 0.2
-OVERSHOOT = 2.0
+OVERSHOOT = 4.0
 
 
 class AdaptiveStep(NamedTuple):

@@ -2,11 +2,17 @@
 
 import os
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from snapjump.checks import ParameterError
 from snapjump.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_ERROR, EXIT_INTERRUPTED
+
+FLAGS = frozenset(
+    "-m --multirun -r --run -c --cfg -p --package --resolve -i --info -cd --config-dir "
+    "-cn --config-name -cp --config-path -sc --shell-completion --hydra-help --version".split()
+)
 
 # Hydra drops what a job returns; a job in this process leaves its exit code here.
 _exit_codes: list[int] = []
@@ -20,6 +26,7 @@ def main(conf: Path) -> int:
         print(help_page(conf))
         return 0
     try:
+        check_flags(sys.argv[1:])
         return _run_hydra(conf)
     except ParameterError as error:
         print(error, file=sys.stderr)
@@ -27,6 +34,13 @@ def main(conf: Path) -> int:
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         return EXIT_INTERRUPTED
+
+
+def check_flags(arguments: Sequence[str]) -> None:
+    """Raise ParameterError for a flag that is not Hydra's."""
+    for argument in arguments:
+        if argument.startswith("-") and argument.partition("=")[0] not in FLAGS:
+            raise ParameterError("command line", argument, "a flag that --help lists")
 
 
 def _run_hydra(conf: Path) -> int:

@@ -13,7 +13,7 @@ from snapjump.files.atomic import write_text
 from snapjump.files.json_file import finite
 from snapjump.files.provenance import now, provenance
 from snapjump.files.result_folder import ResultFolder
-from snapjump.tasks.base import BAD_INPUT, ERROR, INTERRUPTED, NOT_FINITE, Outcome, Task
+from snapjump.tasks.base import BAD_INPUT, ERROR, INTERRUPTED, NOT_FINITE, OK, Outcome, Task
 from snapjump.tasks.registry import find_task
 from snapjump.terminal.progress import ProgressBar
 
@@ -79,13 +79,15 @@ def write_outcome(
     """Write what every job leaves; ``result.json`` last. Takes NaN out of the outcome."""
     summary, not_finite = finite(outcome.summary)
     outcome.summary = summary
-    if not_finite and outcome.finished:
+    # A robot that does not jump has no lift-off; one that does has every number.
+    if not_finite and outcome.status == OK:
         outcome.status = NOT_FINITE
         outcome.message = "not a finite number: " + ", ".join(not_finite)
     folder.write_config(config)
     folder.write_provenance(provenance(command, config["seed"], started_at))
     message = {"message": outcome.message} if outcome.message else {}
-    folder.write_result({"status": outcome.status, **message, **outcome.summary})
+    summary = {key: value for key, value in outcome.summary.items() if key != "status"}
+    folder.write_result({"status": outcome.status, **message, **summary})
 
 
 def check_run(config: Mapping[str, Any]) -> None:

@@ -1,8 +1,10 @@
 """``task=simulate``: one simulation of one scene, with its trajectory and its figures."""
 
 from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
 from typing import TYPE_CHECKING, Any
 
+from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
 from snapjump.tasks.base import NOT_FINITE, OK, Outcome, Progress
 
@@ -21,11 +23,12 @@ class Simulate:
         self._simulation: Simulation | None = None
 
     def prepare(self, config: Mapping[str, Any]) -> None:
-        """Build the simulation, which checks every parameter."""
+        """Build the simulation, which checks every value; then that none was left out."""
         from snapjump.simulation import build
 
         self._config = config
         self._simulation = build(config)
+        check_complete(config, self._simulation)
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         """Simulate, and leave the trajectory and the figures."""
@@ -48,6 +51,17 @@ class Simulate:
         from snapjump.terminal.scene_report import scene_report
 
         return scene_report(self._config, outcome.summary)
+
+
+def check_complete(config: Mapping[str, Any], simulation: object) -> None:
+    """Raise ParameterError for a key that was deleted: config.yaml tells everything."""
+    for group, values in config.items():
+        options = getattr(simulation, group, None)
+        for field in fields(options) if is_dataclass(options) else ():
+            if field.name not in values:
+                raise ParameterError(
+                    f"{group}.{field.name}", None, "a value, which cannot be left out"
+                )
 
 
 def _draw(result: "Result", folder: ResultFolder, progress: Progress) -> None:

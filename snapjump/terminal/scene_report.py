@@ -6,7 +6,14 @@ from typing import Any
 from snapjump.terminal.block import number
 
 # Shown in lines of their own.
-COST = ("steps", "newton_iterations", "kernel_seconds", "wall_seconds")
+ELSEWHERE = (
+    "status",
+    "accuracy",
+    "steps",
+    "newton_iterations",
+    "kernel_seconds",
+    "wall_seconds",
+)
 
 
 def scene_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list[tuple[str, str]]:
@@ -59,7 +66,7 @@ def _title(config: Mapping[str, Any]) -> str:
 
 
 def _results(summary: Mapping[str, Any]) -> list[tuple[str, str]]:
-    return [(key, number(value)) for key, value in summary.items() if key not in COST]
+    return [(key, number(value)) for key, value in summary.items() if key not in ELSEWHERE]
 
 
 def _cost(summary: Mapping[str, Any]) -> str:
@@ -67,7 +74,7 @@ def _cost(summary: Mapping[str, Any]) -> str:
         "steps": "{} steps",
         "newton_iterations": "{} Newton iterations",
         "kernel_seconds": "{:.3g} s in kernels",
-        "wall_seconds": "{:.3g} s in all",
+        "wall_seconds": "{:.3g} s wall",
     }
     return ", ".join(
         text.format(summary[key]) for key, text in texts.items() if summary.get(key) is not None

@@ -1,4 +1,4 @@
-"""Branches: solid where stable, dashed where not, parted at NaN."""
+"""Branches: solid where stable, dashed where not, parted where another begins."""
 
 import pathlib
 from typing import Any
@@ -10,12 +10,11 @@ from snapjump.plots import figures
 from snapjump.plots.branches import stable_runs
 
 
-def test_runs_part_at_nan_and_join_at_a_change_of_stability() -> None:
-    nan = np.nan
-    alpha = np.array([0.0, 0.1, 0.2, 0.3, nan, 0.0, 0.1, nan, nan])
-    negative = np.array([0, 0, 1, 1, 0, 0, 0, 0, 0])
-    runs = [(run.start, run.stop, stable) for run, stable in stable_runs(alpha, negative)]
-    assert runs == [(0, 3, True), (2, 4, False), (5, 7, True)]
+def test_runs_part_at_another_branch_and_join_at_a_change_of_stability() -> None:
+    number = np.array([0, 0, 0, 0, 1, 1, 1])
+    negative = np.array([0, 0, 1, 1, 0, 0, 0])
+    runs = [(run.start, run.stop, stable) for run, stable in stable_runs(number, negative)]
+    assert runs == [(0, 3, True), (2, 4, False), (4, 7, True)]
     assert list(stable_runs(np.array([]), np.array([]))) == []
 
 
@@ -23,10 +22,11 @@ def test_static_and_cantilever(jump: Any, tmp_path: pathlib.Path) -> None:
     alpha = np.linspace(0.0, 1.2, 60)
     arch = 0.28 - 0.05 * alpha**2
     arrays = {
-        "branch_alpha_rad": np.concatenate([alpha, [np.nan], alpha]),
-        "branch_midpoint_bar": np.concatenate([arch, [np.nan], -0.3 - 0.05 * alpha]),
-        "branch_energy_bar": np.concatenate([5.0 + 3.0 * alpha, [np.nan], 9.0 - 3.0 * alpha]),
-        "branch_negative_pivots": np.concatenate([alpha > 0.9, [0], 0 * alpha]),
+        "branch_alpha_rad": np.concatenate([alpha, alpha]),
+        "branch_midpoint_bar": np.concatenate([arch, -0.3 - 0.05 * alpha]),
+        "branch_energy_bar": np.concatenate([5.0 + 3.0 * alpha, 9.0 - 3.0 * alpha]),
+        "branch_negative_pivots": np.concatenate([alpha > 0.9, 0 * alpha]),
+        "branch_number": np.repeat([0, 1], len(alpha)),
     }
     x = np.linspace(-0.4, 0.4, 50)
     arrays["shapes_x_bar"] = np.stack([x, x])

@@ -98,6 +98,7 @@ def test_one_node_is_drawn_against_time(scene: str, jump: Any, tmp_path: pathlib
     column = np.abs(np.sin(3e3 * time))[:, None]
     arrays = {"time_s": time, "node_x_m": 0.01 * time[:, None], "node_y_m": 0.01 * column}
     arrays |= {"node_normal_N": 1.0 - column, "node_friction_N": 0.3 * column}
+    arrays |= {"node_vx_m_s": 1.0 + 0.0 * column, "node_vy_m_s": column}
     arrays |= {"kinetic_J": column[:, 0], "contact_J": 1.0 - column[:, 0]}
     simulation = SimpleNamespace(**vars(jump.simulation))
     simulation.scene_name = scene

@@ -1,10 +1,12 @@
 """Instants, interpolation and the ballistic flight that the pictures show."""
 
+import copy
 from typing import Any
 
 import numpy as np
 import pytest
 
+from snapjump.plots.jump import apex_of
 from snapjump.plots.moments import middle_height, moments, snap_interval
 from snapjump.plots.motion import poses, read_motion
 from snapjump.plots.trajectory import flight_end
@@ -57,6 +59,17 @@ def test_moments_are_named_in_order_and_eight(jump: Any) -> None:
     chosen = moments(motion, 6.0)
     assert len(chosen) == 8
     assert [index for index, _ in chosen] == sorted({index for index, _ in chosen})
-    wanted = ["start", "snap begins", "at clamp level", "beam strikes", "hardest push", "lift-off"]
+    wanted = ["start", "snap begins", "beam touches", "hardest push", "lift-off"]
     assert [name for _, name in chosen if name] == [*wanted, "in flight"]
     assert len(moments(motion, None, wanted=3)) >= 3
+
+
+def test_only_what_jumped_flies(jump: Any) -> None:
+    fallen = copy.copy(jump)
+    fallen.status = "no_jump"
+    motion = read_motion(fallen)
+    assert motion is not None
+    assert flight_end(motion, None) == motion.time[-1]
+    assert apex_of(fallen) is None and apex_of(jump) is not None
+    late = poses(motion, motion.time[-1] + np.array([0.0, 5.0]))
+    assert late.node_y[1] == pytest.approx(late.node_y[0])

@@ -14,6 +14,7 @@ from snapjump.files.result_folder import ResultFolder
 from snapjump.tasks import registry
 from snapjump.tasks.base import Outcome
 from snapjump.tasks.execute import SECTIONS, execute
+from snapjump.terminal.progress import ProgressBar
 
 CONFIG: dict[str, Any] = {
     **{key: {} for key in SECTIONS},
@@ -45,7 +46,7 @@ def stand_in(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def run(monkeypatch: pytest.MonkeyPatch, path: Path, action: Any) -> tuple[Outcome, dict[str, Any]]:
     monkeypatch.setattr(StandIn, "run", lambda self, folder, progress: action(folder))
-    outcome, _ = execute(CONFIG, ResultFolder(path), "python run.py")
+    outcome, _ = execute(CONFIG, ResultFolder(path), "python run.py", ProgressBar())
     return outcome, json.loads((path / "result.json").read_text())
 
 
@@ -106,7 +107,9 @@ def test_a_defect_leaves_its_traceback(tmp_path: Path, monkeypatch: pytest.Monke
 def test_bad_input_is_one_line_and_leaves_nothing(
     tmp_path: Path, change: dict[str, Any], key: str
 ) -> None:
-    outcome, _ = execute({**CONFIG, **change}, ResultFolder(tmp_path), "python run.py")
+    outcome, _ = execute(
+        {**CONFIG, **change}, ResultFolder(tmp_path), "python run.py", ProgressBar()
+    )
     assert outcome.status == "bad_input"
     assert outcome.message.startswith(f"{key} = ") and "\n" not in outcome.message
     assert not list(tmp_path.iterdir())

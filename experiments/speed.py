@@ -1,0 +1,84 @@
+"""What a jump costs: ``python -m experiments.speed`` prints one JSON object.
+
+Times are those of one core with compiled kernels. ``ms_per_jump_core`` is the median over the
+designs of a design's share (by Newton iterations) of the batch's kernel time, starts, refilling
+and idle lanes included; ``jumps_per_second_core`` is the plain throughput of the same batch.
+"""
+
+import argparse
+import json
+import statistics
+import sys
+from dataclasses import replace
+
+import numpy as np
+
+from experiments.designs import spread_designs
+from snapjump.accuracy import TIERS
+from snapjump.batch import Batch, simulate_batch, variants
+from snapjump.composition import Simulation, with_tier
+from snapjump.simulation import simulate
+
+LANES = 8
+NODES = (56, 112, 224, 448)
+
+
+def costs(base: Simulation, count: int, lanes: int, repeats: int) -> tuple[Batch, float]:
+    """The batch whose kernel time is the median of several, and its microseconds an iteration."""
+    simulations = variants(base, spread_designs(count))
+    simulate_batch(simulations[:1], lanes)
+    batches = sorted(
+        (simulate_batch(simulations, lanes) for _ in range(repeats)),
+        key=lambda b: b.kernel_seconds,
+    )
+    batch = batches[len(batches) // 2]
+    return batch, 1e6 * batch.kernel_seconds / float(np.sum(batch.newton_iterations))
+
+
+def tier_costs(name: str, count: int, repeats: int) -> dict[str, float]:
+    """The figures of one tier at eight lanes."""
+    batch, microseconds = costs(with_tier(name), count, LANES, repeats)
+    iterations = float(np.median(batch.newton_iterations))
+    return {
+        "ms_per_jump_core": round(1e-3 * iterations * microseconds, 4),
+        "jumps_per_second_core": round(count / batch.kernel_seconds, 2),
+        "newton_iterations": iterations,
+        "us_per_newton_iteration": round(microseconds, 4),
+        "failed": sum(s not in ("ok", "no_jump") for s in batch.status),
+    }
+
+
+def node_slope(count: int) -> float:
+    """Exponent with which the time of a Newton iteration grows with the number of elements."""
+    base = with_tier("draft")
+    times = []
+    for elements in NODES:
+        finer = replace(base, discretization=replace(base.discretization, elements=elements))
+        times.append(costs(finer, count, LANES, 1)[1])
+    return float(np.polyfit(np.log(NODES), np.log(times), 1)[0])
+
+
+def main() -> None:
+    """Measure and print."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--designs", type=int, default=64)
+    parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--tiers", nargs="*", default=list(TIERS), choices=list(TIERS))
+    arguments = parser.parse_args()
+    report: dict[str, object] = {}
+    for name in arguments.tiers:
+        print(f"measuring {name} ...", file=sys.stderr)
+        report[name] = tier_costs(name, arguments.designs, arguments.repeats)
+    standard = with_tier("standard")
+    lanes = [costs(standard, 32, LANES, 1)[1] for _ in range(3)]
+    scalar = [costs(standard, 8, 1, 1)[1] for _ in range(3)]
+    report["lanes_over_scalar"] = round(statistics.median(scalar) / statistics.median(lanes), 3)
+    simulate(standard)
+    single = [simulate(standard).summary["kernel_seconds"] for _ in range(5)]
+    report["single_jump_kernel_seconds"] = round(statistics.median(single), 4)
+    report["time_per_iteration_over_elements_slope"] = round(node_slope(32), 3)
+    print(json.dumps(report, indent=2))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,79 @@
+"""Many jumps of one composition side by side in the lanes of SIMD instructions."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.composition import Simulation
+from snapjump.ending.flight import FlightEnding
+from snapjump.engine import clock as c
+from snapjump.engine.status import NAMES, NO_JUMP, OK
+from snapjump.parameters.design import Design
+from snapjump.parameters.environment import Environment
+from snapjump.scenes.jump_start import jump_model, resting_guess
+from snapjump.scenes.runner import March
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Batch:
+    """Outcomes of R jumps.
+
+    x_bar, y_bar (R): apex in L, NaN for failures; status (R): names; newton_iterations, steps
+    (R); kernel_seconds: for all of them.
+    """
+
+    x_bar: Array
+    y_bar: Array
+    status: list[str]
+    newton_iterations: Array
+    steps: Array
+    kernel_seconds: float
+
+
+def variants(
+    base: Simulation, designs: Sequence[tuple[float, float, float, float]]
+) -> list[Simulation]:
+    """The simulation with other (delta_alpha, epsilon, mass_bar, mu), in this order."""
+    return [
+        replace(
+            base,
+            design=Design(epsilon=epsilon, delta_alpha=delta_alpha),
+            environment=Environment(mu=mu, mass_bar=mass_bar),
+        )
+        for delta_alpha, epsilon, mass_bar, mu in designs
+    ]
+
+
+def simulate_batch(simulations: Sequence[Simulation], lanes: int = 8) -> Batch:
+    """Simulate jumps that differ in design and environment only, ``lanes`` at a time."""
+    base = simulations[0]
+    models = [jump_model(s) for s in simulations]
+    states = np.array([resting_guess(s, m) for s, m in zip(simulations, models, strict=True)])
+    march = March(
+        models=models,
+        masses=base.discretization.masses(),
+        states=states,
+        simulation=base,
+        ending=FlightEnding(base.sim.time_limit_s / base.robot.scales.time_s),
+        lanes=lanes,
+    )
+    march.find_starts()
+    outcome = march.run()
+    status = outcome[:, c.STATUS].astype(int)
+    fall = np.array([m.load.acceleration for m in models])
+    rise = np.where(status == OK, np.maximum(outcome[:, c.COM_VY], 0.0), 0.0)
+    known = np.isin(status, (OK, NO_JUMP))
+    x = outcome[:, c.COM_X] + outcome[:, c.COM_VX] * rise / fall
+    y = outcome[:, c.COM_Y] + 0.5 * rise**2 / fall
+    return Batch(
+        x_bar=np.where(known, x, np.nan),
+        y_bar=np.where(known, y, np.nan),
+        status=[NAMES[k] for k in status],
+        newton_iterations=outcome[:, c.ITERATIONS],
+        steps=outcome[:, c.STEPS],
+        kernel_seconds=march.kernel_seconds,
+    )

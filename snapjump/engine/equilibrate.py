@@ -1,0 +1,29 @@
+"""One equilibrium, with its tangent matrix left in memory: the entry for statics from Python."""
+
+from typing import Any
+
+from numba import njit
+
+from snapjump.engine.assemble import Motion, assemble
+from snapjump.engine.equilibrium import settle
+from snapjump.engine.model import with_numbers
+from snapjump.engine.view import view_work
+
+
+@njit(cache=True, error_model="numpy")
+def equilibrate(template: Any, numbers: Any, masses: Any, memory: Any, iterate: bool) -> Any:
+    """Settle the state in ``memory`` at time 0, or only assemble there if not ``iterate``.
+
+    Afterwards ``memory.system`` holds residual and tangent (width 1). Returns the number of
+    negative pivots at the last iteration and whether Newton's method failed.
+    """
+    work = view_work(memory, (0,))
+    for k in range(numbers.shape[0]):
+        work.numbers[k] = numbers[k]
+    model = with_numbers(template, work.numbers)
+    negative = 0.0
+    failed = False
+    if iterate:
+        negative, failed = settle(model, masses, work, 0.0)
+    assemble(model, Motion(0.0, 0.0, 0.0), masses, work)
+    return negative, failed

@@ -1,0 +1,80 @@
+"""Powers of friction, damping and clamps at a stage: what the energy ledger adds up."""
+
+from typing import Any
+
+from snapjump.clamp.base import clamp_angles
+from snapjump.contact.base import contact_force, contact_reach, contact_weights, has_contact
+from snapjump.damping.base import mass_damping
+from snapjump.discretization.base import chain_powers, clamp_offset, has_elements
+from snapjump.frame.base import corner_point, end_tangents, frame_dofs, frame_mass
+from snapjump.friction.base import has_friction, is_lagged, slip
+from snapjump.number.dispatch import kernel, routine
+from snapjump.number.functions import where
+
+
+@kernel
+def sliding_force(model: Any, gap: Any, velocity: Any, weight: Any) -> Any:
+    """Friction force (EI/L^2) of a point at a gap (L) that slides with a velocity (L/T)."""
+    reach = contact_reach(model.contact)
+    near = gap < reach
+    normal, _ = contact_force(model.contact, where(near, gap, reach))
+    ratio, _ = slip(model.friction, velocity, 0.0 * velocity)
+    return ratio * normal * weight
+
+
+@routine
+def friction_power(model: Any, masses: Any, work: Any, state: Any, velocity: Any) -> Any:
+    """Power that friction takes out (EI/(L T)); lagged laws use the step's beginning."""
+    offset = frame_dofs(model.frame)
+    by_node, by_corner = contact_weights(model.contact)
+    lagged = is_lagged(model.friction)
+    power = 0.0 * state[0]
+    for node in range(masses.shape[0]):
+        if masses[node] > 0.0:
+            i = 2 * node + offset
+            gap = work.start[i + 1] if lagged else state[i + 1]
+            speed = work.velocity[0, i] if lagged else velocity[i]
+            power = power + sliding_force(model, gap, speed, by_node) * velocity[i]
+    if offset > 0:
+        for corner in range(4):
+            _, gap, speed = corner_point(model.frame, corner, state, velocity)
+            force_gap = gap
+            force_speed = speed
+            if lagged:
+                _, force_gap, force_speed = corner_point(
+                    model.frame, corner, work.start, work.velocity[0]
+                )
+            power = power + sliding_force(model, force_gap, force_speed, by_corner) * speed
+    return power
+
+
+@routine
+def powers(model: Any, masses: Any, work: Any, time: Any, state: Any, velocity: Any) -> Any:
+    """Losses by friction and by damping, and the power that the clamps put in (EI/(L T))."""
+    offset = frame_dofs(model.frame)
+    friction = 0.0 * state[0]
+    damping = 0.0 * state[0]
+    clamps = 0.0 * state[0]
+    if has_contact(model.contact) and has_friction(model.friction):
+        friction = friction_power(model, masses, work, state, velocity)
+    drag = mass_damping(model.damping)
+    for node in range(masses.shape[0]):
+        i = 2 * node + offset
+        speed_squared = velocity[i] * velocity[i] + velocity[i + 1] * velocity[i + 1]
+        damping = damping + drag * masses[node] * speed_squared
+    for k in range(offset):
+        damping = damping + drag * frame_mass(model.frame, k) * velocity[k] * velocity[k]
+    if has_elements(model.discretization):
+        angles = clamp_angles(model.clamp, time)
+        turn_rate = velocity[2] if offset > 0 else 0.0 * state[0]
+        tangents = end_tangents(model.frame, model.load, angles, state, turn_rate)
+        chain = chain_powers(
+            model.discretization, model.damping, state[offset:], velocity[offset:], tangents
+        )
+        damping = damping + chain.dissipation
+        shift = clamp_offset(model.discretization)
+        left_pull = chain.left_x * tangents.left_y - chain.left_y * tangents.left_x
+        right_pull = chain.right_x * tangents.right_y - chain.right_y * tangents.right_x
+        clamps = (chain.left_moment + shift * left_pull) * angles.left_rate
+        clamps = clamps + (chain.right_moment + shift * right_pull) * angles.right_rate
+    return friction, damping, clamps

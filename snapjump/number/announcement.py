@@ -1,0 +1,32 @@
+"""Telling the user when kernels are compiled: once after installation, and it takes a while."""
+
+import sys
+import threading
+from typing import Any
+
+TYPICAL_SECONDS = 25
+PATIENCE_SECONDS = 2.0  # longer than loading a compiled kernel from disk takes
+
+
+def load(kernel: Any, *args: Any) -> None:
+    """Call a numba function, announcing on stderr that it is being compiled if that takes time.
+
+    Meant for a first call that does no work, so that compilation is not timed as simulation.
+    """
+    before = len(kernel.signatures)
+
+    def announce() -> None:
+        if len(kernel.signatures) == before:
+            print(
+                f"compiling kernels, once, about {TYPICAL_SECONDS} s ...",
+                file=sys.stderr,
+                flush=True,
+            )
+
+    timer = threading.Timer(PATIENCE_SECONDS, announce)
+    timer.daemon = True
+    timer.start()
+    try:
+        kernel(*args)
+    finally:
+        timer.cancel()

@@ -1,0 +1,133 @@
+"""The trajectory of one robot, with its energy ledger.
+
+The works of friction, damping and clamps are integrated by the quadrature of the integrator
+itself, stage by stage, so that what they leave unexplained is the integrator's own dissipation.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.engine.assemble import assemble
+from snapjump.engine.clock import LARGEST_RESIDUAL, STAGE, STEP, TIME
+from snapjump.engine.powers import powers
+from snapjump.frame.base import frame_dofs
+from snapjump.number.dispatch import kernel
+from snapjump.number.functions import absolute, any_true, maximum
+from snapjump.recorder.base import record_stage, record_start, record_step
+
+LEDGER = 3  # works of friction, damping, clamps
+
+
+class TrajectoryRecorder(NamedTuple):
+    """Samples, at most S of them, and the ledger between them.
+
+    interval (1): least time between samples (T); filled (1): samples so far; times (S); states,
+    velocities (S, D); works (S, 3): of friction, damping and clamps since the beginning (EI/L);
+    totals, pending, begun, ended (3): works committed and of the step under way, powers at its
+    beginning and end; clock (1): time up to which works are committed.
+    """
+
+    interval: NDArray[np.float64]
+    filled: NDArray[np.int64]
+    times: NDArray[np.float64]
+    states: NDArray[np.float64]
+    velocities: NDArray[np.float64]
+    works: NDArray[np.float64]
+    totals: NDArray[np.float64]
+    pending: NDArray[np.float64]
+    begun: NDArray[np.float64]
+    ended: NDArray[np.float64]
+    clock: NDArray[np.float64]
+
+
+def make_recorder(size: int, duration: float, interval: float) -> TrajectoryRecorder:
+    """A recorder for D = ``size`` coordinates, a duration and an interval of samples (T)."""
+    samples = int(duration / interval) + 16
+    return TrajectoryRecorder(
+        interval=np.array([interval]),
+        filled=np.zeros(1, dtype=np.int64),
+        times=np.empty(samples),
+        states=np.empty((samples, size)),
+        velocities=np.empty((samples, size)),
+        works=np.empty((samples, LEDGER)),
+        totals=np.zeros(LEDGER),
+        pending=np.zeros(LEDGER),
+        begun=np.zeros(LEDGER),
+        ended=np.zeros(LEDGER),
+        clock=np.zeros(1),
+    )
+
+
+@kernel
+def largest_entry(values: Any, largest: Any) -> Any:
+    """The largest absolute value, or ``largest`` if that is larger."""
+    for i in range(values.shape[0]):
+        largest = maximum(largest, absolute(values[i]))
+    return largest
+
+
+@kernel
+def keep_sample(recorder: Any, work: Any) -> None:
+    """Copy the state at the step's beginning into the next sample."""
+    k = recorder.filled[0]
+    recorder.times[k] = work.clock[TIME]
+    for i in range(work.state.shape[0]):
+        recorder.states[k, i] = work.start[i]
+        recorder.velocities[k, i] = work.velocity[0, i]
+    for w in range(LEDGER):
+        recorder.works[k, w] = recorder.totals[w]
+    recorder.filled[0] = k + 1
+
+
+@record_start.member(TrajectoryRecorder)
+def _record_start(recorder: TrajectoryRecorder, model: Any, masses: Any, work: Any) -> None:
+    time = work.clock[TIME]
+    friction, damping, clamps = powers(model, masses, work, time, work.start, work.velocity[0])
+    recorder.begun[0] = friction
+    recorder.begun[1] = damping
+    recorder.begun[2] = clamps
+    keep_sample(recorder, work)
+
+
+@record_stage.member(TrajectoryRecorder)
+def _record_stage(
+    recorder: TrajectoryRecorder,
+    model: Any,
+    masses: Any,
+    motion: Any,
+    tableau: Any,
+    work: Any,
+    converged: Any,
+) -> None:
+    assembly = assemble(model, motion, masses, work)
+    left = largest_entry(work.system.frame_residual, 0.0) if frame_dofs(model.frame) > 0 else 0.0
+    left = largest_entry(work.system.residual, left) / (assembly.largest_force + 1e-300)
+    work.clock[LARGEST_RESIDUAL] = maximum(work.clock[LARGEST_RESIDUAL], left)
+    stage = int(work.clock[STAGE])
+    step = work.clock[STEP]
+    friction, damping, clamps = powers(
+        model, masses, work, motion.time, work.state, work.velocity[stage]
+    )
+    recorder.ended[0] = friction
+    recorder.ended[1] = damping
+    recorder.ended[2] = clamps
+    for w in range(LEDGER):
+        if stage == 1:
+            recorder.pending[w] = step * tableau.weights[0] * recorder.begun[w]
+        recorder.pending[w] += step * tableau.weights[stage] * recorder.ended[w]
+
+
+@record_step.member(TrajectoryRecorder)
+def _record_step(recorder: TrajectoryRecorder, work: Any) -> None:
+    time = work.clock[TIME]
+    if any_true(time > recorder.clock[0]):
+        recorder.clock[0] = time
+        for w in range(LEDGER):
+            recorder.totals[w] += recorder.pending[w]
+            recorder.begun[w] = recorder.ended[w]
+        last = recorder.times[recorder.filled[0] - 1]
+        room = recorder.filled[0] < recorder.times.shape[0] - 1
+        if room and time >= last + recorder.interval[0]:
+            keep_sample(recorder, work)

@@ -1,0 +1,107 @@
+"""The jump: from the static start through snap and strike to the ballistic apex."""
+
+import math
+import time
+from typing import Any
+
+import numpy as np
+
+from snapjump.composition import Simulation
+from snapjump.ending.flight import FlightEnding
+from snapjump.engine import clock as c
+from snapjump.engine.status import NAMES, OK, REASONS
+from snapjump.recorder.trajectory import make_recorder
+from snapjump.results import Result
+from snapjump.scenes.jump_start import jump_model, resting_guess
+from snapjump.scenes.runner import March, Progress
+from snapjump.scenes.trajectory import trajectory_arrays
+
+
+def simulate_jump_scene(simulation: Simulation, progress: Progress | None = None) -> Result:
+    """Simulate one jump with its whole trajectory and energy ledger."""
+    begun = time.perf_counter()
+    scales = simulation.robot.scales
+    model = jump_model(simulation)
+    state = resting_guess(simulation, model)
+    duration = simulation.sim.time_limit_s / scales.time_s
+    interval = simulation.sim.sample_interval_s / scales.time_s
+    march = March(
+        models=[model],
+        masses=simulation.discretization.masses(),
+        states=state[None, :],
+        simulation=simulation,
+        ending=FlightEnding(duration),
+        recorder=make_recorder(len(state), duration, interval),
+    )
+    march.find_starts()
+    outcome = march.run(progress)[0]
+    arrays: dict[str, Any] = {}
+    if march.recorder.filled[0] > 0:
+        arrays = trajectory_arrays(simulation, model, march)
+    summary = jump_summary(simulation, model, outcome)
+    summary["kernel_seconds"] = march.kernel_seconds
+    summary["wall_seconds"] = time.perf_counter() - begun
+    return Result(
+        NAMES[int(outcome[c.STATUS])],
+        jump_message(simulation, outcome),
+        summary,
+        arrays,
+        simulation,
+    )
+
+
+def jump_message(simulation: Simulation, outcome: Any) -> str:
+    """Why and when a jump did not end with an apex, or nothing."""
+    status = int(outcome[c.STATUS])
+    if status == OK:
+        return ""
+    time_ms = 1e3 * outcome[c.TIME] * simulation.robot.scales.time_s
+    return f"{REASONS[status]} ({time_ms:.4g} ms after the start)"
+
+
+def apex_bar(model: Any, outcome: Any) -> tuple[float, float, float]:
+    """Apex (x, y in L) of the centre of mass, and the time to it (T), from a jump's outcome."""
+    fall = model.load.acceleration
+    rise = max(float(outcome[c.COM_VY]), 0.0)
+    if int(outcome[c.STATUS]) != OK:
+        rise = 0.0
+    time_bar = rise / fall
+    x = outcome[c.COM_X] + outcome[c.COM_VX] * time_bar
+    return float(x), float(outcome[c.COM_Y] + 0.5 * rise * time_bar), time_bar
+
+
+def jump_summary(simulation: Simulation, model: Any, outcome: Any) -> dict[str, Any]:
+    """The figures of result.json; times count from the beginning of the clamps' rotation.
+
+    Without an apex (any status but ok and no_jump) its figures are NaN, and null in files.
+    """
+    scales = simulation.robot.scales
+    x, y, time_bar = apex_bar(model, outcome)
+    fall = model.load.acceleration
+    status = int(outcome[c.STATUS])
+    flew = status == OK
+    begun = model.clamp.start / model.clamp.rate
+    aloft = outcome[c.TIME] - outcome[c.LAST_CONTACT]
+    nothing = math.nan
+    known = status in (1, 2)
+    return {
+        "status": NAMES[status],
+        "x_bar": x if known else nothing,
+        "y_bar": y if known else nothing,
+        "apex_time_s": (begun + outcome[c.TIME] + time_bar) * scales.time_s if flew else nothing,
+        "liftoff_time_s": (begun + outcome[c.LAST_CONTACT]) * scales.time_s if flew else nothing,
+        "liftoff_vx_m_s": outcome[c.COM_VX] * scales.velocity_m_s if flew else nothing,
+        "liftoff_vy_m_s": (outcome[c.COM_VY] + fall * aloft) * scales.velocity_m_s
+        if flew
+        else nothing,
+        "mount_height_m": (model.frame.mount_y - model.frame.foot_y) * scales.length_m,
+        "start_angle_rad": model.clamp.start,
+        "steps": int(outcome[c.STEPS]),
+        "rejected_steps": int(outcome[c.REJECTED]),
+        "newton_iterations": int(outcome[c.ITERATIONS]),
+        "min_gap_m": float(outcome[c.SMALLEST_GAP]) * scales.length_m
+        if np.isfinite(outcome[c.SMALLEST_GAP]) and outcome[c.STEPS] > 0
+        else nothing,
+        "max_residual": float(outcome[c.LARGEST_RESIDUAL]),
+        "accuracy": simulation.accuracy,
+    }

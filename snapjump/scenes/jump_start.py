@@ -1,0 +1,110 @@
+"""A robot at the beginning of its jump: its model and the first guess of its equilibrium."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.checks import ParameterError
+from snapjump.clamp.constant_rate import ConstantRate
+from snapjump.composition import Simulation
+from snapjump.contact.base import contact_force
+from snapjump.contact.logbarrier import LogBarrier
+from snapjump.engine.model import Model
+from snapjump.load.gravity import Gravity
+from snapjump.scenes.frame_body import rigid_frame
+from snapjump.statics.arch import StaticArch
+from snapjump.statics.critical import symmetric_snap
+from snapjump.statics.elastica import buckled_arch, resampled
+
+Array = NDArray[np.float64]
+
+
+def mount_height_bar(simulation: Simulation) -> float:
+    """Height of the clamps above the feet (in L): given, or h1(epsilon) of our static solution."""
+    robot = simulation.robot
+    if robot.mount_height != "optimal":
+        return float(robot.mount_height) / robot.length_m
+    snap = symmetric_snap(robot, simulation.discretization, simulation.design.epsilon)
+    return snap.h1_bar
+
+
+def resting_gap(contact: LogBarrier, weight: float) -> float:
+    """Gap (in L) at which two feet in the barrier carry the weight (in EI/L^2)."""
+
+    from scipy.optimize import brentq
+
+    def surplus(share: float) -> float:
+        force, _ = contact_force(contact, share * contact.distance)
+        return 2.0 * contact.corner_weight * force - weight
+
+    return float(brentq(surplus, 1e-9, 1.0 - 1e-15)) * contact.distance
+
+
+def start_angle_rad(simulation: Simulation) -> float:
+    """Left clamp angle at which the motion starts."""
+    snap = symmetric_snap(simulation.robot, simulation.discretization, simulation.design.epsilon)
+    return simulation.sim.start_fraction * snap.alpha_rad
+
+
+def check_mount_height(simulation: Simulation, start: float) -> None:
+    """Require a given mount height to keep the arch above the ground where the motion starts."""
+    robot = simulation.robot
+    if robot.mount_height == "optimal":
+        return
+    arch = StaticArch(robot, simulation.discretization, simulation.design.epsilon)
+    state = arch.settle(arch.guess(), 0.0, 0.0)
+    steps = max(8, int(np.ceil(start / 0.05)))
+    right = start - simulation.design.delta_alpha
+    for k in range(1, steps + 1):
+        state = arch.settle(state, start * k / steps, right * k / steps)
+    depth_m = -arch.equilibrium(state, start, right).lowest * robot.length_m
+    if robot.mount_height <= depth_m:
+        raise ParameterError(
+            "robot.mount_height",
+            robot.mount_height,
+            f"above {depth_m:.4g} m, or the beam starts in the ground, up to "
+            f"robot.frame_height_m = {robot.frame_height_m:g} m",
+        )
+
+
+def jump_model(simulation: Simulation) -> Model:
+    """The dimensionless robot."""
+    robot, scales = simulation.robot, simulation.robot.scales
+    start = start_angle_rad(simulation)
+    check_mount_height(simulation, start)
+    if start >= robot.rotation_end_rad:
+        raise ParameterError(
+            "robot.rotation_end_rad",
+            robot.rotation_end_rad,
+            f"above {start:.4g} rad, where the motion starts (sim.start_fraction)",
+        )
+    return Model(
+        discretization=simulation.discretization.member(robot),
+        frame=rigid_frame(simulation, mount_height_bar(simulation)),
+        clamp=ConstantRate(
+            start=start,
+            end=robot.rotation_end_rad,
+            rate=robot.rotation_rate_rad_s * scales.time_s,
+            delta_alpha=simulation.design.delta_alpha,
+        ),
+        contact=simulation.contact.member(scales, simulation.discretization),
+        friction=simulation.friction.member(scales, simulation.environment.mu),
+        damping=simulation.damping.member(scales),
+        load=Gravity(robot.gravity_m_s2 / scales.acceleration_m_s2),
+    )
+
+
+def resting_guess(simulation: Simulation, model: Model) -> Array:
+    """State (3 + 2 nodes) of the robot at rest with flat clamps: frame, then nodes."""
+    discretization = simulation.discretization
+    frame = model.frame
+    weight = (frame.mass + float(np.sum(discretization.masses()))) * model.load.acceleration
+    gap = resting_gap(model.contact, weight)
+    x, y = buckled_arch(simulation.design.epsilon, discretization.elements)
+    chain = discretization.moving_elements
+    skipped = model.discretization.clamp_offset
+    centre = gap - frame.foot_y
+    state = np.zeros(3 + 2 * (chain + 1))
+    state[1] = centre
+    state[3::2] = resampled(x, skipped, chain)
+    state[4::2] = resampled(y, skipped, chain) + centre + frame.mount_y
+    return state

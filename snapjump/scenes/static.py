@@ -1,0 +1,116 @@
+"""Slow loading: branches of equilibria, their stability, and the snap between them."""
+
+import time
+from collections.abc import Iterator
+from itertools import islice
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.composition import Simulation
+from snapjump.results import Result
+from snapjump.scenes.runner import Progress
+from snapjump.statics.arch import StaticArch
+from snapjump.statics.branch import Branch, Point
+from snapjump.statics.critical import find_snap, start_point
+
+Array = NDArray[np.float64]
+LENGTH = 6.0  # of a branch, in the norm of its free coordinates and angle
+
+
+def simulate_static_scene(simulation: Simulation, progress: Progress | None = None) -> Result:
+    """Critical angle and snapped state to 1e-8, and the branches around them."""
+    begun = time.perf_counter()
+    robot, discretization = simulation.robot, simulation.discretization
+    epsilon, lag = simulation.design.epsilon, simulation.design.delta_alpha
+    snap = find_snap(robot, discretization, epsilon, lag)
+    arch = StaticArch(robot, discretization, epsilon)
+    branch = Branch(arch, lag)
+    tables = []
+    for upward in (True, False):
+        tables.append(_table(arch, branch, upward, simulation.sim.steps, robot.rotation_end_rad))
+        if progress is not None:
+            progress(0.5 * len(tables), "branches")
+    if lag == 0.0:
+        tables.append(_asymmetric(arch, snap, simulation.sim.steps))
+    shapes = [tables[0]["start"], snap.before, snap.after]
+    arrays: dict[str, NDArray[Any]] = {
+        f"branch_{key}": np.concatenate([t[key] for t in tables])
+        for key in ("alpha_rad", "midpoint_bar", "energy_bar", "negative_pivots")
+    }
+    arrays["branch_number"] = np.repeat(
+        np.arange(len(tables)), [len(t["alpha_rad"]) for t in tables]
+    )
+    arrays["shapes_x_bar"] = np.array([s.x for s in shapes])
+    arrays["shapes_y_bar"] = np.array([s.y for s in shapes])
+    arrays["shapes_label"] = np.array(["flat clamps", "at the snap", "snapped"])
+    summary = {
+        "status": "ok",
+        "alpha_critical_rad": snap.alpha_rad,
+        "h1_bar": snap.h1_bar,
+        "h2_bar": snap.h2_bar,
+        "energy_before_bar": snap.before.energy,
+        "energy_after_bar": snap.after.energy,
+        "energy_released_bar": snap.before.energy - snap.after.energy,
+        "midpoint_before_bar": snap.before.midpoint,
+        "midpoint_after_bar": snap.after.midpoint,
+        "accuracy": simulation.accuracy,
+        "wall_seconds": time.perf_counter() - begun,
+    }
+    return Result("ok", "", summary, arrays, simulation)
+
+
+def _row(arch: StaticArch, branch: Branch, point: Point) -> tuple[float, float, float, float]:
+    equilibrium = arch.equilibrium(point.state, point.left, point.left - branch.delta_alpha)
+    return (
+        point.left,
+        equilibrium.midpoint,
+        equilibrium.energy,
+        float(point.negative_eigenvalues),
+    )
+
+
+def _collect(
+    arch: StaticArch, branch: Branch, points: Iterator[Point], farthest: float
+) -> dict[str, Array]:
+    rows = []
+    for point in points:
+        if not 0.0 <= point.left <= farthest:
+            break
+        rows.append(_row(arch, branch, point))
+    table = np.array(rows).reshape(-1, 4)
+    names = ("alpha_rad", "midpoint_bar", "energy_bar", "negative_pivots")
+    return dict(zip(names, table.T, strict=True))
+
+
+def _table(
+    arch: StaticArch, branch: Branch, upward: bool, steps: int, farthest: float
+) -> dict[str, Any]:
+    """The branch that begins at flat clamps, buckled up or down, towards larger angles."""
+    first = start_point(branch, upward)
+    start = arch.equilibrium(first.state, 0.0, -branch.delta_alpha)
+    walk = branch.follow(first, LENGTH / steps)
+    collected = _collect(arch, branch, islice(walk, steps), farthest)
+    row = _row(arch, branch, first)
+    table: dict[str, Any] = {
+        name: np.concatenate([[value], collected[name]])
+        for name, value in zip(collected, row, strict=True)
+    }
+    table["start"] = start
+    return table
+
+
+def _asymmetric(arch: StaticArch, snap: Any, steps: int) -> dict[str, Array]:
+    """The branch of leaning arches that meets the symmetric one at the pitchfork.
+
+    It is entered along the critical mode: the tangent's null vector there.
+    """
+    branch = Branch(arch, 0.0, symmetric=False)
+    state = np.empty(arch.size)
+    state[0::2], state[1::2] = snap.before.x, snap.before.y
+    arch.residual(state, snap.alpha_rad, snap.alpha_rad)
+    mode = np.append(arch.critical_mode(), 0.0)
+    seed = Point(state, snap.alpha_rad, 0.0, 0, mode)
+    walk = branch.follow(seed, LENGTH / steps)
+    return _collect(arch, branch, islice(walk, steps), np.inf)

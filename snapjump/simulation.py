@@ -1,0 +1,78 @@
+"""From a plain configuration to a result: the library's front door."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import fields
+from typing import Any
+
+from snapjump.accuracy import TIERS
+from snapjump.checks import ParameterError, check_choice
+from snapjump.composition import Simulation, with_tier
+from snapjump.families import FAMILIES
+from snapjump.parameters.design import Design
+from snapjump.parameters.environment import Environment
+from snapjump.parameters.robot import Robot
+from snapjump.results import Result
+from snapjump.scenes.jump import simulate_jump_scene
+from snapjump.scenes.registry import SCENES
+
+Progress = Callable[[float, str], None]
+PLAIN = {"robot": Robot, "design": Design, "environment": Environment}
+
+
+def _construct(group: str, cls: type, values: Mapping[str, Any]) -> Any:
+    """An option object from a group's values. Raises ParameterError for an unknown key."""
+    known = [f.name for f in fields(cls)]
+    for key, value in values.items():
+        if key not in known:
+            allowed = ", ".join(known) or "no keys at all"
+            raise ParameterError(f"{group}.{key}", value, f"{group} has {allowed}")
+    return cls(**values)
+
+
+def build(config: Mapping[str, Any]) -> Simulation:
+    """A checked simulation from nested groups, as Hydra composes them.
+
+    Each family's group has a ``name`` and that member's fields; ``robot``, ``design`` and
+    ``environment`` have fields only; ``accuracy.name`` is the tier. Raises ParameterError.
+    """
+    parts: dict[str, Any] = {}
+    for group, cls in PLAIN.items():
+        parts[group] = _construct(group, cls, config.get(group) or {})
+    for family, members in FAMILIES.items():
+        values = dict(config.get(family) or {})
+        if not values:
+            continue
+        name = values.pop("name", None)
+        check_choice(family, name, tuple(members))
+        parts[family] = _construct(family, members[name], values)
+    accuracy = config.get("accuracy") or {}
+    parts["accuracy"] = accuracy.get("name", "standard")
+    return Simulation(**parts)
+
+
+def simulate(simulation: Simulation, progress: Progress | None = None) -> Result:
+    """Run a simulation's scene. ``progress`` is called with a share in [0, 1] and a word."""
+    return SCENES[simulation.scene_name](simulation, progress)
+
+
+def simulate_jump(
+    robot: Robot | None = None,
+    design: Design | None = None,
+    environment: Environment | None = None,
+    accuracy: str = "standard",
+    **parts: Any,
+) -> Result:
+    """Simulate one jump at an accuracy tier.
+
+    ``parts`` replace the tier's modules (``integrator=...``, ``contact=...``, see
+    :data:`snapjump.families.FAMILIES`). Raises ParameterError for values out of range.
+    """
+    check_choice("accuracy", accuracy, tuple(TIERS))
+    simulation = with_tier(
+        accuracy,
+        robot=robot or Robot(),
+        design=design or Design(),
+        environment=environment or Environment(),
+        **parts,
+    )
+    return simulate_jump_scene(simulation)

@@ -1,0 +1,1 @@
+"""Static equilibria of the clamped arch: branches, stability, critical angles."""

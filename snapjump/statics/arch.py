@@ -1,0 +1,133 @@
+"""The clamped arch as a static problem: equilibria, energies and tangents at given clamp angles."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import eig_banded
+
+from snapjump.clamp.base import ClampAngles
+from snapjump.clamp.constant_rate import ConstantRate
+from snapjump.contact.none import NoContact
+from snapjump.damping.none import NoDamping
+from snapjump.discretization.base import internal_energy
+from snapjump.engine.clock import ROWS
+from snapjump.engine.equilibrate import equilibrate
+from snapjump.engine.model import Model, numbers_of
+from snapjump.engine.work import make_work
+from snapjump.frame.base import end_tangents
+from snapjump.frame.fixed import FixedFrame
+from snapjump.friction.none import NoFriction
+from snapjump.load.none import NoLoad
+from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.parameters.robot import Robot
+from snapjump.statics.elastica import buckled_arch, resampled
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Equilibrium:
+    """A settled shape: nodes x, y (in L, from the middle of the mounts), clamp angles (rad),
+    bending and stretching energy (EI/L), and the number of negative pivots (0: stable)."""
+
+    x: Array
+    y: Array
+    left: float
+    right: float
+    energy: float
+    negative_pivots: int
+
+    @property
+    def midpoint(self) -> float:
+        """Height of the middle (in L), by the mean of the two middle nodes if there are two."""
+        n = len(self.y)
+        return float(0.5 * (self.y[(n - 1) // 2] + self.y[n // 2]))
+
+    @property
+    def lowest(self) -> float:
+        """Height of the lowest point (in L), by the parabola through the lowest three nodes."""
+        k = int(np.argmin(self.y))
+        if k in (0, len(self.y) - 1):
+            return float(self.y[k])
+        before, here, after = self.y[k - 1 : k + 2]
+        bend = before - 2.0 * here + after
+        return float(here - (after - before) ** 2 / (8.0 * bend))
+
+
+class StaticArch:
+    """The beam in a fixed frame. Raises ArithmeticError where Newton's method fails."""
+
+    def __init__(self, robot: Robot, discretization: DiscreteElasticRodOptions, epsilon: float):
+        self.epsilon = epsilon
+        self.discretization = discretization
+        self.rod = discretization.member(robot)
+        self.frame = FixedFrame(0.5 * (1.0 - epsilon), 0.0)
+        self.masses = discretization.masses()
+        self.size = 2 * len(self.masses)
+        self.free = slice(2, self.size - 2)
+        model = self._model(0.0, 0.0)
+        self.memory = make_work(len(self.masses), 0, 2, ROWS, len(numbers_of(model)), 1)
+
+    def _model(self, left: float, right: float) -> Model:
+        clamp = ConstantRate(left, 10.0, 1.0, left - right)
+        return Model(self.rod, self.frame, clamp, NoContact(), NoFriction(), NoDamping(), NoLoad())
+
+    def guess(self, upward: bool = True) -> Array:
+        """State (2 nodes) of the exact arch between flat clamps, buckled up or down."""
+        x, y = buckled_arch(self.epsilon, self.discretization.elements)
+        chain = self.discretization.moving_elements
+        skipped = self.rod.clamp_offset
+        state = np.empty(self.size)
+        state[0::2] = resampled(x, skipped, chain)
+        state[1::2] = resampled(y if upward else -y, skipped, chain)
+        return state
+
+    def _run(self, state: Array, left: float, right: float, iterate: bool) -> tuple[float, bool]:
+        model = self._model(left, right)
+        self.memory.state[:, 0] = state
+        return equilibrate(model, numbers_of(model), self.masses, self.memory, iterate)
+
+    def settle(self, state: Array, left: float, right: float) -> Array:
+        """The equilibrium state near ``state`` at the given clamp angles (rad)."""
+        negative, failed = self._run(state, left, right, True)
+        if failed:
+            raise ArithmeticError(f"no equilibrium found at clamp angles {left:g}, {right:g} rad")
+        self.negative_pivots = int(negative)
+        return self.memory.state[:, 0].copy()
+
+    def residual(self, state: Array, left: float, right: float) -> Array:
+        """Gradient of the energy with respect to the free coordinates."""
+        placed = state.copy()
+        offset = self.rod.clamp_offset
+        half = self.frame.half_span
+        placed[:2] = -half + offset * np.cos(left), -offset * np.sin(left)
+        placed[-2:] = half - offset * np.cos(right), -offset * np.sin(right)
+        self._run(placed, left, right, False)
+        return self.memory.system.residual[self.free, 0].copy()
+
+    def tangent_band(self) -> Array:
+        """Tangent (lower band, (6, free)) of the last state that was settled or evaluated."""
+        return np.ascontiguousarray(self.memory.system.band[self.free, :, 0].T)
+
+    def stability(self) -> tuple[float, int]:
+        """Smallest eigenvalue of the last tangent and the number of negative ones (of the first
+        three): a state is stable if there is none."""
+        values = eig_banded(
+            self.tangent_band(), lower=True, eigvals_only=True, select="i", select_range=(0, 2)
+        )
+        return float(values[0]), int(np.sum(values < 0.0))
+
+    def critical_mode(self) -> Array:
+        """Unit eigenvector of the last tangent's smallest eigenvalue, over free coordinates."""
+        _, vectors = eig_banded(self.tangent_band(), lower=True, select="i", select_range=(0, 0))
+        return np.asarray(vectors[:, 0])
+
+    def equilibrium(self, state: Array, left: float, right: float) -> Equilibrium:
+        """Describe a settled state."""
+        angles = ClampAngles(left, right, 0.0, 0.0)
+        tangents = end_tangents(self.frame, NoLoad(), angles, state, 0.0)
+        energy = float(internal_energy(self.rod, state, tangents))
+        return Equilibrium(
+            state[0::2].copy(), state[1::2].copy(), left, right, energy, self.negative_pivots
+        )

@@ -1,0 +1,160 @@
+"""The time loop: no memory is allocated in it, it can be interrupted, and it gives up by name."""
+
+import numpy as np
+import pytest
+from numba.core.runtime import _nrt_python, rtsys
+from robots import DESIGNS, small_march
+
+from snapjump.engine import clock as c
+from snapjump.engine import march as loop
+from snapjump.engine.march import Limits
+from snapjump.engine.status import (
+    ITERATION_LIMIT,
+    NAMES,
+    NO_EQUILIBRIUM,
+    NO_JUMP,
+    OK,
+    REASONS,
+    RUNNING,
+    STEP_UNDERFLOW,
+    TIME_LIMIT,
+)
+
+
+@pytest.fixture(scope="module")
+def starts():
+    march = small_march(DESIGNS, 1)
+    march.find_starts()
+    return march.queue[1:4]
+
+
+def go_on(march, passes, of_a_stage=25.0, of_a_march=2e6, **stepping):
+    return loop.march(
+        march.models[0],
+        march.masses,
+        march.tableau,
+        march.stepping._replace(**stepping),
+        march.ending,
+        Limits(of_a_stage, of_a_march),
+        march.recorder,
+        march.memory,
+        march.queue,
+        (0,) * march.lanes,
+        passes,
+    )
+
+
+def allocations(march, passes):
+    before = rtsys.get_allocation_stats()
+    go_on(march, passes)
+    after = rtsys.get_allocation_stats()
+    return after.alloc - before.alloc, after.mi_alloc - before.mi_alloc
+
+
+@pytest.mark.parametrize("lanes", [1, 8])
+def test_nothing_is_allocated_in_the_loop(starts, lanes):
+    march = small_march(DESIGNS, lanes, starts)
+    go_on(march, 1)
+    enabled = _nrt_python.memsys_stats_enabled()
+    _nrt_python.memsys_enable_stats()
+    try:
+        # What is left is the wrapping of the arguments, once a call.
+        few, many = allocations(march, 1), allocations(march, 400)
+        assert few == allocations(march, 1)
+    finally:
+        if not enabled:
+            _nrt_python.memsys_disable_stats()
+    assert few == many
+    assert march.memory.clock[c.STEPS].sum() > 0
+
+
+def test_slices_of_passes_are_one_march(starts):
+    whole = small_march(DESIGNS[:3], 1, [v[:3] for v in starts])
+    assert go_on(whole, 1_000_000)
+    sliced = small_march(DESIGNS[:3], 1, [v[:3] for v in starts])
+    slices = 1
+    while not go_on(sliced, 97):
+        slices += 1
+    assert slices > 10
+    assert np.array_equal(sliced.queue.outcome, whole.queue.outcome)
+    # There is nothing left to do.
+    assert go_on(sliced, 97)
+
+
+def one(starts, **changed):
+    march = small_march(DESIGNS[1:2], 1, [v[1:2] for v in starts], **changed)
+    return march
+
+
+def test_iteration_limit(starts):
+    march = one(starts)
+    assert go_on(march, 1000, of_a_march=20.0)
+    outcome = march.queue.outcome[0]
+    assert outcome[c.STATUS] == ITERATION_LIMIT
+    assert outcome[c.ITERATIONS] == 20.0
+
+
+def test_step_underflow(starts):
+    """If one iteration is never enough, Newton's method fails however small the step."""
+    march = one(starts)
+    assert go_on(march, 1000, of_a_stage=1.0, smallest=1e-5, newton_share=1e-12)
+    outcome = march.queue.outcome[0]
+    assert outcome[c.STATUS] == STEP_UNDERFLOW
+    assert outcome[c.STEPS] == 0.0
+    assert outcome[c.STEP] < 1e-5
+    # 0.4^k of the first step: one failure each
+    assert outcome[c.FAILURES] == np.ceil(np.log(1e-5 / march.stepping.first) / np.log(0.4))
+
+
+def test_step_underflow_by_the_error_estimate(starts):
+    march = one(starts)
+    assert go_on(march, 1000, tolerance=1e-16, newton_share=1e4, smallest=1e-5)
+    outcome = march.queue.outcome[0]
+    assert outcome[c.STATUS] == STEP_UNDERFLOW
+    assert outcome[c.REJECTED] > 0.0
+
+
+def number_of(march, member, name):
+    """Position of a member's number in the model's numbers."""
+    model = march.models[0]
+    before = list(model._fields).index(member)
+    return sum(len(part) for part in model[:before]) + getattr(model, member)._fields.index(name)
+
+
+def test_time_limit_while_the_clamps_still_turn(starts):
+    march = one(starts, duration=0.05)
+    assert go_on(march, 10_000)
+    outcome = march.queue.outcome[0]
+    assert outcome[c.STATUS] == TIME_LIMIT
+    assert outcome[c.TIME] == pytest.approx(0.05, rel=1e-9)
+    assert outcome[c.STEPS] > 3.0
+
+
+def test_a_robot_whose_clamps_have_stopped_before_the_snap_has_not_jumped(starts):
+    march = one(starts, duration=0.05)
+    march.queue.numbers[0, number_of(march, "clamp", "end")] = march.models[0].clamp.start
+    assert go_on(march, 10_000)
+    assert march.queue.outcome[0, c.STATUS] == NO_JUMP
+
+
+def test_a_start_beyond_the_fold_is_refused():
+    """Followed past its critical angle the upper branch is lost."""
+    march = small_march(DESIGNS[1:2], 1)
+    march.queue.numbers[0, number_of(march, "clamp", "start")] = 1.2
+    march.find_starts()
+    assert march.queue.status[0] == NO_EQUILIBRIUM
+
+
+def test_a_state_that_is_not_finite_is_not_followed(starts):
+    march = one(starts)
+    march.queue.velocity[0, 10] = np.nan
+    assert go_on(march, 100_000)
+    assert march.queue.outcome[0, c.STATUS] not in (RUNNING, OK, NO_JUMP)
+
+
+def test_every_status_has_a_name_and_a_reason():
+    assert set(NAMES) == set(REASONS)
+    assert RUNNING not in NAMES
+    assert len(set(NAMES.values())) == len(NAMES)
+    assert NAMES[OK] == "ok"
+    assert all(reason for status, reason in REASONS.items() if status != OK)

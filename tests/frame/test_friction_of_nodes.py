@@ -1,0 +1,60 @@
+"""Contact and friction of the beam's free nodes, without a frame."""
+
+import numpy as np
+import pytest
+from plain_python import assembled, complex_step, dense, residual_of
+
+from snapjump.clamp.constant_rate import ConstantRate
+from snapjump.contact.logbarrier import LogBarrier
+from snapjump.damping.none import NoDamping
+from snapjump.discretization.none import LooseNodes
+from snapjump.engine.assemble import Motion
+from snapjump.engine.model import Model
+from snapjump.frame.none import NoFrame
+from snapjump.friction.implicit import ImplicitFriction
+from snapjump.load.inclined import InclinedGravity
+
+MASSES = np.array([0.3, 0.5, 0.2])
+MOTION = Motion(0.0, 40.0, 0.0)
+MODEL = Model(
+    LooseNodes(),
+    NoFrame(),
+    ConstantRate(0.0, 1.0, 1.0, 0.0),
+    LogBarrier(4e3, 0.025, 7.0, 1.5),
+    ImplicitFriction(0.4, 0.25),
+    NoDamping(),
+    InclinedGravity(20.0, 6.0),
+)
+STATE = np.array([0.0, 0.01, 0.1, 0.02, 0.2, 0.5])  # two in the barrier, one above it
+ORIGIN = STATE - np.array([1e-3, 1e-4, 0.05, 0.0, 0.1, 0.0])
+
+
+def test_tangent_leaves_out_friction_s_change_with_the_gap_only():
+    def residual(y):
+        return residual_of(assembled(MODEL, MOTION, MASSES, y, origin=ORIGIN)[1], 0)
+
+    _, work = assembled(MODEL, MOTION, MASSES, STATE, origin=ORIGIN)
+    matrix, expected = dense(work, 0), complex_step(residual, STATE)
+    left_out = expected - matrix
+    scale = np.abs(expected).max()
+    assert np.abs(np.delete(left_out.ravel(), [0 * 6 + 1, 2 * 6 + 3])).max() < 1e-10 * scale
+    assert np.array_equal(matrix, matrix.T)
+
+
+def test_figures_report_force_gap_and_contact_time():
+    figures, work = assembled(MODEL, MOTION, MASSES, STATE, origin=STATE)
+    assert figures.smallest_gap == 0.01
+    assert figures.contact_rate_squared == 0.0  # at rest nothing bounces
+    falling = STATE + [0.0, 1.0, 0.0, 0.0, 0.0, 0.0]
+    fast, _ = assembled(MODEL, MOTION, MASSES, STATE, origin=falling)
+    inertia = MASSES[0] * MOTION.rate_factor**2
+    stiffness = work.system.band[1, 0] - inertia
+    assert stiffness > 1e3
+    assert fast.contact_rate_squared == pytest.approx(stiffness / MASSES[0], rel=1e-10)
+
+
+def test_gravity_pulls_down_and_along_the_slope():
+    high = STATE + [0.0, 1.0] * 3
+    _, work = assembled(MODEL, Motion(0.0, 0.0, 0.0), MASSES, high, origin=high)
+    residual = work.system.residual.reshape(3, 2)
+    np.testing.assert_allclose(residual, np.outer(MASSES, [-6.0, 20.0]), rtol=1e-14)

@@ -1,0 +1,72 @@
+"""Smoothed Coulomb friction; C5 and C6 of references/physics.json."""
+
+import numpy as np
+import pytest
+
+from snapjump.friction.base import has_friction, is_lagged, regularised_sign, slip
+from snapjump.friction.implicit import ImplicitFriction
+from snapjump.friction.lagged import LaggedFriction
+from snapjump.friction.none import NoFriction
+
+MU, THRESHOLD = 0.3, 0.02
+LAW = ImplicitFriction(MU, THRESHOLD)
+speeds = np.linspace(-3.0 * THRESHOLD, 3.0 * THRESHOLD, 301)
+
+
+def test_once_continuously_differentiable_at_the_threshold():
+    for side in (-1.0, 1.0):
+        for nearly in (1.0 - 1e-12, 1.0, 1.0 + 1e-12):
+            sign, slope = regularised_sign(side * nearly * THRESHOLD, THRESHOLD)
+            # C6_paper_friction_bug: without the factor 2 this would be 0
+            assert sign == pytest.approx(side, abs=1e-11)
+            assert slope * THRESHOLD == pytest.approx(0.0, abs=1e-11)
+
+
+def test_slope_is_the_derivative():
+    for v in speeds:
+        if abs(abs(v) - THRESHOLD) < 1e-6:
+            continue
+        step = 1e-7 * THRESHOLD
+        up, down = (regularised_sign(v + s, THRESHOLD)[0] for s in (step, -step))
+        slope = regularised_sign(v, THRESHOLD)[1]
+        assert slope * THRESHOLD == pytest.approx((up - down) / (2.0 * step) * THRESHOLD, abs=1e-6)
+
+
+def test_odd_monotone_and_never_above_one():
+    signs = np.array([regularised_sign(v, THRESHOLD)[0] for v in speeds])
+    assert (np.diff(signs) >= 0.0).all()
+    assert np.abs(signs).max() == 1.0
+    assert regularised_sign(0.0, THRESHOLD)[0] == 0.0
+    np.testing.assert_allclose(signs, -signs[::-1], atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("tangent", "creep"),
+    # C5_incline: tan of the slope, creep velocity over the threshold
+    [(0.05, 0.08712907082), (0.15, 0.2928932188), (0.29, 0.8174258142)],
+)
+def test_creep_on_a_slope(tangent, creep):
+    ratio, _ = slip(LAW, creep * THRESHOLD, 0.0)
+    assert ratio == pytest.approx(tangent, rel=1e-8)
+
+
+def test_implicit_law_has_the_slope_at_rest_after_a_change_of_sign():
+    kept = slip(LAW, 5.0 * THRESHOLD, 0.5 * THRESHOLD)
+    turned = slip(LAW, 5.0 * THRESHOLD, -0.5 * THRESHOLD)
+    assert kept == (MU, 0.0)
+    assert turned == (MU, pytest.approx(2.0 * MU / THRESHOLD))
+    # At the first iterate there is no velocity before.
+    assert slip(LAW, 0.5 * THRESHOLD, 0.0)[1] == pytest.approx(MU / THRESHOLD)
+
+
+def test_lagged_law_has_the_same_force_and_no_derivative():
+    lagged = LaggedFriction(MU, THRESHOLD)
+    for v in speeds:
+        assert slip(lagged, v, -v) == (slip(LAW, v, v)[0], 0.0)
+
+
+def test_what_the_laws_declare():
+    laws = [LAW, LaggedFriction(MU, THRESHOLD), NoFriction()]
+    assert [has_friction(law) for law in laws] == [True, True, False]
+    assert [is_lagged(law) for law in laws] == [False, True, False]
+    assert slip(NoFriction(), 1.0, 1.0) == (0.0, 0.0)

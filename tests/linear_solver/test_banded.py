@@ -1,0 +1,114 @@
+"""Bordered banded elimination against dense linear algebra, in Python, scalar and in lanes."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from numba import njit
+from plain_python import dense, plain_work
+
+from snapjump.engine.clock import ROWS
+from snapjump.engine.view import view_work
+from snapjump.engine.work import make_work
+from snapjump.linear_solver.banded import solve_bordered, solve_nodes
+
+NODES = 12
+WIDTH = 4
+
+
+@njit(cache=True, error_model="numpy")
+def solve_compiled(memory: Any, lanes: Any, bordered: bool) -> None:
+    work = view_work(memory, lanes)
+    if bordered:
+        work.clock[0] = solve_bordered(work.system)
+    else:
+        work.clock[0] = solve_nodes(work.system)
+
+
+def solve(work: Any, bordered: bool) -> Any:
+    """Number of pivots that are not positive; the solution replaces the residual."""
+    return solve_bordered(work.system) if bordered else solve_nodes(work.system)
+
+
+def fill(work: Any, seed: int, shift: float, unsymmetric: bool = False) -> tuple[Any, Any]:
+    """A random system with the beam's pattern: a node is coupled to the next two.
+
+    Returns the dense matrix and right-hand side. Eigenvalues rise with ``shift``.
+    """
+    rng = np.random.default_rng(seed)
+    system = work.system
+    system.band[...] = rng.normal(size=system.band.shape)
+    system.band[1::2, 5] = 0.0
+    for k in range(1, 6):
+        system.band[2 * NODES - k :, k] = 0.0
+    system.band[:, 0] += shift
+    system.border[:6] = rng.normal(size=(6, 3))
+    system.border[-6:] = rng.normal(size=(6, 3))
+    square = rng.normal(size=(3, 3))
+    square = square + square.T + 4.0 * shift * np.eye(3)
+    if unsymmetric:
+        square[0, 1:] += [2.0, -1.0]
+    system.square[...] = square
+    system.residual[...] = rng.normal(size=2 * NODES)
+    system.frame_residual[...] = rng.normal(size=3)
+    return dense(work, 3), np.concatenate([system.frame_residual, system.residual])
+
+
+@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("unsymmetric", [False, True])
+def test_bordered_solution(seed, unsymmetric):
+    work = plain_work(NODES, 3)
+    matrix, right = fill(work, seed, 8.0, unsymmetric)
+    expected = np.linalg.solve(matrix, right)
+    negative = solve(work, True)
+    actual = np.concatenate([work.system.frame_residual, work.system.residual])
+    np.testing.assert_allclose(actual, expected, rtol=0.0, atol=1e-13 * np.abs(expected).max())
+    assert negative == 0.0
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_solution_without_a_frame(seed):
+    work = plain_work(NODES, 0)
+    matrix, right = fill(work, seed, 8.0)
+    expected = np.linalg.solve(matrix[3:, 3:], right[3:])
+    assert solve(work, False) == 0.0
+    np.testing.assert_allclose(work.system.residual, expected, rtol=1e-10, atol=1e-13)
+
+
+@pytest.mark.parametrize("bordered", [False, True])
+def test_pivots_count_negative_eigenvalues(bordered):
+    counts = set()
+    for seed in range(30):
+        work = plain_work(NODES, 3)
+        matrix, _ = fill(work, seed, 3.0)
+        matrix = matrix if bordered else matrix[3:, 3:]
+        negative = int((np.linalg.eigvalsh(matrix) < 0.0).sum())
+        assert solve(work, bordered) == negative
+        counts.add(negative)
+    assert len(counts) >= 3  # definite and indefinite ones
+
+
+@pytest.mark.parametrize("bordered", [False, True])
+def test_lanes_and_scalars_solve_alike(bordered):
+    plain = [plain_work(NODES, 3) for _ in range(WIDTH)]
+    lanes = make_work(NODES, 3, 2, ROWS, 1, WIDTH)
+    singles = [make_work(NODES, 3, 2, ROWS, 1, 1) for _ in range(WIDTH)]
+    for lane, work in enumerate(plain):
+        fill(work, lane, 4.0, True)
+        for name in ("residual", "band", "border", "frame_residual", "square"):
+            values = getattr(work.system, name)
+            getattr(lanes.system, name)[..., lane] = values
+            getattr(singles[lane].system, name)[..., 0] = values
+    solve_compiled(lanes, (0,) * WIDTH, bordered)
+    for lane, work in enumerate(plain):
+        negative = solve(work, bordered)
+        single = singles[lane]
+        solve_compiled(single, (0,), bordered)
+        assert lanes.clock[0, lane] == single.clock[0, 0] == negative
+        for name in ("residual", "frame_residual"):
+            scalar = getattr(single.system, name)[..., 0]
+            assert np.array_equal(getattr(lanes.system, name)[..., lane], scalar)
+            expected = getattr(work.system, name)
+            np.testing.assert_allclose(
+                scalar, expected, rtol=0.0, atol=1e-10 * np.abs(expected).max()
+            )

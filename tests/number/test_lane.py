@@ -1,0 +1,241 @@
+"""Lanes are their scalars side by side: bit for bit, special values included."""
+
+import math
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+from numba import njit
+
+from snapjump.number.functions import (
+    absolute,
+    any_true,
+    cos,
+    exp,
+    fma,
+    log,
+    maximum,
+    minimum,
+    negate,
+    sin,
+    sqrt,
+    where,
+)
+from snapjump.number.lane import view_numbers
+from snapjump.number.memory import aligned_zeros
+
+OPERATIONS = (
+    "add sub mul div neg iadd isub imul idiv int_add number_sub number_div power_sum "
+    "sqrt log exp sin cos absolute fma fma_number minimum maximum where where_number "
+    "lt le gt ge eq ne and or not less_than_number sum_from_number"
+).split()
+WIDTHS = (1, 2, 4, 8)
+
+
+@njit(cache=True, error_model="numpy")
+def evaluate(a: Any, b: Any, c: Any, out: Any, any_out: Any, lanes: Any) -> None:
+    x, y, z = view_numbers(a, lanes), view_numbers(b, lanes), view_numbers(c, lanes)
+    r = view_numbers(out, lanes)
+    for i in range(x.shape[0]):
+        p, q, s = x[i], y[i], z[i]
+        r[0, i] = p + q
+        r[1, i] = p - q
+        r[2, i] = p * q
+        r[3, i] = p / q
+        r[4, i] = -p
+        r[5, i] = p
+        r[5, i] += q
+        r[6, i] = p
+        r[6, i] -= q
+        r[7, i] = p
+        r[7, i] *= q
+        r[8, i] = p
+        r[8, i] /= q
+        r[9, i] = 3 + p
+        r[10, i] = 0.1 - p
+        r[11, i] = p / 0.3
+        r[12, i] = p * p * p + q * q
+        r[13, i] = sqrt(p)
+        r[14, i] = log(p)
+        r[15, i] = exp(p)
+        r[16, i] = sin(p)
+        r[17, i] = cos(p)
+        r[18, i] = absolute(p)
+        r[19, i] = fma(p, q, s)
+        r[20, i] = fma(0.1, p, 3)
+        r[21, i] = minimum(p, q)
+        r[22, i] = maximum(p, q)
+        r[23, i] = where(p < s, p, q)
+        r[24, i] = where(p < s, 1, q)
+        r[25, i] = where(p < q, 1.0, 0.0)
+        r[26, i] = where(p <= q, 1.0, 0.0)
+        r[27, i] = where(p > q, 1.0, 0.0)
+        r[28, i] = where(p >= q, 1.0, 0.0)
+        r[29, i] = where(p == q, 1.0, 0.0)
+        r[30, i] = where(p != q, 1.0, 0.0)
+        r[31, i] = where((p < q) & (q < s), 1.0, 0.0)
+        r[32, i] = where((p < q) | (q < s), 1.0, 0.0)
+        r[33, i] = where(negate(p < q), 1.0, 0.0)
+        r[34, i] = where(p < 0.5, 1.0, 0.0)
+        total = 0.0
+        for _ in range(3):
+            total = total + p
+        r[35, i] = total
+        any_out[i] = any_true(p < q)
+
+
+def specials() -> Any:
+    tiny = np.nextafter(0.0, 1.0)
+    values = [0.0, -0.0, 1.0, -1.0, np.inf, -np.inf, np.nan, tiny, -1e-310, 1e308, 0.1, 0.3]
+    return np.array(values)
+
+
+def inputs() -> tuple[Any, Any, Any]:
+    """Pairs of all special values, then random ones; a multiple of 8."""
+    rng = np.random.default_rng(0)
+    p, q = np.meshgrid(specials(), specials())
+    random = rng.normal(size=(3, 256)) * 10.0 ** rng.integers(-3, 3, (3, 256))
+    random[0, ::4] = random[1, ::4]
+    a, b = np.concatenate([p.ravel(), random[0]]), np.concatenate([q.ravel(), random[1]])
+    c = np.concatenate([np.roll(p.ravel(), 5), random[2]])
+    return a, b, c
+
+
+def results(width: int) -> tuple[Any, Any]:
+    flat = inputs()
+    packed = []
+    for values in flat:
+        array = aligned_zeros((len(values) // width, width))
+        array[...] = values.reshape(-1, width)
+        packed.append(array)
+    rows = len(flat[0]) // width
+    out = aligned_zeros((len(OPERATIONS), rows, width))
+    some = np.zeros(rows, dtype=np.bool_)
+    evaluate(*packed, out, some, (0,) * width)
+    return out.reshape(len(OPERATIONS), -1), some
+
+
+@pytest.fixture(scope="session")
+def computed() -> dict[int, tuple[Any, Any]]:
+    return {width: results(width) for width in WIDTHS}
+
+
+def same_bits(a: Any, b: Any) -> Any:
+    """Equal to the last bit and in the sign of zero; any NaN is a NaN."""
+    return (a.view(np.int64) == b.view(np.int64)) | (np.isnan(a) & np.isnan(b))
+
+
+@pytest.mark.parametrize("width", WIDTHS[1:])
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(
+            name,
+            marks=pytest.mark.xfail(
+                reason="lanes compare != as ordered: NaN != NaN is false", strict=True
+            ),
+        )
+        if name == "ne"
+        else name
+        for name in OPERATIONS
+    ],
+)
+def test_lanes_equal_their_scalars(computed, width, name):
+    row = OPERATIONS.index(name)
+    lanes, scalars = computed[width][0][row], computed[1][0][row]
+    wrong = np.flatnonzero(~same_bits(lanes, scalars))
+    a, b, c = inputs()
+    assert not len(wrong), [(a[i], b[i], c[i], lanes[i], scalars[i]) for i in wrong[:5]]
+
+
+@pytest.mark.parametrize("width", WIDTHS[1:])
+def test_any_true_is_any_of_the_lanes(computed, width):
+    single = computed[1][1].reshape(-1, width)
+    assert np.array_equal(computed[width][1], single.any(axis=1))
+    assert 0 < computed[width][1].sum() < len(single)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("add", lambda a, b, c: a + b),
+        ("sub", lambda a, b, c: a - b),
+        ("idiv", lambda a, b, c: a / b),
+        ("number_sub", lambda a, b, c: 0.1 - a),
+        ("sqrt", lambda a, b, c: np.sqrt(a)),
+        ("absolute", lambda a, b, c: np.abs(a)),
+        ("minimum", lambda a, b, c: np.where(a < b, a, b)),
+        ("maximum", lambda a, b, c: np.where(a > b, a, b)),
+        ("where", lambda a, b, c: np.where(a < c, a, b)),
+        ("le", lambda a, b, c: 1.0 * (a <= b)),
+        ("gt", lambda a, b, c: 1.0 * (a > b)),
+        ("eq", lambda a, b, c: 1.0 * (a == b)),
+        ("ne", lambda a, b, c: 1.0 * (a != b)),
+        ("not", lambda a, b, c: 1.0 * ~(a < b)),
+        ("and", lambda a, b, c: 1.0 * ((a < b) & (b < c))),
+        ("or", lambda a, b, c: 1.0 * ((a < b) | (b < c))),
+        ("less_than_number", lambda a, b, c: 1.0 * (a < 0.5)),
+        ("sum_from_number", lambda a, b, c: 0.0 + a + a + a),
+    ],
+)
+def test_scalars_are_numpy_s(computed, name, expected):
+    with np.errstate(all="ignore"):
+        wanted = expected(*inputs())
+    assert same_bits(computed[1][0][OPERATIONS.index(name)], wanted).all()
+
+
+@pytest.mark.parametrize("name", ["log", "exp", "sin", "cos"])
+def test_transcendental_functions_are_accurate(computed, name):
+    with np.errstate(all="ignore"):
+        wanted = getattr(np, name)(inputs()[0])
+    actual = computed[1][0][OPERATIONS.index(name)]
+    np.testing.assert_allclose(actual, wanted, rtol=4e-16, atol=0.0)
+
+
+def test_fma_rounds_once(computed):
+    a = inputs()[0]
+    row = computed[8][0][OPERATIONS.index("fma_number")]
+    exact = [float(Fraction(0.1) * Fraction(a[i]) + 3) for i in range(144, len(a))]
+    assert row[144:].tolist() == exact
+    assert (row[144:] != 0.1 * a[144:] + 3).any()  # rounding twice shows
+
+
+def test_plain_python_takes_real_and_complex_numbers():
+    z = complex(0.3, 0.4)
+    assert sqrt(4.0) == 2.0
+    assert sqrt(z) ** 2 == pytest.approx(z)
+    assert exp(log(z)) == pytest.approx(z)
+    assert sin(z) ** 2 + cos(z) ** 2 == pytest.approx(1.0)
+    assert (log(math.e), exp(0.0), sin(0.0), cos(0.0)) == (1.0, 1.0, 0.0, 1.0)
+    assert (absolute(-2.0), absolute(-z), absolute(z)) == (2.0, z, z)
+    assert fma(2.0, 3.0, z) == 6.0 + z
+    assert (minimum(1.0, 2.0), maximum(1.0, 2.0)) == (1.0, 2.0)
+    assert where(True, 1, 2) == 1
+    assert any_true(3 > 2)
+    assert negate(2 > 3)
+
+
+def test_memory_for_lanes_is_zeroed_and_aligned():
+    for shape in ((3, 8), (5,), (2, 7, 4)):
+        for _ in range(5):
+            array = aligned_zeros(shape)
+            assert array.shape == shape
+            assert array.flags.c_contiguous
+            assert array.ctypes.data % 64 == 0
+            assert not array.any()
+
+
+@pytest.mark.parametrize(
+    "array",
+    [np.zeros((4, 2), dtype=np.float32), np.asfortranarray(np.zeros((4, 3, 2)))],
+    ids=["float32", "fortran"],
+)
+def test_only_contiguous_doubles_can_be_viewed(array):
+    @njit
+    def first(values):
+        return view_numbers(values, (0, 0)).shape[0]
+
+    assert first(np.zeros((4, 2))) == 4
+    with pytest.raises(TypeError, match="C-contiguous doubles"):
+        first(array)

@@ -1,0 +1,156 @@
+"""Every field of every option is checked: its key, the value and the range in one line."""
+
+import dataclasses
+import math
+
+import pytest
+
+from snapjump.accuracy import TIERS
+from snapjump.checks import ParameterError
+from snapjump.composition import Simulation, with_tier
+from snapjump.families import FAMILIES, name_of
+from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.simulation import build
+
+# Values just outside the range of every field: (family, member, field) -> values
+OUTSIDE = {
+    ("sim", "jump", "start_fraction"): (-1e-9, 0.951),
+    ("sim", "jump", "time_limit_s"): (0.0, -1.0),
+    ("sim", "jump", "sample_interval_s"): (0.0, 1e-7),
+    ("sim", "static", "steps"): (9, 100_001, 10.0),
+    ("sim", "snap", "duration_s"): (0.0,),
+    ("sim", "snap", "rise_time_s"): (0.0,),
+    ("sim", "snap", "sample_interval_s"): (0.0, 1e-7),
+    ("sim", "cantilever", "load_bar"): (-20.1, 20.1),
+    ("sim", "bounce", "mass_kg"): (0.0,),
+    ("sim", "bounce", "speed_m_s"): (-1e-9,),
+    ("sim", "bounce", "duration_s"): (0.0,),
+    ("sim", "bounce", "sample_interval_s"): (0.0,),
+    ("sim", "slide", "mass_kg"): (0.0,),
+    ("sim", "slide", "speed_m_s"): (-1e-9,),
+    ("sim", "slide", "duration_s"): (0.0,),
+    ("sim", "slide", "incline"): (-1e-9, 1.01),
+    ("sim", "slide", "sample_interval_s"): (0.0,),
+    ("discretization", "der", "elements"): (7, 100_001, 64.0),
+    ("discretization", "der", "clamp"): ("", "three_nodes"),
+    ("contact", "logbarrier", "stiffness_N_m"): (0.0, -1.0),
+    ("contact", "logbarrier", "distance_m"): (0.0, -1.0),
+    ("contact", "logbarrier", "weighting"): ("", "per_area"),
+    ("friction", "implicit", "velocity_threshold_m_s"): (0.0, -1.0),
+    ("friction", "lagged", "velocity_threshold_m_s"): (0.0, -1.0),
+    ("damping", "kelvin_voigt", "relaxation_time_s"): (-1e-9,),
+    ("damping", "mass_proportional", "rate_1_s"): (-1e-9,),
+    ("stepping", "fixed", "step_s"): (0.0, -1e-5, 0.0101),
+    ("stepping", "adaptive", "tolerance"): (0.0, 0.9e-12, 1.1e-2),
+    ("stepping", "adaptive", "contact_steps"): (0.0, -1.0),
+    ("backend", "lanes", "width"): (0, 1, 3, 32),
+}
+WRONG = (math.nan, math.inf, "much", None, [1.0])
+CASES = [
+    (family, member, field, value)
+    for (family, member, field), values in OUTSIDE.items()
+    for value in (*values, *WRONG)
+]
+
+
+def test_every_field_of_every_option_is_listed_here():
+    fields = {
+        (family, name, field.name)
+        for family, members in FAMILIES.items()
+        for name, options in members.items()
+        for field in dataclasses.fields(options)
+    }
+    assert fields == set(OUTSIDE)
+
+
+@pytest.mark.parametrize(("family", "member", "field", "value"), CASES)
+def test_values_out_of_range(family, member, field, value):
+    with pytest.raises(ParameterError) as caught:
+        FAMILIES[family][member](**{field: value})
+    error = caught.value
+    assert error.key == f"{family}.{field}"
+    message = str(error)
+    assert message.startswith(f"{error.key} = ")
+    assert str(value) in message
+    assert error.allowed
+    assert "\n" not in message
+
+
+def test_numbers_are_not_truth_values():
+    for family, member, field in OUTSIDE:
+        if field in ("clamp", "weighting"):
+            continue
+        with pytest.raises(ParameterError):
+            FAMILIES[family][member](**{field: True})
+
+
+@pytest.mark.parametrize("clamp", ["half_element", "two_nodes"])
+def test_masses_of_chain_and_clamps_are_the_beam_s(clamp):
+    options = DiscreteElasticRodOptions(20, clamp)
+    masses = options.masses()
+    assert len(masses) == options.moving_elements + 1
+    assert masses.sum() + 2.0 * options.clamped_mass_bar == pytest.approx(1.0, rel=1e-14)
+    assert masses[0] == masses[-1] == 0.0
+    assert (masses[1:-1] == 1.0 / 20).all()
+
+
+@pytest.mark.parametrize("tier", sorted(TIERS))
+def test_every_tier_composes(tier):
+    simulation = with_tier(tier)
+    chosen = TIERS[tier]
+    assert simulation.name("integrator") == chosen.integrator
+    assert simulation.name("friction") == chosen.friction
+    assert simulation.discretization.elements == chosen.elements
+    replaced = with_tier(tier, discretization=DiscreteElasticRodOptions(33))
+    assert replaced.discretization.elements == 33
+
+
+@pytest.mark.parametrize(
+    ("scene", "family", "member"),
+    [
+        ("jump", "frame", "fixed"),
+        ("jump", "contact", "none"),
+        ("snap", "contact", "logbarrier"),
+        ("static", "frame", "rigid"),
+        ("bounce", "contact", "none"),
+    ],
+)
+def test_parts_that_do_not_fit_a_scene(scene, family, member):
+    parts = {
+        "sim": FAMILIES["sim"][scene](),
+        "frame": FAMILIES["frame"]["rigid" if scene == "jump" else "fixed"](),
+        "contact": FAMILIES["contact"]["logbarrier" if scene in ("jump", "bounce") else "none"](),
+        "friction": FAMILIES["friction"]["implicit" if scene == "jump" else "none"](),
+    }
+    Simulation(**parts)
+    with pytest.raises(ParameterError) as caught:
+        Simulation(**(parts | {family: FAMILIES[family][member]()}))
+    assert caught.value.key == family
+    assert f"sim={scene}" in str(caught.value)
+
+
+def test_plain_configurations_become_simulations():
+    config = {
+        "stepping": {"name": "fixed", "step_s": 2e-6},
+        "design": {"epsilon": 0.15},
+        "accuracy": {"name": "draft"},
+    }
+    simulation = build(config)
+    assert simulation.stepping == FAMILIES["stepping"]["fixed"](2e-6)
+    assert simulation.design.epsilon == 0.15
+    assert name_of("stepping", simulation.stepping) == "fixed"
+
+
+@pytest.mark.parametrize(
+    ("config", "key"),
+    [
+        ({"stepping": {"name": "fixed", "step": 1.0}}, "stepping.step"),
+        ({"robot": {"size": 1.0}}, "robot.size"),
+        ({"stepping": {"name": "random"}}, "stepping"),
+        ({"accuracy": {"name": "perfect"}}, "accuracy.name"),
+    ],
+)
+def test_unknown_keys_and_members(config, key):
+    with pytest.raises(ParameterError) as caught:
+        build(config)
+    assert caught.value.key == key

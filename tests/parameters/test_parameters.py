@@ -1,0 +1,233 @@
+import dataclasses
+import math
+
+import pytest
+
+from snapjump.checks import ParameterError, check_choice, check_integer, check_number
+from snapjump.composition import with_tier
+from snapjump.engine.model import Model, numbers_of
+from snapjump.parameters.design import Design
+from snapjump.parameters.environment import Environment
+from snapjump.parameters.robot import Robot
+from snapjump.scenes.frame_body import rigid_frame
+from snapjump.units import Scales
+
+WRONG_TYPES = [float("nan"), float("inf"), -float("inf"), "1", None, True, [1.0]]
+
+
+@pytest.mark.parametrize("value", WRONG_TYPES)
+def test_numbers_must_be_finite_and_numbers(value):
+    with pytest.raises(ParameterError, match="^key = "):
+        check_number("key", value)
+
+
+def test_bounds_are_closed_unless_above():
+    check_number("key", 0.0, 0.0, 1.0)
+    check_number("key", 1, 0.0, 1.0)
+    check_number("key", 1.0, 0.0, 1.0, above=True)
+    for value in (-1e-9, 1.0 + 1e-9):
+        with pytest.raises(ParameterError, match=r"a number in \[0, 1\] m$"):
+            check_number("key", value, 0.0, 1.0, unit="m")
+    with pytest.raises(ParameterError, match=r"a number in \(0, 1\]$"):
+        check_number("key", 0.0, 0.0, 1.0, above=True)
+    with pytest.raises(ParameterError, match=r"a number in \(0, inf\)$"):
+        check_number("key", 0.0, 0.0, above=True)
+
+
+def test_integers_and_choices():
+    check_integer("key", 8, 8, 9)
+    for value in (7, 10, 8.0, "8", True, None):
+        with pytest.raises(ParameterError, match=r"an integer in \[8, 9\]"):
+            check_integer("key", value, 8, 9)
+    check_choice("key", "a", ("a", "b"))
+    for value in ("c", "", None, 1):
+        with pytest.raises(ParameterError, match="one of a, b"):
+            check_choice("key", value, ("a", "b"))
+
+
+def test_error_names_key_value_and_range():
+    error = ParameterError("design.epsilon", 0.7, "a number in (0, 0.4]")
+    assert str(error) == "design.epsilon = 0.7 is not allowed: a number in (0, 0.4]"
+    assert (error.key, error.value, error.allowed) == (
+        "design.epsilon",
+        0.7,
+        "a number in (0, 0.4]",
+    )
+
+
+def test_scales_are_consistent():
+    scales = Scales(0.02, 4e-3, 5e-5)
+    assert scales.velocity_m_s == pytest.approx(5.0)
+    assert scales.acceleration_m_s2 == pytest.approx(1250.0)
+    assert scales.force_N == pytest.approx(5e-5 * 1250.0)
+    assert scales.energy_J == pytest.approx(scales.mass_kg * scales.velocity_m_s**2)
+    assert scales.stiffness_N_m * scales.length_m == pytest.approx(scales.force_N)
+
+
+def test_scales_make_the_beam_dimensionless():
+    robot = Robot()
+    scales = robot.scales
+    # D1_frequencies: T of the robot's beam
+    assert scales.time_s == pytest.approx(4.38178046e-3, rel=1e-9)
+    bending = robot.bending_stiffness_N_m2 / (scales.force_N * scales.length_m**2)
+    assert bending == pytest.approx(1.0)
+    density = robot.beam_mass_kg / robot.length_m * scales.length_m / scales.mass_kg
+    assert density == pytest.approx(1.0)
+    area = robot.width_m * robot.thickness_m
+    stretching = robot.youngs_modulus_Pa * area / scales.force_N
+    assert stretching == pytest.approx(robot.stretching_stiffness_bar)
+    assert robot.stretching_stiffness_bar == pytest.approx(12.0 * 400.0**2)
+
+
+def test_mass_is_defined_by_its_weight():
+    # The paper's baseline: m_bar 0.768 is 4 g.
+    assert Environment(mass_bar=0.768).mass_kg(Robot()) == pytest.approx(4e-3)
+    robot = Robot()
+    light = robot.beam_mass_kg * robot.gravity_m_s2 * robot.length_m**2
+    light /= robot.bending_stiffness_N_m2
+    with pytest.raises(ParameterError, match=r"environment\.mass_bar = .*mass of the beam"):
+        Environment(mass_bar=light).mass_kg(robot)
+    assert Environment(mass_bar=1.01 * light).mass_kg(robot) > robot.beam_mass_kg
+    with pytest.raises(ParameterError, match=r"robot\.gravity_m_s2"):
+        Environment().mass_kg(Robot(gravity_m_s2=0.0))
+
+
+@pytest.mark.parametrize(
+    ("changed", "key"),
+    [
+        ({"epsilon": 0.0}, "design.epsilon"),
+        ({"epsilon": 0.4001}, "design.epsilon"),
+        ({"epsilon": -0.1}, "design.epsilon"),
+        ({"delta_alpha": 0.51}, "design.delta_alpha"),
+        ({"delta_alpha": math.nan}, "design.delta_alpha"),
+    ],
+)
+def test_designs_out_of_range(changed, key):
+    with pytest.raises(ParameterError) as caught:
+        Design(**changed)
+    assert caught.value.key == key
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("field", [f.name for f in dataclasses.fields(Robot)])
+@pytest.mark.parametrize("value", [-1.0, math.nan, math.inf, "much", None, True])
+def test_robots_out_of_range(field, value):
+    with pytest.raises(ParameterError) as caught:
+        Robot(**{field: value})
+    error = caught.value
+    assert error.key == f"robot.{field}"
+    assert repr(value) in str(error)
+    assert "\n" not in str(error)
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        {"length_m": 0.0},
+        {"density_kg_m3": 0.0},
+        {"rotation_rate_rad_s": 0.0},
+        {"rotation_end_rad": 1.6},
+        {"thickness_m": 2.1e-3},
+        {"mount_height": 0.0},
+        {"mount_height": 0.0101},
+        {"mount_height": "highest"},
+    ],
+)
+def test_robots_that_cannot_be_built(changed):
+    with pytest.raises(ParameterError) as caught:
+        Robot(**changed)
+    assert caught.value.key == f"robot.{next(iter(changed))}"
+
+
+@pytest.mark.parametrize("field", ["mu", "mass_bar"])
+@pytest.mark.parametrize("value", [-0.1, math.nan, "much", None, True])
+def test_environments_out_of_range(field, value):
+    with pytest.raises(ParameterError) as caught:
+        Environment(**{field: value})
+    assert caught.value.key == f"environment.{field}"
+
+
+def dimensionless(robot, **contact):
+    """All numbers of a jump's model but its clamps' start, which statics determines."""
+    from snapjump.options.contact import LogBarrierOptions
+    from snapjump.options.damping import KelvinVoigtOptions
+    from snapjump.options.friction import ImplicitFrictionOptions
+
+    scales = robot.scales
+    base = Robot().scales
+    simulation = with_tier(
+        "draft",
+        robot=robot,
+        contact=LogBarrierOptions(
+            1e4 * scales.stiffness_N_m / base.stiffness_N_m,
+            5e-4 * scales.length_m / base.length_m,
+        ),
+        damping=KelvinVoigtOptions(1e-5 * scales.time_s / base.time_s),
+        friction=ImplicitFrictionOptions(1e-4 * scales.velocity_m_s / base.velocity_m_s),
+    )
+    from snapjump.clamp.constant_rate import ConstantRate
+    from snapjump.load.gravity import Gravity
+
+    model = Model(
+        simulation.discretization.member(robot),
+        rigid_frame(simulation, 0.08),
+        ConstantRate(0.8, 1.5, robot.rotation_rate_rad_s * scales.time_s, 0.1),
+        simulation.contact.member(scales, simulation.discretization),
+        simulation.friction.member(scales, 0.3),
+        simulation.damping.member(scales),
+        Gravity(robot.gravity_m_s2 / scales.acceleration_m_s2),
+    )
+    return numbers_of(model)
+
+
+def test_scaling_the_robot_at_fixed_groups_changes_no_number():
+    base = Robot()
+    stretch, stiffer, denser = 3.0, 0.2, 1.7
+    speed = math.sqrt(stiffer / denser)  # of waves; times grow by stretch / speed
+    scaled = dataclasses.replace(
+        base,
+        length_m=base.length_m * stretch,
+        width_m=base.width_m * stretch,
+        thickness_m=base.thickness_m * stretch,
+        frame_height_m=base.frame_height_m * stretch,
+        youngs_modulus_Pa=base.youngs_modulus_Pa * stiffer,
+        density_kg_m3=base.density_kg_m3 * denser,
+        gravity_m_s2=base.gravity_m_s2 * speed**2 / stretch,
+        rotation_rate_rad_s=base.rotation_rate_rad_s * speed / stretch,
+    )
+    np_testing = pytest.importorskip("numpy").testing
+    np_testing.assert_allclose(dimensionless(scaled), dimensionless(base), rtol=1e-12)
+    heavier = dataclasses.replace(base, density_kg_m3=2.0 * base.density_kg_m3)
+    assert (abs(dimensionless(heavier) - dimensionless(base)) > 1e-3).any()
+
+
+def test_frame_is_leg_top_leg_with_the_clamped_ends():
+    """Centre and inertia against points spread along the three bars."""
+    import numpy as np
+
+    simulation = with_tier("draft", design=Design(0.2, 0.1))
+    frame = rigid_frame(simulation, 0.09)
+    robot = simulation.robot
+    height, width = robot.frame_height_m / robot.length_m, 0.8
+    s = (np.arange(2000) + 0.5) / 2000
+    bars = [
+        np.stack([np.full_like(s, -0.4), height * s], axis=1),
+        np.stack([width * (s - 0.5), np.full_like(s, height)], axis=1),
+        np.stack([np.full_like(s, 0.4), height * s], axis=1),
+    ]
+    mass = simulation.environment.mass_kg(robot) / robot.beam_mass_kg - 1.0
+    lengths = np.array([height, width, height])
+    weights = [np.full(2000, mass * n / lengths.sum() / 2000) for n in lengths]
+    ends = np.array([[-0.4, 0.09], [0.4, 0.09]])
+    points = np.concatenate([*bars, ends])
+    end = 0.5 / simulation.discretization.elements
+    weight = np.concatenate([*weights, [end, end]])
+    centre = weight @ points / weight.sum()
+    inertia = weight @ ((points - centre) ** 2).sum(axis=1)
+    assert frame.mass == pytest.approx(weight.sum(), rel=1e-12)
+    assert centre[0] == pytest.approx(0.0, abs=1e-12)
+    assert frame.foot_y == pytest.approx(-centre[1], rel=1e-10)
+    assert frame.mount_y == pytest.approx(0.09 - centre[1], rel=1e-10)
+    assert frame.top_y == pytest.approx(height - centre[1], rel=1e-10)
+    assert frame.inertia == pytest.approx(inertia, rel=1e-6)
+    assert frame.half_span == 0.4

@@ -1,0 +1,153 @@
+"""C1, C2, C2b, C3, C8: one mass in the barrier, against quadrature of its energy.
+
+C7, an elastic bar that hits a wall end on, cannot be expressed: loose nodes have no elements, and
+a beam's ends are held by a frame.
+"""
+
+import numpy as np
+import pytest
+from scipy.interpolate import CubicHermiteSpline
+
+from snapjump.contact.base import contact_force
+from snapjump.scenes.mass import march_mass, mass_model, resting_gap_bar
+
+STIFFNESS_N_M = 1e4
+REACH_M = 5e-4
+NAMES = {"implicit_euler": "IE", "tr_bdf2": "TRBDF2", "sdirk2": "SDIRK2"}
+STEPS = 400
+FINE = 2400  # hard impacts turn round within a few percent of the contact time
+
+
+def flight(arrays) -> tuple[float, float]:
+    """Smallest gap (m), and time from entering the barrier to leaving it (s)."""
+    time, gap, speed = (arrays[k] for k in ("time_s", "node_y_m", "node_vy_m_s"))
+    path = CubicHermiteSpline(time, gap[:, 0], speed[:, 0])
+    turns = path.derivative().roots(extrapolate=False)
+    lowest = min(float(path(t)) for t in turns)
+    leaves = path.solve(REACH_M, extrapolate=False)
+    return lowest, float(leaves[leaves > turns[0]].max() - time[0])
+
+
+def peak_force_N(model, scales, gap_m: float) -> float:
+    force, _ = contact_force(model.contact, gap_m / scales.length_m)
+    return float(force) * scales.force_N
+
+
+def bounce(single_mass, run, mass_kg, speed_m_s, contact_s, integrator="tr_bdf2", steps=STEPS):
+    step = contact_s / steps
+    scene = {
+        "mass_kg": mass_kg,
+        "speed_m_s": speed_m_s,
+        "duration_s": 1.1 * contact_s,
+        "sample_interval_s": 0.5 * step,
+    }
+    return run(single_mass("bounce", step, integrator, **scene))
+
+
+@pytest.mark.parametrize("speed", [0.01, 0.1, 0.5, 1.0, 2.0, 3.0])
+def test_nondimensional(speed, single_mass, run, reference):
+    """Gaps over d_hat, speeds over d_hat sqrt(K/m), times in sqrt(m/K)."""
+    row = next(r for r in reference("C1_barrier_nondim") if r["vhat"] == speed)
+    mass = 1e-3
+    time = np.sqrt(mass / STIFFNESS_N_M)
+    errors = []
+    for steps in (STEPS, FINE):
+        contact_s = row["tc"] * time
+        result = bounce(single_mass, run, mass, speed * REACH_M / time, contact_s, steps=steps)
+        lowest, contact = flight(result.arrays)
+        assert lowest / REACH_M == pytest.approx(row["xmin"], abs=1e-4)
+        assert contact / time == pytest.approx(row["tc"], rel=1e-3)
+        assert result.min_gap_m > 0.0
+        errors.append(abs(lowest / REACH_M / row["xmin"] - 1.0))
+    assert errors[-1] < 1e-4
+
+
+def test_dimensional(single_mass, run, reference):
+    for row in reference("C2_barrier_dim"):
+        if row["g"] != 0.0:
+            continue
+        result = bounce(single_mass, run, row["m"], row["v"], row["tc"])
+        assert flight(result.arrays)[1] == pytest.approx(row["tc"], rel=1e-3)
+        result = bounce(single_mass, run, row["m"], row["v"], row["tc"], steps=FINE)
+        lowest, contact = flight(result.arrays)
+        assert lowest == pytest.approx(row["dmin"], rel=1e-4)
+        assert contact == pytest.approx(row["tc"], rel=1e-3)
+        simulation = result.simulation
+        force = peak_force_N(mass_model(simulation, 0.0, 0.0), simulation.robot.scales, lowest)
+        assert force == pytest.approx(row["Fmax"], rel=1e-3)
+
+
+def test_with_weight(single_mass, reference):
+    exact = reference("C2b_with_gravity")
+    step = exact["tc"] / STEPS
+    simulation = single_mass(
+        "bounce", step, duration_s=1.1 * exact["tc"], sample_interval_s=0.5 * step
+    )
+    scales = simulation.robot.scales
+    model = mass_model(simulation, 10.0, 0.0)
+    start = (0.0, REACH_M / scales.length_m)
+    fall = (0.0, -1.0 / scales.velocity_m_s)
+    _, arrays = march_mass(simulation, model, 4e-3 / scales.mass_kg, start, fall, None)
+    lowest, contact = flight(arrays)
+    assert lowest == pytest.approx(exact["dmin"], rel=1e-4)
+    assert contact == pytest.approx(exact["tc"], rel=1e-3)
+    assert peak_force_N(model, scales, lowest) == pytest.approx(exact["Fmax"], rel=1e-3)
+
+
+def test_hardest_impact_keeps_its_gap(single_mass, run, reference):
+    """vhat = 5 leaves 3.7e-6 of the barrier: no fixed step resolves it, yet no gap closes."""
+    row = reference("C1_barrier_nondim")[-1]
+    mass = 1e-3
+    time = np.sqrt(mass / STIFFNESS_N_M)
+    for steps in (5, 40, STEPS):
+        result = bounce(
+            single_mass, run, mass, row["vhat"] * REACH_M / time, row["tc"] * time, steps=steps
+        )
+        assert result.min_gap_m > 0.0
+
+
+def test_rest(single_mass, run, reference):
+    for row in reference("C3_rest_gap"):
+        simulation = single_mass("slide", 1e-5, mass_kg=row["m"], speed_m_s=0.0, duration_s=1e-3)
+        scales = simulation.robot.scales
+        model = mass_model(simulation, row["g"], 0.0)
+        gap = resting_gap_bar(model, row["m"] / scales.mass_kg) * scales.length_m
+        assert gap == pytest.approx(row["gap"], rel=1e-8)
+        heights = run(simulation).arrays["node_y_m"]
+        assert np.allclose(heights, row["gap"], rtol=1e-8, atol=0.0)
+
+
+@pytest.mark.parametrize("integrator", NAMES)
+def test_restitution(integrator, single_mass, reference):
+    """Mean over eight phases of the first step against the moment of entering the barrier."""
+    rows = [r for r in reference("C8_restitution_vs_dt") if r["method"] == NAMES[integrator]]
+    contacts = {r["vhat"]: r["tc"] for r in reference("C1_barrier_nondim")}
+    for row in rows:
+        for count, mean in zip(row["n_per_tc"], row["e_mean"], strict=True):
+            found = restitutions(single_mass, integrator, row["vhat"], contacts, count)
+            assert np.mean(found) == pytest.approx(mean, abs=1e-3), (row["vhat"], count)
+
+
+def restitutions(single_mass, integrator, vhat, contacts, count) -> list[float]:
+    mass = 1e-3
+    time = np.sqrt(mass / STIFFNESS_N_M)
+    speed, contact = vhat * REACH_M / time, contacts[vhat] * time
+    step = contact / count
+    simulation = single_mass(
+        "bounce",
+        step,
+        integrator,
+        duration_s=4.0 * contact + 20.0 * step,
+        sample_interval_s=contact,
+    )
+    scales = simulation.robot.scales
+    model = mass_model(simulation, 0.0, 0.0)
+    ratios = []
+    for phase in range(8):
+        height = REACH_M + phase / 8.0 * step * speed
+        start = (0.0, height / scales.length_m)
+        fall = (0.0, -speed / scales.velocity_m_s)
+        result, arrays = march_mass(simulation, model, mass / scales.mass_kg, start, fall, None)
+        assert result.min_gap_m > 0.0
+        ratios.append(arrays["node_vy_m_s"][-1, 0] / speed)
+    return ratios

@@ -1,0 +1,75 @@
+"""D6, D7: the dynamic snap of the beam alone, against an independent Galerkin solution."""
+
+import numpy as np
+import pytest
+
+from snapjump.parameters.design import Design
+
+TIME_S = 4.3817804600413289e-3  # of the paper's beam
+VELOCITY_M_S = 0.02 / TIME_S
+# Until the end of the first swing; what follows depends on the finest detail.
+CASES = {
+    "as01": ("D6_snap_dyn_as01", 8.3),
+    "sym01": ("D6_snap_dyn_sym01", 7.9),
+    "sym02": ("D6_snap_dyn_sym02", 11.0),
+}
+
+
+def tilt_until(result, moment_s: float) -> float:
+    """Largest angle of the midpoint's tangent until a moment."""
+    x, y = result.arrays["node_x_m"], result.arrays["node_y_m"]
+    k = x.shape[1] // 2
+    tilt = np.arctan2(y[:, k + 1] - y[:, k - 1], x[:, k + 1] - x[:, k - 1])
+    return float(np.abs(tilt[result.arrays["time_s"] <= moment_s]).max())
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_galerkin(case, beam, run, reference):
+    name, duration = CASES[case]
+    exact = reference(name)
+    design = Design(exact["eps"], exact["delta"])
+    result = run(beam(5e-6, 112, design=design, duration_s=duration * TIME_S))
+    crossing = result.snap_time_s / TIME_S
+    assert crossing == pytest.approx(exact["t_cross_T"], rel=5e-3)
+    assert result.midpoint_velocity_m_s == pytest.approx(exact["vmid_cross_SI"], rel=0.02)
+    if exact["delta"] == 0.0:
+        # Rounding grows fast once the arch has become unstable, but not that fast.
+        assert tilt_until(result, result.snap_time_s) < 1e-8
+    else:
+        assert result.theta_max_rad == pytest.approx(exact["theta_mid_absmax"], rel=0.02)
+    height = result.arrays["node_y_m"][:, 56] / 0.02
+    time = result.arrays["time_s"] / TIME_S
+    assert height[0] == pytest.approx(exact["ymid_static0"], rel=1e-3)
+    for moment in (2.0, 5.0):
+        assert np.interp(moment, time, height) == pytest.approx(
+            exact[f"ymid_T{moment:.1f}"], rel=2e-3
+        )
+
+
+def test_limit_of_many_elements(beam, run):
+    """D7: t_cross by Richardson over 40 and 80 elements."""
+    for design, limit in ((Design(0.1, 0.1), 7.5112), (Design(0.2, 0.0), 10.9522)):
+        coarse, fine = (
+            run(beam(1e-5, n, design=design, duration_s=0.05)).snap_time_s / TIME_S
+            for n in (40, 80)
+        )
+        assert (4.0 * fine - coarse) / 3.0 == pytest.approx(limit, rel=2e-4)
+
+
+def test_implicit_euler_rows(beam, run, reference):
+    """D7: an independent code with the same elements, integrator and fixed step."""
+    for row in reference("D7_der_dynamic_crosscheck"):
+        design = Design(row["eps"], row["delta"])
+        scene = {"duration_s": 1.2 * row["t_cross_s"], "sample_interval_s": row["dt"]}
+        result = run(beam(row["dt"], row["n"], "implicit_euler", design=design, **scene))
+        assert result.snap_time_s == pytest.approx(row["t_cross_s"], rel=1e-6)
+        assert result.alpha_snap_rad == pytest.approx(row["alpha_cross"], rel=1e-6)
+        assert result.midpoint_velocity_m_s / VELOCITY_M_S == pytest.approx(row["vmid"], rel=1e-5)
+        height = result.arrays["node_y_m"][:, row["n"] // 2] / 0.02
+        time = result.arrays["time_s"] / TIME_S
+        assert height[0] == pytest.approx(row["ymid0"], rel=1e-8)
+        assert np.interp(5.0, time, height) == pytest.approx(row["ymid5"], rel=1e-5)
+        if row["delta"]:
+            assert result.theta_max_rad == pytest.approx(row["th_max"], rel=1e-4)
+        else:
+            assert tilt_until(result, result.snap_time_s) < 1e-8

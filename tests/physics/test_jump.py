@@ -1,0 +1,93 @@
+"""The jump: flight, ledger, gaps, monotony, and its pinned baseline."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from snapjump.families import FAMILIES
+from snapjump.parameters.design import Design
+from snapjump.parameters.environment import Environment
+from snapjump.parameters.robot import Robot
+from snapjump.simulation import simulate_jump
+from snapjump.statics.critical import symmetric_snap
+
+DESIGNS = {
+    "baseline": (0.2, 0.1, 0.3, 0.768),
+    "light": (0.15, 0.05, 0.4, 0.3),
+    "even": (0.25, 0.01, 0.2, 0.6),
+    "heavy": (0.3, 0.15, 0.5, 1.5),
+}
+
+
+@pytest.fixture(params=DESIGNS)
+def jumped(request, jump):
+    epsilon, lag, mu, mass_bar = DESIGNS[request.param]
+    return jump(design=Design(epsilon, lag), environment=Environment(mu, mass_bar))
+
+
+def test_no_gap_closes(jumped):
+    arrays = jumped.arrays
+    assert jumped.min_gap_m > 0.0
+    assert arrays["corner_gap_m"].min() > 0.0
+    assert arrays["node_gap_m"].min() > 0.0
+    assert all(np.isfinite(values).all() for values in arrays.values())
+
+
+def test_flight_is_ballistic(jumped):
+    arrays = jumped.arrays
+    # Lift-off is the end of the last step in contact: leave that step behind.
+    aloft = arrays["time_s"] > jumped.liftoff_time_s + 1e-4
+    assert aloft.sum() > 5
+    time = arrays["time_s"][aloft] - jumped.liftoff_time_s
+    scale = jumped.liftoff_vy_m_s
+    assert np.ptp(arrays["com_vx_m_s"][aloft]) < 1e-9 * scale
+    assert np.ptp(arrays["com_vy_m_s"][aloft] + 10.0 * time) < 1e-9 * scale
+    assert arrays["com_vx_m_s"][-1] == pytest.approx(jumped.liftoff_vx_m_s, abs=1e-9 * scale)
+    fall = arrays["com_vy_m_s"][-1]
+    apex_y = arrays["com_y_m"][-1] + fall**2 / 20.0
+    apex_x = arrays["com_x_m"][-1] + arrays["com_vx_m_s"][-1] * fall / 10.0
+    assert apex_y == pytest.approx(jumped.y_bar * 0.02, rel=1e-9)
+    assert apex_x == pytest.approx(jumped.x_bar * 0.02, rel=1e-9)
+
+
+def test_books_balance(jumped):
+    simulation = jumped.simulation
+    released = symmetric_snap(
+        simulation.robot, simulation.discretization, simulation.design.epsilon
+    )
+    energy = (released.before.energy - released.after.energy) * simulation.robot.scales.energy_J
+    loss = jumped.arrays["numerical_loss_J"]
+    assert abs(loss[-1]) < 5e-3 * energy
+    assert np.abs(loss).max() < 1e-2 * energy
+
+
+def test_heavier_robots_jump_lower(jump):
+    heights = [jump(environment=Environment(0.3, m)).y_bar for m in (0.3, 0.5, 0.768, 1.2, 2.0)]
+    assert all(np.diff(heights) < 0.0)
+
+
+def test_beam_out_of_reach_of_the_ground(jump):
+    """A mount far above h2: the snap strikes nothing."""
+    robot = Robot(mount_height=0.009)
+    result = jump(robot=robot, allowed=("ok", "no_jump"))
+    assert result.y_bar < 1.0
+    strike = jump().y_bar
+    assert result.y_bar < 0.05 * strike
+
+
+@pytest.mark.parametrize("fraction", [0.7, 0.8])
+def test_where_the_motion_starts_matters_little(fraction, jump):
+    scene = FAMILIES["sim"]["jump"]
+    near = jump()
+    far = jump(sim=dataclasses.replace(scene(), start_fraction=fraction))
+    assert near.simulation.sim.start_fraction == 0.85
+    assert far.x_bar == pytest.approx(near.x_bar, rel=5e-3)
+    assert far.y_bar == pytest.approx(near.y_bar, rel=5e-3)
+
+
+def test_baseline_is_pinned():
+    result = simulate_jump()
+    assert result.status == "ok"
+    assert result.x_bar == pytest.approx(5.38, rel=0.01)
+    assert result.y_bar == pytest.approx(14.28, rel=0.01)

@@ -1,0 +1,87 @@
+"""S7: critical angles with a mismatch between the clamps, inextensible and extensible."""
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from snapjump.statics.branch import Branch
+from snapjump.statics.critical import STEP, start_point
+
+# EI/(EA L^2) of the paper's beam, b/L = 2.5e-3; inextensible ones are slender instead.
+RATIOS = {"0.0e+00": 1e-4, "5.2e-07": 2.5e-3}
+CASES = [
+    (epsilon, lag, "0.0e+00") for epsilon in (0.1, 0.2, 0.3) for lag in (0.005, 0.01, 0.1, 0.19)
+] + [(epsilon, 0.1, "5.2e-07") for epsilon in (0.1, 0.2, 0.3)]
+MORE = [(epsilon, lag, "0.0e+00") for epsilon in (0.1, 0.2, 0.3) for lag in (0.02, 0.05)]
+NAMES = (
+    "before_E",
+    "before_ymid",
+    "after_E",
+    "after_ymid",
+    "before_theta_mid",
+    "after_theta_mid",
+)
+
+
+def middle_tangent(equilibrium) -> float:
+    k = len(equilibrium.x) // 2
+    rise = equilibrium.y[k + 1] - equilibrium.y[k - 1]
+    return float(np.arctan2(rise, equilibrium.x[k + 1] - equilibrium.x[k - 1]))
+
+
+def figures(found) -> np.ndarray:
+    states = (found.before, found.after)
+    return np.array(
+        [f(state) for state in states for f in (lambda e: e.energy, lambda e: e.midpoint)]
+        + [middle_tangent(state) for state in states]
+    )
+
+
+def symmetric_fold(arch, elements: int, epsilon: float, ratio: float) -> float:
+    """The largest angle on the branch of symmetric shapes."""
+    branch = Branch(arch(epsilon, elements, ratio), 0.0)
+    point = start_point(branch)
+    for following in branch.follow(point, STEP):
+        if following.direction[-1] < 0.0:
+            break
+        point = following
+    start = point
+
+    def turn(length: float) -> float:
+        return float(branch.step(start, length).direction[-1])
+
+    return branch.step(start, brentq(turn, 1e-9, STEP, xtol=1e-7)).left
+
+
+@pytest.mark.parametrize("epsilon", [0.1, 0.2, 0.3])
+def test_symmetric(epsilon, arch, snap, reference, richardson):
+    """The inextensible limit is extrapolated from two extensible beams: the shift is linear in
+    EI/EA L^2, and rounding grows with stiffness."""
+    stiff, soft = 5e-4, RATIOS["5.2e-07"]
+    share = stiff**2 / (soft**2 - stiff**2)
+    for find, name in (
+        (lambda n, ratio: snap(epsilon, n, ratio=ratio).alpha_rad, "alpha_pitchfork"),
+        (lambda n, ratio: symmetric_fold(arch, n, epsilon, ratio), "alpha_fold"),
+    ):
+        soft_angle, stiff_angle = (
+            richardson(*(find(n, ratio) for n in (40, 80, 160))) for ratio in (soft, stiff)
+        )
+        extensible = reference(f"S7_sym_lam5.2e-07_eps{epsilon:g}")[name]
+        assert soft_angle == pytest.approx(extensible, rel=1e-6)
+        inextensible = reference(f"S7_sym_lam0.0e+00_eps{epsilon:g}")[name]
+        assert stiff_angle + share * (stiff_angle - soft_angle) == pytest.approx(
+            inextensible, rel=1e-6
+        )
+
+
+@pytest.mark.parametrize(
+    "epsilon, lag, lam", [*CASES, *(pytest.param(*case, marks=pytest.mark.slow) for case in MORE)]
+)
+def test_fold(epsilon, lag, lam, snap, reference):
+    exact = reference(f"S7_mismatch_eps{epsilon:g}_d{lag:g}_lam{lam}")
+    coarse, fine = (snap(epsilon, n, lag, RATIOS[lam]) for n in (80, 160))
+    assert fine.alpha_rad == pytest.approx(exact["aL"], rel=1e-3)
+    assert fine.before.right == pytest.approx(exact["aR"], rel=1e-3)
+    expected = np.array([exact[name] for name in NAMES])
+    limit = (4.0 * figures(fine) - figures(coarse)) / 3.0
+    assert np.allclose(limit, expected, rtol=1e-3, atol=0.0)

@@ -1,0 +1,120 @@
+"""S5, S6, S10: where the symmetrically rotated arch loses stability, before and after."""
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+# Extensibility lowers the angle by about 40 lambda/epsilon; the stiffer, the more rounding.
+SLENDERNESS = {1e-3: 2e-5, 1e-2: 5e-5, 0.2: 2e-4, 0.3: 2e-4, 0.4: 2e-4}
+QUICK = [1e-3, 0.1, 0.2, 0.3]
+MORE = [pytest.param(e, marks=pytest.mark.slow) for e in (1e-2, 0.03, 0.05, 0.4)]
+NAMES = (
+    "alpha_asym",
+    "E_before_asym",
+    "E_after_asym",
+    "dE_asym",
+    "ymid_before_asym",
+    "ymin_before_asym",
+    "ymid_after_asym",
+)
+
+
+def figures(found) -> np.ndarray:
+    before, after = found.before, found.after
+    return np.array(
+        [
+            found.alpha_rad,
+            before.energy,
+            after.energy,
+            before.energy - after.energy,
+            before.midpoint,
+            -found.h1_bar,
+            -found.h2_bar,
+        ]
+    )
+
+
+def family(snap, epsilon: float) -> list[np.ndarray]:
+    """The figures at 40, 80 and 160 elements."""
+    ratio = SLENDERNESS.get(epsilon, 1e-4)
+    return [figures(snap(epsilon, n, ratio=ratio)) for n in (40, 80, 160)]
+
+
+@pytest.mark.parametrize("epsilon", [*QUICK, *MORE])
+def test_pitchfork(epsilon, snap, reference, richardson):
+    entry = reference(f"S5_snap_sym_eps{epsilon:g}")
+    exact = np.array([entry[name] for name in NAMES])
+    coarse, middle, fine = family(snap, epsilon)
+    assert np.allclose(fine, exact, rtol=1e-3, atol=0.0)
+    limit = richardson(coarse, middle, fine)
+    # The lowest point lies between nodes, nearer or farther as N changes: not a smooth error.
+    smooth = [name != "ymin_before_asym" for name in NAMES]
+    assert np.allclose(limit[smooth], exact[smooth], rtol=1e-5, atol=0.0)
+
+
+@pytest.mark.parametrize("epsilon", [0.1, 0.2])
+def test_two_fixed_nodes_are_half_a_percent_off(epsilon, snap, reference):
+    alpha = snap(epsilon, 160, clamp="two_nodes").alpha_rad
+    assert alpha == pytest.approx(reference(f"S5_snap_sym_eps{epsilon:g}")["alpha_asym"], rel=5e-3)
+
+
+def test_shallow_limits(snap, reference, richardson):
+    shallow = reference("S6_shallow_limits")["energies_over_eps"]
+    epsilon = 1e-3
+    alpha, before, after, released, middle, _, below = richardson(*family(snap, epsilon))
+    root = np.sqrt(epsilon)
+    assert alpha / root == pytest.approx(shallow["mu_asym_bif"], rel=1e-3)
+    assert before / epsilon == pytest.approx(shallow["E_over_eps_before"], rel=1e-3)
+    assert after / epsilon == pytest.approx(shallow["E_over_eps_after"], rel=1e-3)
+    assert released / epsilon == pytest.approx(shallow["E_over_eps_released"], rel=1e-3)
+    assert middle / root == pytest.approx(shallow["wmid_before_asym"], rel=1e-3)
+    assert below / root == pytest.approx(shallow["wmid_after"], rel=1e-3)
+
+
+def test_shallow_arch_turned_at_one_end(snap, reference, richardson):
+    """The right clamp stays flat where it lags by just the left clamp's critical angle."""
+    epsilon = 1e-3
+
+    def critical(elements: int) -> float:
+        def excess(lag: float) -> float:
+            return snap(epsilon, elements, lag, 2e-5).alpha_rad - lag
+
+        return brentq(excess, 0.05, 0.06, xtol=1e-8)
+
+    mu = richardson(*(critical(n) for n in (20, 40, 80))) / np.sqrt(epsilon)
+    assert mu == pytest.approx(reference("S6_shallow_limits")["one_end"]["mu_fold"], rel=1e-3)
+
+
+def test_shallow_arch_turned_against_itself(arch, reference, richardson):
+    """Beyond a supercritical pitchfork only the S shape is left; its lowest eigenvalue grows
+    linearly from zero there."""
+    epsilon = 1e-3
+
+    def critical(elements: int) -> float:
+        beam = arch(epsilon, elements)
+        state = beam.settle(beam.guess(), 0.0, 0.0)
+        root = np.sqrt(epsilon)
+        for mu in (0.5, 1.0, 1.5, 1.8, 1.9, 1.95, 1.98, 2.0, 2.02):
+            state = beam.settle(state, mu * root, -mu * root)
+        eigenvalues = []
+        angles = (2.05, 2.1, 2.15)
+        for mu in angles:
+            state = beam.settle(state, mu * root, -mu * root)
+            assert abs(beam.equilibrium(state, mu * root, -mu * root).midpoint) < 1e-9
+            eigenvalues.append(beam.stability()[0])
+        curve = np.polynomial.Polynomial.fit(angles, eigenvalues, 2)
+        return brentq(curve, 1.9, 2.1)
+
+    mu = richardson(*(critical(n) for n in (20, 40, 80)))
+    assert mu == pytest.approx(reference("S6_shallow_limits")["antisym"]["mu_pitchfork"], rel=1e-3)
+
+
+def test_released_programs_heights(snap, reference):
+    """The released program fits h1 within 7 % and h2 within 1.5 %."""
+    entry = reference("S10_authors_h1h2")
+    for k, epsilon in enumerate((0.1, 0.2, 0.3)):
+        found = snap(epsilon, 160)
+        assert found.h1_bar == pytest.approx(entry["exact_minus_ymin"][k], rel=1e-3)
+        assert found.h2_bar == pytest.approx(entry["exact_minus_ymid_after"][k], rel=1e-3)
+        assert found.h1_bar == pytest.approx(entry["authors_h1"][k], rel=0.07)
+        assert found.h2_bar == pytest.approx(entry["authors_h2"][k], rel=0.015)

@@ -1,0 +1,88 @@
+"""Small robots for tests of the engine: coarse, hence quick, but whole."""
+
+from typing import Any
+
+import numpy as np
+
+from snapjump.clamp.constant_rate import ConstantRate
+from snapjump.composition import Simulation, with_tier
+from snapjump.ending.flight import FlightEnding
+from snapjump.engine.model import Model
+from snapjump.load.gravity import Gravity
+from snapjump.options.contact import LogBarrierOptions
+from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.options.stepping import AdaptiveStepOptions
+from snapjump.parameters.design import Design
+from snapjump.parameters.environment import Environment
+from snapjump.scenes.frame_body import rigid_frame
+from snapjump.scenes.jump_start import resting_guess
+from snapjump.scenes.runner import March
+
+# epsilon: critical angle (rad) and depth of the lowest point there (L), S5 of physics.json
+CRITICAL = {0.1: (0.6385, 0.0543), 0.2: (0.9117, 0.0736), 0.3: (1.127, 0.0860)}
+
+# epsilon, delta_alpha, mu, m_bar
+DESIGNS = (
+    (0.1, 0.02, 0.1, 0.4),
+    (0.2, 0.10, 0.3, 0.768),
+    (0.3, 0.15, 0.6, 1.5),
+    (0.2, 0.05, 0.2, 2.0),
+    (0.1, 0.19, 0.5, 0.3),
+    (0.3, 0.02, 0.3, 0.9),
+    (0.2, 0.15, 0.4, 1.2),
+    (0.1, 0.10, 0.2, 0.6),
+    (0.2, 0.01, 0.6, 0.5),
+    (0.3, 0.19, 0.1, 0.3),
+    (0.2, 0.00, 0.3, 1.0),
+)
+
+
+def small_simulation(epsilon: float, delta_alpha: float, mu: float, mass_bar: float) -> Simulation:
+    return with_tier(
+        "draft",
+        design=Design(epsilon, delta_alpha),
+        environment=Environment(mu, mass_bar),
+        discretization=DiscreteElasticRodOptions(24),
+        stepping=AdaptiveStepOptions(1e-5, 2.0),
+        contact=LogBarrierOptions(distance_m=1e-3),
+    )
+
+
+def small_robot(design: tuple[float, ...]) -> tuple[Model, Any]:
+    """The model and a first guess of its equilibrium, without any statics."""
+    simulation = small_simulation(*design)
+    robot, scales = simulation.robot, simulation.robot.scales
+    angle, depth = CRITICAL[simulation.design.epsilon]
+    model = Model(
+        simulation.discretization.member(robot),
+        rigid_frame(simulation, 1.05 * depth),
+        ConstantRate(
+            0.85 * angle,
+            robot.rotation_end_rad,
+            robot.rotation_rate_rad_s * scales.time_s,
+            simulation.design.delta_alpha,
+        ),
+        simulation.contact.member(scales, simulation.discretization),
+        simulation.friction.member(scales, simulation.environment.mu),
+        simulation.damping.member(scales),
+        Gravity(robot.gravity_m_s2 / scales.acceleration_m_s2),
+    )
+    return model, resting_guess(simulation, model)
+
+
+def small_march(designs: Any, lanes: int, starts: Any = None, duration: float = 20.0) -> March:
+    """A march of robots of these designs; ``starts``: a queue's state, velocity, acceleration."""
+    simulation = small_simulation(*designs[0])
+    robots = [small_robot(design) for design in designs]
+    march = March(
+        models=[model for model, _ in robots],
+        masses=simulation.discretization.masses(),
+        states=np.array([guess for _, guess in robots]),
+        simulation=simulation,
+        ending=FlightEnding(duration),
+        lanes=lanes,
+    )
+    if starts is not None:
+        for target, values in zip(march.queue[1:4], starts, strict=True):
+            target[...] = values
+    return march
