@@ -16,7 +16,7 @@ from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import STAGE, STEP, TIME
 from snapjump.engine.model import Model
 from snapjump.engine.newton import newton_iteration
-from snapjump.engine.stage import begin_stage, commit_step, estimate_error, store_stage
+from snapjump.engine.stage import begin_stage, commit_step, store_stage
 from snapjump.families import FAMILIES
 from snapjump.frame.none import NoFrame
 from snapjump.friction.none import NoFriction
@@ -76,7 +76,7 @@ def test_order_conditions_hold_up_to_the_declared_order_and_not_beyond(name):
 @names
 def test_comparison_method_is_consistent_and_different(name):
     tableau = MEMBERS[name]().tableau()
-    assert tableau.error.sum() == pytest.approx(0.0, abs=1e-14)
+    assert sum(tableau.error) == pytest.approx(0.0, abs=1e-14)
     assert np.abs(tableau.error).max() > 1e-2
     assert tableau.error_order == MEMBERS[name].order + 1
     # It integrates polynomials up to its number of stages exactly.
@@ -211,12 +211,12 @@ def march_in_plain_python(tableau, steps):
             for _ in range(30):
                 time = clock[TIME] + tableau.nodes[stage] * clock[STEP]
                 now = Motion(time, 1.0 / (tableau.gamma * clock[STEP]), 0.0)
-                step = newton_iteration(MODEL, now, MASSES, work, 1e-13, 30.0, 4.0)
+                step = newton_iteration(MODEL, now, MASSES, work, True, 1e-13, 30.0, 4.0)
                 if step.converged:
                     break
             assert step.converged
-            store_stage(tableau, work, True)
-        largest = max(largest, estimate_error(tableau, work))
+            error = store_stage(tableau, work, True)
+        largest = max(largest, error)
         commit_step(tableau, work, True)
     assert clock[TIME] == pytest.approx(DURATION)
     return np.concatenate([work.start, work.velocity[0]]), largest

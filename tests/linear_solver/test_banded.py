@@ -10,24 +10,37 @@ from plain_python import dense, plain_work
 from snapjump.engine.clock import ROWS
 from snapjump.engine.view import view_work
 from snapjump.engine.work import make_work
-from snapjump.linear_solver.banded import solve_bordered, solve_nodes
+from snapjump.linear_solver.banded import (
+    begin_elimination,
+    eliminate_node,
+    solve_frame,
+    substitute_back,
+)
+from snapjump.number.dispatch import routine
 
 NODES = 12
 WIDTH = 4
 
 
+@routine
+def solve(work: Any, bordered: Any) -> Any:
+    """Number of pivots that are not positive; the solution replaces the residual."""
+    system = work.system
+    zero = 0.0 * system.square[0, 0]
+    done = begin_elimination(zero)
+    for node in range(NODES):
+        done = eliminate_node(system, node, bordered, done)
+    negative = done.negative
+    if bordered:
+        negative = negative + solve_frame(system, done)
+    substitute_back(system, bordered, zero)
+    return negative
+
+
 @njit(cache=True, error_model="numpy")
 def solve_compiled(memory: Any, lanes: Any, bordered: bool) -> None:
     work = view_work(memory, lanes)
-    if bordered:
-        work.clock[0] = solve_bordered(work.system)
-    else:
-        work.clock[0] = solve_nodes(work.system)
-
-
-def solve(work: Any, bordered: bool) -> Any:
-    """Number of pivots that are not positive; the solution replaces the residual."""
-    return solve_bordered(work.system) if bordered else solve_nodes(work.system)
+    work.clock[0] = solve(work, bordered)
 
 
 def fill(work: Any, seed: int, shift: float, unsymmetric: bool = False) -> tuple[Any, Any]:
