@@ -7,13 +7,15 @@ branch's tangent and the acceleration its curvature.
 from typing import Any
 
 from snapjump.clamp.constant_rate import ConstantRate
+from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.equilibrium import settle
 from snapjump.engine.model import Model
 from snapjump.engine.status import NO_EQUILIBRIUM, RUNNING
 from snapjump.frame.base import frame_dofs
+from snapjump.friction.base import holds
 from snapjump.friction.none import NoFriction
 from snapjump.number.dispatch import kernel, routine
-from snapjump.number.functions import where
+from snapjump.number.functions import negate, where
 
 CONTINUATION_STEPS = 16
 DIFFERENCE_RAD = 2e-3  # clamp angle between the equilibria that velocity is taken from
@@ -33,6 +35,23 @@ def with_angles(model: Any, left: Any, lag: Any) -> Any:
         model.damping,
         model.load,
     )
+
+
+@kernel
+def stay_in_place(model: Any, masses: Any, work: Any) -> None:
+    """Where no friction holds the frame, keep the centre of mass in place instead of it."""
+    free = negate(holds(model.friction))
+    _, _, speed, _ = centre_of_mass(model, masses, work.start, work.velocity[0])
+    _, _, push, _ = centre_of_mass(model, masses, work.start, work.acceleration[0])
+    zero = 0.0 * speed
+    speed = where(free, speed, zero)
+    push = where(free, push, zero)
+    work.velocity[0, 0] = work.velocity[0, 0] - speed
+    work.acceleration[0, 0] = work.acceleration[0, 0] - push
+    for node in range(masses.shape[0]):
+        i = 3 + 2 * node
+        work.velocity[0, i] = work.velocity[0, i] - speed
+        work.acceleration[0, i] = work.acceleration[0, i] - push
 
 
 @routine
@@ -83,6 +102,8 @@ def follow_branch(model: Any, masses: Any, work: Any) -> Any:
         work.velocity[0, i] = (after - before) / (2.0 * difference)
         work.acceleration[0, i] = (after - 2.0 * now + before) / (difference * difference)
         state[i] = now
+    if frame_dofs(model.frame) > 0:
+        stay_in_place(model, masses, work)
     middle = (masses.shape[0] - 1) // 2 * 2 + 1 + frame_dofs(model.frame)
     first = 1 + frame_dofs(model.frame)
     lost = lost | (state[middle] < state[first])

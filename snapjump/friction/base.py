@@ -20,6 +20,11 @@ def is_lagged(friction: Any) -> Any:
 
 
 @family_function
+def holds(friction: Any) -> Any:
+    """Whether friction keeps a resting robot in its place (a mask)."""
+
+
+@family_function
 def slip(friction: Any, velocity: Any, previous: Any) -> Any:
     """Friction force over normal force, and its derivative with respect to the velocity.
 

@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.friction.base import has_friction, is_lagged, regularised_sign, slip
+from snapjump.friction.base import has_friction, holds, is_lagged, regularised_sign, slip
 from snapjump.number.functions import where
 
 
@@ -30,3 +30,8 @@ def _slip(friction: ImplicitFriction, velocity: Any, previous: Any) -> Any:
     # at rest, the steepest there is.
     slope = where(velocity * previous < 0.0, 2.0 / friction.velocity_threshold, slope)
     return friction.mu * sign, friction.mu * slope
+
+
+@holds.member(ImplicitFriction)
+def _holds(friction: ImplicitFriction) -> Any:
+    return friction.mu > 0.0

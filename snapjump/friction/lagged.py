@@ -5,7 +5,7 @@ It is explicit, hence unstable for steps above eps_v m / (mu N).
 
 from typing import Any, NamedTuple
 
-from snapjump.friction.base import has_friction, is_lagged, regularised_sign, slip
+from snapjump.friction.base import has_friction, holds, is_lagged, regularised_sign, slip
 
 
 class LaggedFriction(NamedTuple):
@@ -29,3 +29,8 @@ def _is_lagged(friction: LaggedFriction) -> bool:
 def _slip(friction: LaggedFriction, velocity: Any, previous: Any) -> Any:
     sign, _ = regularised_sign(velocity, friction.velocity_threshold)
     return friction.mu * sign, 0.0 * sign
+
+
+@holds.member(LaggedFriction)
+def _holds(friction: LaggedFriction) -> Any:
+    return friction.mu > 0.0

@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.friction.base import has_friction, is_lagged, slip
+from snapjump.friction.base import has_friction, holds, is_lagged, slip
 
 
 class NoFriction(NamedTuple):
@@ -22,3 +22,8 @@ def _is_lagged(friction: NoFriction) -> bool:
 @slip.member(NoFriction)
 def _slip(friction: NoFriction, velocity: Any, previous: Any) -> Any:
     return 0.0 * velocity, 0.0 * velocity
+
+
+@holds.member(NoFriction)
+def _holds(friction: NoFriction) -> bool:
+    return False

@@ -81,6 +81,12 @@ def lane_type(*args: types.Type) -> LaneType | None:
     return lanes[0] if lanes and not rest else None
 
 
+def _compare(builder: ir.IRBuilder, name: str, x: ir.Value, y: ir.Value) -> ir.Value:
+    """IEEE comparison: false with a NaN, but for ``!=``, which is then true."""
+    compare = builder.fcmp_unordered if name == "!=" else builder.fcmp_ordered
+    return compare(name, x, y)
+
+
 def _define(function: Callable[..., Any], arity: int, build: Any, returns_mask: bool) -> None:
     """Teach numba ``function`` of ``arity`` lanes (numbers are broadcast)."""
 
@@ -120,7 +126,7 @@ for _function, _name in {
     operator.eq: "==",
     operator.ne: "!=",
 }.items():
-    _define(_function, 2, lambda b, x, y, n=_name: b.fcmp_ordered(n, x, y), True)
+    _define(_function, 2, lambda b, x, y, n=_name: _compare(b, n, x, y), True)
 
 
 def _define_mask(function: Callable[..., Any], arity: int, build: Any) -> None:

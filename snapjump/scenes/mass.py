@@ -16,6 +16,7 @@ from snapjump.engine import clock as c
 from snapjump.engine.model import Model
 from snapjump.engine.status import NAMES, OK, REASONS
 from snapjump.frame.none import NoFrame
+from snapjump.friction.base import slip
 from snapjump.load.inclined import InclinedGravity
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
@@ -55,6 +56,17 @@ def resting_gap_bar(model: Model, mass_bar: float) -> float:
     return float(brentq(surplus, 1e-12 * reach, reach, xtol=1e-15 * reach, rtol=1e-14))
 
 
+def beginning(
+    model: Model, mass_bar: float, state: tuple[float, float], velocity: tuple[float, float]
+) -> tuple[float, float]:
+    """Acceleration (L/T^2) of the mass at its first moment."""
+    normal = 0.0
+    if state[1] < model.contact.distance:
+        normal = float(contact_force(model.contact, state[1])[0]) / mass_bar
+    ratio, _ = slip(model.friction, velocity[0], 0.0)
+    return model.load.tangential - float(ratio) * normal, normal - model.load.normal
+
+
 def march_mass(
     simulation: Simulation,
     model: Model,
@@ -72,6 +84,7 @@ def march_mass(
         masses=np.array([mass_bar]),
         states=np.array([state]),
         velocities=np.array([velocity]),
+        accelerations=np.array([beginning(model, mass_bar, state, velocity)]),
         simulation=simulation,
         ending=TimedEnding(duration),
         recorder=make_recorder(2, duration, scene.sample_interval_s / scales.time_s),

@@ -36,6 +36,7 @@ class March:
     recorder: Any = NoRecorder()
     lanes: int = 1
     velocities: Array | None = None
+    accelerations: Array | None = None
 
     def __post_init__(self) -> None:
         robots, size = self.states.shape
@@ -45,7 +46,7 @@ class March:
             numbers=self.numbers,
             state=self.states.copy(),
             velocity=zeros if self.velocities is None else self.velocities.copy(),
-            acceleration=zeros.copy(),
+            acceleration=zeros.copy() if self.accelerations is None else self.accelerations.copy(),
             status=np.zeros(robots),
             outcome=np.zeros((robots, ROWS)),
             cursor=np.zeros(2, dtype=np.int64),

@@ -1,5 +1,6 @@
 """The critical angle: where the arch loses stability, and where it snaps to."""
 
+import math
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -10,7 +11,7 @@ from snapjump.parameters.robot import Robot
 from snapjump.statics.arch import Equilibrium, StaticArch
 from snapjump.statics.branch import Branch, Point
 
-STEP = 0.12  # of the continuation (norm of free coordinates and angle)
+LONGEST_STEP = 0.12  # of the continuation (norm of free coordinates and angle)
 ANGLE_TOLERANCE = 1e-10
 MOST_STEPS = 2000
 
@@ -91,7 +92,9 @@ def find_snap(
     arch = StaticArch(robot, discretization, epsilon)
     branch = Branch(arch, delta_alpha)
     point = start_point(branch)
-    for count, following in enumerate(branch.follow(point, STEP)):
+    # A shallow arch snaps at an angle of about 2 sqrt(epsilon).
+    step = min(LONGEST_STEP, 0.5 * math.sqrt(epsilon))
+    for count, following in enumerate(branch.follow(point, step)):
         if following.eigenvalue <= 0.0:
             break
         point = following

@@ -39,13 +39,6 @@ def test_mirrored_mismatch_mirrors_the_jump(jump):
     assert left.y_bar == pytest.approx(right.y_bar, rel=1e-4)
 
 
-def test_without_friction_momentum_is_conserved(jump):
-    result = jump(environment=Environment(mu=0.0))
-    # The first step still holds the acceleration that the start was given.
-    assert np.ptp(result.arrays["com_vx_m_s"][1:]) < 1e-10 * result.liftoff_vy_m_s
-
-
-@pytest.mark.xfail(strict=True, reason="the quasi-static start drifts at 3e-5 of the jump's speed")
 def test_without_friction_nothing_moves_sideways(jump):
     result = jump(environment=Environment(mu=0.0))
     assert np.abs(result.arrays["com_vx_m_s"]).max() < 1e-10 * result.liftoff_vy_m_s

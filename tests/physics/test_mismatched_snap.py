@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.parameters.robot import Robot
 from snapjump.statics.branch import Branch
-from snapjump.statics.critical import STEP, start_point
+from snapjump.statics.critical import LONGEST_STEP, find_snap, start_point
 
 # EI/(EA L^2) of the paper's beam, b/L = 2.5e-3; inextensible ones are slender instead.
 RATIOS = {"0.0e+00": 1e-4, "5.2e-07": 2.5e-3}
@@ -41,7 +43,7 @@ def symmetric_fold(arch, elements: int, epsilon: float, ratio: float) -> float:
     """The largest angle on the branch of symmetric shapes."""
     branch = Branch(arch(epsilon, elements, ratio), 0.0)
     point = start_point(branch)
-    for following in branch.follow(point, STEP):
+    for following in branch.follow(point, LONGEST_STEP):
         if following.direction[-1] < 0.0:
             break
         point = following
@@ -50,7 +52,7 @@ def symmetric_fold(arch, elements: int, epsilon: float, ratio: float) -> float:
     def turn(length: float) -> float:
         return float(branch.step(start, length).direction[-1])
 
-    return branch.step(start, brentq(turn, 1e-9, STEP, xtol=1e-7)).left
+    return branch.step(start, brentq(turn, 1e-9, LONGEST_STEP, xtol=1e-7)).left
 
 
 @pytest.mark.parametrize("epsilon", [0.1, 0.2, 0.3])
@@ -85,3 +87,11 @@ def test_fold(epsilon, lag, lam, snap, reference):
     expected = np.array([exact[name] for name in NAMES])
     limit = (4.0 * figures(fine) - figures(coarse)) / 3.0
     assert np.allclose(limit, expected, rtol=1e-3, atol=0.0)
+
+
+def test_shallow_arches_snap_at_the_shallow_limit():
+    """S6: alpha / sqrt(epsilon) -> 2; the whole branch is then shorter than one long step."""
+    thin = DiscreteElasticRodOptions(elements=112)
+    for epsilon in (2e-4, 1e-3):
+        alpha = find_snap(Robot(thickness_m=5e-6), thin, epsilon, 0.0).alpha_rad
+        assert alpha / np.sqrt(epsilon) == pytest.approx(2.0, rel=5e-3)

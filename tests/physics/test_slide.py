@@ -3,11 +3,7 @@
 import numpy as np
 import pytest
 
-# The scene begins with an acceleration of zero, which TR-BDF2 uses in its first step.
-first_step = pytest.mark.xfail(strict=True, reason="initial acceleration of the mass is zero")
 
-
-@first_step
 def test_slide_to_rest(single_mass, run, reference):
     exact = reference("C4_slide")
     result = run(single_mass("slide", 1e-5, mu=exact["mu"], speed_m_s=exact["v0"]))
@@ -28,7 +24,6 @@ def test_creep_on_an_incline(slope, single_mass, run, reference):
     assert result.final_speed_m_s == pytest.approx(row["creep_v"], rel=1e-6)
 
 
-@first_step
 def test_slip_on_an_incline(single_mass, run, reference):
     row = next(r for r in reference("C5_incline") if "accel_over_gcos" in r)
     slope, start = row["tan"], 0.1
