@@ -17,5 +17,5 @@ def leniency(ending: Any, model: Any, work: Any) -> Any:
 
 
 @family_function
-def judge(ending: Any, model: Any, masses: Any, work: Any) -> Any:
+def judge(ending: Any, model: Any, masses: Any, work: Any, ended: Any) -> Any:
     """Status (:mod:`snapjump.engine.status`) after an accepted step, 0 to go on."""

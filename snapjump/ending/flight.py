@@ -90,18 +90,19 @@ def _leniency(ending: FlightEnding, model: Any, work: Any) -> Any:
 
 
 @judge.member(FlightEnding)
-def _judge(ending: FlightEnding, model: Any, masses: Any, work: Any) -> Any:
+def _judge(ending: FlightEnding, model: Any, masses: Any, work: Any, ended: Any) -> Any:
     clock = work.clock
     over = clock[TIME] >= ending.duration * (1.0 - 1e-12)
     airborne = clock[GAP] >= contact_reach(model.contact)
     turned = clamp_angles(model.clamp, clock[TIME]).left_rate == 0.0
     status = where(over, where(turned, 1.0 * NO_JUMP, 1.0 * TIME_LIMIT), 1.0 * RUNNING)
-    if any_true(airborne | over):
+    known = ended & (airborne | over)
+    if any_true(known):
         x, y, vx, vy = centre_of_mass(model, masses, work.state, work.velocity[0])
-        clock[COM_X] = x
-        clock[COM_Y] = y
-        clock[COM_VX] = vx
-        clock[COM_VY] = vy
+        clock[COM_X] = where(known, x, clock[COM_X])
+        clock[COM_Y] = where(known, y, clock[COM_Y])
+        clock[COM_VX] = where(known, vx, clock[COM_VX])
+        clock[COM_VY] = where(known, vy, clock[COM_VY])
         clear = airborne & clear_of_ground(model, work, x, y, vy)
         status = where(clear, 1.0 * OK, status)
     return status

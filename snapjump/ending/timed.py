@@ -25,6 +25,6 @@ def _leniency(ending: TimedEnding, model: Any, work: Any) -> float:
 
 
 @judge.member(TimedEnding)
-def _judge(ending: TimedEnding, model: Any, masses: Any, work: Any) -> Any:
+def _judge(ending: TimedEnding, model: Any, masses: Any, work: Any, ended: Any) -> Any:
     over = work.clock[TIME] >= ending.duration * (1.0 - 1e-12)
     return where(over, 1.0 * OK, 1.0 * RUNNING)

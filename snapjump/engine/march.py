@@ -265,7 +265,7 @@ def finish_step(
     record_step(recorder, work)
     touching = good & (clock[GAP] < contact_reach(model.contact))
     clock[LAST_CONTACT] = where(touching, clock[TIME], clock[LAST_CONTACT])
-    verdict = judge(ending, model, masses, work)
+    verdict = judge(ending, model, masses, work, good)
     status = where(good, verdict, status)
     finite = clock[TIME] + error < 1e30
     status = where(ended & negate(finite), 1.0 * NOT_FINITE, status)
