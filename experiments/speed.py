@@ -61,7 +61,7 @@ def node_slope(count: int) -> float:
 def main() -> None:
     """Measure and print."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--designs", type=int, default=64)
+    parser.add_argument("--designs", type=int, default=256)
     parser.add_argument("--repeats", type=int, default=3)
     parser.add_argument("--tiers", nargs="*", default=list(TIERS), choices=list(TIERS))
     arguments = parser.parse_args()

@@ -90,7 +90,7 @@ def measure(count: int, tiers: list[str]) -> dict[str, dict[str, float]]:
 def main() -> None:
     """Measure and print JSON, every figure to three significant digits."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--designs", type=int, default=64)
+    parser.add_argument("--designs", type=int, default=128)
     parser.add_argument("--tiers", nargs="*", default=list(TIERS), choices=list(TIERS))
     arguments = parser.parse_args()
     table = measure(arguments.designs, arguments.tiers)

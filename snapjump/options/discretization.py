@@ -20,7 +20,7 @@ class DiscreteElasticRodOptions:
     paper's two fixed nodes (first order), which leave two elements fewer to move.
     """
 
-    elements: int = 112
+    elements: int = 104
     clamp: str = "half_element"
 
     def __post_init__(self) -> None:

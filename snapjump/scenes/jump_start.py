@@ -12,7 +12,7 @@ from snapjump.engine.model import Model
 from snapjump.load.gravity import Gravity
 from snapjump.scenes.frame_body import rigid_frame
 from snapjump.statics.arch import StaticArch
-from snapjump.statics.critical import symmetric_snap
+from snapjump.statics.threshold import symmetric_threshold
 from snapjump.statics.elastica import buckled_arch, resampled
 
 Array = NDArray[np.float64]
@@ -23,8 +23,7 @@ def mount_height_bar(simulation: Simulation) -> float:
     robot = simulation.robot
     if robot.mount_height != "optimal":
         return float(robot.mount_height) / robot.length_m
-    snap = symmetric_snap(robot, simulation.discretization, simulation.design.epsilon)
-    return snap.h1_bar
+    return symmetric_threshold(robot, simulation.discretization, simulation.design.epsilon).h1_bar
 
 
 def resting_gap(contact: LogBarrier, weight: float) -> float:
@@ -41,8 +40,10 @@ def resting_gap(contact: LogBarrier, weight: float) -> float:
 
 def start_angle_rad(simulation: Simulation) -> float:
     """Left clamp angle at which the motion starts."""
-    snap = symmetric_snap(simulation.robot, simulation.discretization, simulation.design.epsilon)
-    return simulation.sim.start_fraction * snap.alpha_rad
+    critical = symmetric_threshold(
+        simulation.robot, simulation.discretization, simulation.design.epsilon
+    )
+    return simulation.sim.start_fraction * critical.alpha_rad
 
 
 def check_mount_height(simulation: Simulation, start: float) -> None:

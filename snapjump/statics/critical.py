@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
@@ -115,12 +114,3 @@ def snapped_state(arch: StaticArch, left: float, delta_alpha: float) -> Equilibr
         share = k / steps
         state = arch.settle(state, share * left, share * (left - delta_alpha))
     return arch.equilibrium(state, left, left - delta_alpha)
-
-
-@lru_cache(maxsize=4096)
-def symmetric_snap(robot: Robot, discretization: DiscreteElasticRodOptions, epsilon: float) -> Snap:
-    """The snap of the symmetrically rotated arch, computed once for each robot and epsilon.
-
-    Its h1 is the optimal mount height and its angle the scale that a jump's start is a share of.
-    """
-    return find_snap(robot, discretization, epsilon, 0.0)

@@ -8,7 +8,7 @@ from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.parameters.robot import Robot
 from snapjump.simulation import simulate_jump
-from snapjump.statics.critical import symmetric_snap
+from snapjump.statics.critical import find_snap
 
 DESIGNS = {
     "baseline": (0.2, 0.1, 0.3, 0.768),
@@ -51,8 +51,8 @@ def test_flight_is_ballistic(jumped):
 
 def test_books_balance(jumped):
     simulation = jumped.simulation
-    released = symmetric_snap(
-        simulation.robot, simulation.discretization, simulation.design.epsilon
+    released = find_snap(
+        simulation.robot, simulation.discretization, simulation.design.epsilon, 0.0
     )
     energy = (released.before.energy - released.after.energy) * simulation.robot.scales.energy_J
     loss = jumped.arrays["numerical_loss_J"]
