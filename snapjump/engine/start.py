@@ -18,6 +18,7 @@ from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import negate, where
 
 CONTINUATION_STEPS = 16
+FIRST_TURN = 0.02  # of a step
 DIFFERENCE_RAD = 2e-3  # clamp angle between the equilibria that velocity is taken from
 
 
@@ -68,16 +69,22 @@ def follow_branch(model: Any, masses: Any, work: Any) -> Any:
     past = work.velocity[0]
     older = work.acceleration[0]
     lost = clamp.rate < 0.0
-    for i in range(size):
-        past[i] = state[i]
-    for k in range(CONTINUATION_STEPS + 1):
+    # Flat clamps, a first small turn that gives the branch's direction, then even steps.
+    for k in range(-1, CONTINUATION_STEPS + 1):
         share = k / CONTINUATION_STEPS
+        if k < 0:
+            share = 0.0
+        elif k == 0:
+            share = FIRST_TURN / CONTINUATION_STEPS
         partial = with_angles(model, share * clamp.start, share * clamp.delta_alpha)
         negative, failed = settle(partial, masses, work, 0.0)
         lost = lost | failed | (negative > 0.0)
         for i in range(size):
             settled = state[i]
-            if k == 1:
+            if k == 0:
+                state[i] = past[i] + (settled - past[i]) / FIRST_TURN
+                settled = past[i]
+            elif k == 1:
                 state[i] = 2.0 * settled - past[i]
             elif 1 < k < CONTINUATION_STEPS:
                 state[i] = 3.0 * settled - 3.0 * past[i] + older[i]

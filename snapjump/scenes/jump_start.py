@@ -12,8 +12,8 @@ from snapjump.engine.model import Model
 from snapjump.load.gravity import Gravity
 from snapjump.scenes.frame_body import rigid_frame
 from snapjump.statics.arch import StaticArch
-from snapjump.statics.threshold import symmetric_threshold
 from snapjump.statics.elastica import buckled_arch, resampled
+from snapjump.statics.threshold import symmetric_threshold
 
 Array = NDArray[np.float64]
 

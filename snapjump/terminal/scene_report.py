@@ -55,7 +55,7 @@ def _jump_results(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list
 
 
 def _at(time_s: float | None) -> str:
-    return "" if time_s is None else f", {1e3 * time_s:.4g} ms after the start"
+    return "" if time_s is None else f", {1e3 * time_s:.4g} ms after the clamps begin to turn"
 
 
 def _title(config: Mapping[str, Any]) -> str:

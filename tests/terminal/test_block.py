@@ -26,7 +26,7 @@ def test_a_jump_is_reported_in_lengths_and_millimetres() -> None:
     }
     summary = {"x_bar": 5.0, "y_bar": 14.0, "apex_time_s": 0.25, "steps": 700}
     lines = dict(scene_report(config, summary))
-    assert lines["apex"] == "x 5 L (100 mm), y 14 L (280 mm), 250 ms after the start"
+    assert lines["apex"] == "x 5 L (100 mm), y 14 L (280 mm), 250 ms after the clamps begin to turn"
     assert lines["cost"] == "700 steps"
     assert lines["accuracy"] == "draft: 3 %"
     assert "lift-off" not in lines
