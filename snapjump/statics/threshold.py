@@ -1,0 +1,68 @@
+"""The symmetrically rotated arch's critical angle and depth, quickly: what every jump needs.
+
+On the symmetric branch the clamp angle, the smallest eigenvalue of the tangent and the depth of
+the lowest point are analytic in the height of the midpoint (in the angle they are not: the
+branch's fold is only a percent away). So they are taken a few percent below the pitchfork, where
+everything is well conditioned, and extrapolated to a vanishing eigenvalue.
+:func:`snapjump.statics.critical.find_snap` walks the branch itself (compared in tests/statics).
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.polynomial import Polynomial
+
+from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.parameters.robot import Robot
+from snapjump.statics.arch import StaticArch
+
+APPROACH_STEPS = 10
+# Shares of the angle guessed so far, in rounds that come nearer.
+ROUNDS = ((0.80, 0.84, 0.88), (0.90, 0.93, 0.95, 0.965), (0.97, 0.98, 0.987, 0.992, 0.996, 0.998))
+
+
+@dataclass(frozen=True)
+class Threshold:
+    """Critical angle (rad), and depth of the lowest point below the mounts there (in L)."""
+
+    alpha_rad: float
+    h1_bar: float
+
+
+@lru_cache(maxsize=65536)
+def symmetric_threshold(
+    robot: Robot, discretization: DiscreteElasticRodOptions, epsilon: float
+) -> Threshold:
+    """Threshold of the arch whose clamps turn alike; computed once for each argument.
+
+    Its depth is the optimal mount height, its angle the scale that a jump's start is a share of.
+    Raises ArithmeticError where no equilibrium is found.
+    """
+    arch = StaticArch(robot, discretization, epsilon)
+    # Shallow arches snap at 2 sqrt(epsilon); the next term is a fit of the elastica's values.
+    estimate = np.sqrt(epsilon) * (2.0 + 0.193 * epsilon)
+    state = arch.settle(arch.guess(), 0.0, 0.0)
+    history = [state]
+    for k in range(1, APPROACH_STEPS + 1):
+        if len(history) > 2:
+            state = 3.0 * history[-1] - 3.0 * history[-2] + history[-3]
+        angle = 0.8 * estimate * k / APPROACH_STEPS
+        state = arch.settle(state, angle, angle)
+        history.append(state)
+
+    guess = float(estimate)
+    for shares in ROUNDS:
+        rows = []
+        for share in shares:
+            state = arch.settle(state, share * guess, share * guess)
+            stability = arch.stability()[0]
+            shape = arch.equilibrium(state, share * guess, share * guess)
+            rows.append((shape.midpoint, share * guess, stability, -shape.lowest))
+        middle, angle, stability, depth = np.array(rows).T
+        if not np.all(stability > 0.0):
+            raise ArithmeticError(f"no clear critical angle near {guess:g} rad")
+        degree = len(shares) - 1
+        critical = float(Polynomial.fit(stability, middle, degree)(0.0))
+        guess = float(Polynomial.fit(middle, angle, degree)(critical))
+    return Threshold(guess, float(Polynomial.fit(middle, depth, degree)(critical)))
