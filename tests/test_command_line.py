@@ -181,7 +181,7 @@ def test_a_simulation_that_cannot_finish_says_so(command, tmp_path: Path) -> Non
 
 
 def test_a_robot_that_does_not_jump_is_no_failure(command, tmp_path: Path) -> None:
-    done = command(*JUMP, "tracking=off", "environment.mass_bar=40")
+    done = command(*JUMP, "tracking=off", "environment.mass_bar=200")
     assert done.returncode == 0
     result = json.loads((only_folder(tmp_path) / "result.json").read_text())
     assert result["status"] == "no_jump" and result["liftoff_time_s"] is None
