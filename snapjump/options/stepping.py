@@ -38,7 +38,7 @@ class AdaptiveStepOptions:
     ``contact_steps``: largest step in units of sqrt(m/k) of a node that bounces in the barrier.
     """
 
-    tolerance: float = 4.0e-8
+    tolerance: float = 4.5e-8
     contact_steps: float = 2.0
 
     def __post_init__(self) -> None:
