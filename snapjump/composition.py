@@ -45,6 +45,9 @@ class Simulation:
             self._require("contact", ("logbarrier",))
             self._require("frame", ("fixed",))
 
+        if scene != "jump":
+            self._require("backend", ("scalar",))
+
     def _require(self, family: str, names: tuple[str, ...]) -> None:
         if self.name(family) not in names:
             raise ParameterError(

@@ -4,7 +4,7 @@ import sys
 import threading
 from typing import Any
 
-TYPICAL_SECONDS = 20
+TYPICAL_SECONDS = 15
 PATIENCE_SECONDS = 2.0  # longer than loading a compiled kernel from disk takes
 
 

@@ -10,6 +10,8 @@ from snapjump.composition import Simulation
 from snapjump.ending.flight import FlightEnding
 from snapjump.engine import clock as c
 from snapjump.engine.status import NAMES, OK, REASONS
+from snapjump.options.backend import ScalarBackend
+from snapjump.recorder.none import NoRecorder
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
 from snapjump.scenes.jump_start import jump_model, resting_guess
@@ -18,27 +20,34 @@ from snapjump.scenes.trajectory import trajectory_arrays
 
 
 def simulate_jump_scene(simulation: Simulation, progress: Progress | None = None) -> Result:
-    """Simulate one jump with its whole trajectory and energy ledger."""
+    """Simulate one jump with its whole trajectory and energy ledger.
+
+    With ``backend=lanes`` the program for batches is used, which gives outcomes only.
+    """
     begun = time.perf_counter()
     scales = simulation.robot.scales
     model = jump_model(simulation)
     state = resting_guess(simulation, model)
     duration = simulation.sim.time_limit_s / scales.time_s
     interval = simulation.sim.sample_interval_s / scales.time_s
+    alone = isinstance(simulation.backend, ScalarBackend)
     march = March(
         models=[model],
         masses=simulation.discretization.masses(),
         states=state[None, :],
         simulation=simulation,
         ending=FlightEnding(duration),
-        recorder=make_recorder(len(state), duration, interval),
+        recorder=make_recorder(len(state), duration, interval) if alone else NoRecorder(),
+        lanes=1 if alone else simulation.backend.width,
     )
     march.find_starts()
     outcome = march.run(progress)[0]
     arrays: dict[str, Any] = {}
-    if march.recorder.filled[0] > 0:
+    if alone and march.recorder.filled[0] > 0:
         arrays = trajectory_arrays(simulation, model, march)
     summary = jump_summary(simulation, model, outcome)
+    if not alone:
+        del summary["max_residual"]  # only recorded marches measure it
     summary["kernel_seconds"] = march.kernel_seconds
     summary["wall_seconds"] = time.perf_counter() - begun
     return Result(

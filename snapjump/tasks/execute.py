@@ -51,9 +51,10 @@ def execute(
     try:
         check_run(config)
         task = find_task(config["task"]["name"])
-        task.prepare(config)
-        folder.write_config(config)
-        outcome = task.run(folder, bar)
+        with heeded():
+            task.prepare(config)
+            folder.write_config(config)
+            outcome = task.run(folder, bar)
     except ParameterError as error:
         return Outcome(BAD_INPUT, str(error)), task
     except KeyboardInterrupt:
@@ -104,6 +105,28 @@ def check_run(config: Mapping[str, Any]) -> None:
     check_integer("seed", config["seed"], 0, LARGEST_SEED)
     if not isinstance(config["figures"], bool):
         raise ParameterError("figures", config["figures"], "true or false")
+
+
+@contextmanager
+def heeded() -> Iterator[None]:
+    """Let Ctrl-C stop the block, at its end if need be: raised inside a callback of a library,
+    KeyboardInterrupt may be swallowed there."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    noticed: list[int] = []
+
+    def stop(number: int, frame: Any) -> None:
+        noticed.append(number)
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGINT, stop)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+    if noticed:
+        raise KeyboardInterrupt
 
 
 @contextmanager

@@ -88,5 +88,14 @@ def test_where_the_motion_starts_matters_little(fraction, jump):
 def test_baseline_is_pinned():
     result = simulate_jump()
     assert result.status == "ok"
-    assert result.x_bar == pytest.approx(5.38, rel=0.01)
-    assert result.y_bar == pytest.approx(14.28, rel=0.01)
+    assert result.x_bar == pytest.approx(5.368, rel=0.005)
+    assert result.y_bar == pytest.approx(14.265, rel=0.0015)
+
+
+def test_lanes_give_the_same_jump(jump):
+    """backend=lanes: the program for batches, outcomes only."""
+    alone = jump()
+    wide = jump(backend=FAMILIES["backend"]["lanes"]())
+    assert wide.x_bar == pytest.approx(alone.x_bar, rel=1e-13)
+    assert wide.y_bar == pytest.approx(alone.y_bar, rel=1e-13)
+    assert not wide.arrays and "max_residual" not in wide.summary
