@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
+from snapjump.accuracy import TIERS
 from snapjump.terminal.block import number
 
 # Shown in lines of their own.
@@ -23,13 +24,44 @@ def scene_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list[
         title, results = _jump_title(config), _jump_results(config, summary)
     else:
         title, results = _title(config), _results(summary)
-    accuracy = config["accuracy"]
     return [
         (scene, title),
         *results,
-        ("accuracy", f"{accuracy['name']}: {accuracy['known_error']}"),
+        ("accuracy", _accuracy(config)),
         ("cost", _cost(summary)),
     ]
+
+
+def _accuracy(config: Mapping[str, Any]) -> str:
+    """The tier, and its measured error if this is a jump with just what the tier chooses."""
+    accuracy = config["accuracy"]
+    name = accuracy["name"]
+    if config["sim"]["name"] != "jump":
+        return str(name)
+    tier = TIERS[name]
+    chosen: dict[str, dict[str, Any]] = {
+        "integrator": {"name": tier.integrator},
+        "stepping": {
+            "name": tier.stepping,
+            "tolerance": tier.tolerance,
+            "contact_steps": tier.contact_steps,
+            "step_s": tier.step_s,
+        },
+        "discretization": {"elements": tier.elements, "clamp": tier.clamp},
+        "contact": {"weighting": tier.weighting},
+        "friction": {"name": tier.friction},
+        "damping": {"name": tier.damping},
+        "sim": {"start_fraction": tier.start_fraction},
+    }
+    changed = [
+        f"{family}.{key}"
+        for family, values in chosen.items()
+        for key, value in values.items()
+        if config.get(family, {}).get(key, value) != value
+    ]
+    if changed:
+        return f"{name}, but for {', '.join(changed)}: its error is not known"
+    return f"{name}: {accuracy['known_error']}"
 
 
 def _jump_title(config: Mapping[str, Any]) -> str:

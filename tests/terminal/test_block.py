@@ -30,3 +30,16 @@ def test_a_jump_is_reported_in_lengths_and_millimetres() -> None:
     assert lines["cost"] == "700 steps"
     assert lines["accuracy"] == "draft: 3 %"
     assert "lift-off" not in lines
+
+
+def test_a_changed_tier_claims_no_error() -> None:
+    config = {
+        "sim": {"name": "jump"},
+        "design": {"epsilon": 0.2, "delta_alpha": 0.1},
+        "environment": {"mu": 0.3, "mass_bar": 0.768},
+        "robot": {"length_m": 0.02},
+        "accuracy": {"name": "draft", "known_error": "3 %"},
+        "stepping": {"name": "adaptive", "tolerance": 1e-3},
+    }
+    lines = dict(scene_report(config, {}))
+    assert lines["accuracy"] == "draft, but for stepping.tolerance: its error is not known"
