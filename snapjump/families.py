@@ -1,10 +1,13 @@
 """Every family and its members by name: what can be composed, in one place."""
 
-from snapjump.integrator.implicit_euler import ImplicitEuler
-from snapjump.integrator.sdirk2 import Sdirk2
-from snapjump.integrator.tr_bdf2 import TrBdf2
 from snapjump.options.backend import LanesBackend, ScalarBackend
-from snapjump.options.contact import LogBarrierOptions, NoContactOptions
+from snapjump.options.contact import (
+    HuntCrossleyOptions,
+    LogBarrierOptions,
+    NoContactOptions,
+    PenaltyOptions,
+    SignoriniOptions,
+)
 from snapjump.options.damping import KelvinVoigtOptions, MassProportionalOptions, NoDampingOptions
 from snapjump.options.discretization import DiscreteElasticRodOptions
 from snapjump.options.frame import FixedFrameOptions, RigidFrameOptions
@@ -12,6 +15,13 @@ from snapjump.options.friction import (
     ImplicitFrictionOptions,
     LaggedFrictionOptions,
     NoFrictionOptions,
+)
+from snapjump.options.integrator import (
+    Bdf2Options,
+    CentralDifferenceOptions,
+    GeneralizedAlphaOptions,
+    NewmarkOptions,
+    tableaux,
 )
 from snapjump.options.linear_solver import BandedSolverOptions
 from snapjump.options.sim import (
@@ -35,7 +45,13 @@ FAMILIES: dict[str, dict[str, type]] = {
     },
     "discretization": {"der": DiscreteElasticRodOptions},
     "frame": {"rigid": RigidFrameOptions, "fixed": FixedFrameOptions},
-    "contact": {"logbarrier": LogBarrierOptions, "none": NoContactOptions},
+    "contact": {
+        "logbarrier": LogBarrierOptions,
+        "penalty": PenaltyOptions,
+        "hunt_crossley": HuntCrossleyOptions,
+        "signorini": SignoriniOptions,
+        "none": NoContactOptions,
+    },
     "friction": {
         "implicit": ImplicitFrictionOptions,
         "lagged": LaggedFrictionOptions,
@@ -47,9 +63,11 @@ FAMILIES: dict[str, dict[str, type]] = {
         "none": NoDampingOptions,
     },
     "integrator": {
-        "tr_bdf2": TrBdf2,
-        "sdirk2": Sdirk2,
-        "implicit_euler": ImplicitEuler,
+        **tableaux(),
+        "bdf2": Bdf2Options,
+        "newmark": NewmarkOptions,
+        "generalized_alpha": GeneralizedAlphaOptions,
+        "central_difference": CentralDifferenceOptions,
     },
     "stepping": {"adaptive": AdaptiveStepOptions, "fixed": FixedStepOptions},
     "linear_solver": {"banded": BandedSolverOptions},

@@ -10,7 +10,7 @@ which the centre of mass is higher than the box's radius.
 from typing import Any, NamedTuple
 
 from snapjump.clamp.base import clamp_angles
-from snapjump.contact.base import contact_reach
+from snapjump.contact.base import clearance
 from snapjump.ending.base import judge, leniency, time_limit
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clock import COM_VX, COM_VY, COM_X, COM_Y, GAP, TIME
@@ -45,7 +45,7 @@ def clear_of_ground(model: Any, work: Any, com_x: Any, com_y: Any, rise: Any) ->
     frame = model.frame
     state = work.state
     fall = gravity(model.load)
-    reach = contact_reach(model.contact)
+    reach = clearance(model.contact)
     turn = work.velocity[0, 2]
     c = cos(state[2])
     s = sin(state[2])
@@ -85,7 +85,7 @@ def _leniency(ending: FlightEnding, model: Any, work: Any) -> Any:
     clock = work.clock
     rise = maximum(clock[COM_VY], 0.0 * clock[TIME])
     height = clock[COM_Y] + 0.5 * rise * rise / gravity(model.load)
-    aloft = (clock[GAP] >= contact_reach(model.contact)) & (height > SURE_HEIGHT)
+    aloft = (clock[GAP] >= clearance(model.contact)) & (height > SURE_HEIGHT)
     return where(aloft, FLIGHT_LENIENCY, 1.0)
 
 
@@ -93,7 +93,7 @@ def _leniency(ending: FlightEnding, model: Any, work: Any) -> Any:
 def _judge(ending: FlightEnding, model: Any, masses: Any, work: Any, ended: Any) -> Any:
     clock = work.clock
     over = clock[TIME] >= ending.duration * (1.0 - 1e-12)
-    airborne = clock[GAP] >= contact_reach(model.contact)
+    airborne = clock[GAP] >= clearance(model.contact)
     turned = clamp_angles(model.clamp, clock[TIME]).left_rate == 0.0
     status = where(over, where(turned, 1.0 * NO_JUMP, 1.0 * TIME_LIMIT), 1.0 * RUNNING)
     known = ended & (airborne | over)

@@ -1,18 +1,21 @@
-"""Residual and tangent of one stage: M (V - drift) rate + grad V + damping + contact = 0.
+"""Residual and tangent of one stage: M A + grad V + damping + contact = 0.
 
-Every integrator solves this problem, with V = (q - origin) rate and rate = 1 / (gamma h); a static
-equilibrium is the same with rate = 0.
+Every integrator solves this problem, with v = (q - origin) rate_factor and
+A = (v - drift) inertia_rate; a static equilibrium is the same with both rates 0.
 """
 
 from typing import Any, NamedTuple
 
 from snapjump.clamp.base import clamp_angles
 from snapjump.contact.base import (
+    Approach,
+    acts,
     bounce_rate_squared,
-    contact_force,
-    contact_reach,
     contact_weights,
+    force_if_acting,
     has_contact,
+    note_contact,
+    pressing_force,
 )
 from snapjump.damping.base import mass_damping
 from snapjump.discretization.base import (
@@ -36,10 +39,11 @@ from snapjump.number.functions import absolute, any_true, maximum, minimum, wher
 
 
 class Motion(NamedTuple):
-    """Time of the stage (T), rate 1/(gamma h), and the static anchor of x (EI/L^3)."""
+    """Time of the stage (T), dv/dq and dA/dv (1/T), and the static anchor of x (EI/L^3)."""
 
     time: Any
     rate_factor: Any
+    inertia_rate: Any
     anchor: Any
 
 
@@ -87,15 +91,15 @@ def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any) -> Any:
     """Begin a node's columns with inertia, drag and weight; returns the inertial force."""
     rate = motion.rate_factor
     drag = mass_damping(model.damping)
-    diagonal = mass * ((rate + drag) * rate)
+    diagonal = mass * ((motion.inertia_rate + drag) * rate)
     band = work.system.band
     residual = work.system.residual
     row = 2 * node
     i = row + frame_dofs(model.frame)
     vx = (work.state[i] - work.origin[i]) * rate
     vy = (work.state[i + 1] - work.origin[i + 1]) * rate
-    ax = (vx - work.drift[i]) * rate
-    ay = (vy - work.drift[i + 1]) * rate
+    ax = (vx - work.drift[i]) * motion.inertia_rate
+    ay = (vy - work.drift[i + 1]) * motion.inertia_rate
     residual[row] = mass * (ax + drag * vx - pull(model.load))
     residual[row + 1] = mass * (ay + drag * vy + gravity(model.load))
     band[row, 0] = diagonal
@@ -110,7 +114,6 @@ def add_node_contact(
     """Add contact and friction of a free node; returns the figures with its own."""
     contact = model.contact
     friction = model.friction
-    reach = contact_reach(contact)
     weight, _ = contact_weights(contact)
     rate = motion.rate_factor
     residual = work.system.residual
@@ -118,35 +121,39 @@ def add_node_contact(
     row = 2 * node
     i = row + frame_dofs(model.frame)
     gap = work.state[i + 1]
+    begun = work.start[i + 1]
+    begun_speed = work.velocity[0, i + 1]
+    speed = (gap - work.origin[i + 1]) * rate
+    approach = Approach(speed, rate, begun, begun_speed, mass * rate * motion.inertia_rate)
     largest = figures.largest_force
     smallest = minimum(figures.smallest_gap, gap)
     fastest = figures.contact_rate_squared
-    near = gap < reach
     if has_friction(friction) and is_lagged(friction):
-        begun = work.start[i + 1]
-        was_near = begun < reach
-        if any_true(was_near):
-            normal, _ = contact_force(contact, where(was_near, begun, reach))
+        before = Approach(begun_speed, 0.0 * rate, begun, begun_speed, 0.0 * rate)
+        if any_true(acts(contact, begun, before)):
+            _, normal, _ = force_if_acting(contact, begun, before)
             velocity = work.velocity[0, i]
             ratio, _ = slip(friction, velocity, 0.0 * velocity)
             residual[row] += ratio * normal * weight
+    near = acts(contact, gap, approach)
     if any_true(near):
-        force, stiffness = contact_force(contact, where(near, gap, reach))
+        _, force, stiffness = force_if_acting(contact, gap, approach)
         force = force * weight
         stiffness = stiffness * weight
         residual[row + 1] -= force
         band[row + 1, 0] += stiffness
         largest = maximum(largest, force)
-        speed = (gap - work.origin[i + 1]) * rate
-        fastest = maximum(fastest, bounce_rate_squared(stiffness, mass, speed))
+        fastest = maximum(fastest, bounce_rate_squared(contact, stiffness, mass, speed))
         if has_friction(friction) and not is_lagged(friction):
+            normal = pressing_force(contact, work, node + 4, force)
             velocity = (work.state[i] - work.origin[i]) * rate
             previous = work.slip[node + 4]
             ratio, slope = slip(friction, velocity, previous)
             work.slip[node + 4] = where(near, velocity, previous)
             # d(drag)/d(gap) is left out: it alone would make the band unsymmetric.
-            residual[row] += ratio * force
-            band[row, 0] += force * slope * rate
+            residual[row] += ratio * normal
+            band[row, 0] += normal * slope * rate
+    note_contact(contact, work, node + 4, near)
     return Assembly(largest, smallest, fastest)
 
 

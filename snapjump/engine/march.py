@@ -11,9 +11,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from snapjump.contact.base import contact_reach
+from snapjump.contact.base import clearance
 from snapjump.ending.base import judge, leniency, time_limit
-from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import (
     ACTIVE,
     ERROR,
@@ -23,20 +22,24 @@ from snapjump.engine.clock import (
     LAST_CONTACT,
     REJECTED,
     SMALLEST_GAP,
+    SMALLEST_STABLE_STEP,
+    STABLE_STEP,
     STAGE,
     STATUS,
     STEP,
     STEPS,
     TIME,
 )
+from snapjump.engine.explicit import evaluate_forces
 from snapjump.engine.model import with_numbers
 from snapjump.engine.newton import newton_iteration
 from snapjump.engine.stage import (
     begin_stage,
     commit_step,
     contact_frequency,
-    pick,
-    store_stage,
+    keep_stage,
+    reach_end,
+    stage_motion,
 )
 from snapjump.engine.start import follow_branch
 from snapjump.engine.status import (
@@ -46,6 +49,7 @@ from snapjump.engine.status import (
     STEP_UNDERFLOW,
 )
 from snapjump.engine.view import view_work
+from snapjump.integrator.base import ends_in_a_stage, error_order, is_explicit, stage_count
 from snapjump.number.dispatch import routine
 from snapjump.number.functions import any_true, maximum, minimum, negate, where
 from snapjump.recorder.base import record_stage, record_start, record_step
@@ -59,6 +63,7 @@ from snapjump.stepping.base import (
 )
 
 MOST_BACKTRACKS = 4.0  # in one stage
+STABILITY_MARGIN = 0.9  # of the largest stable step, for what stiffens until the next one
 
 
 class Queue(NamedTuple):
@@ -94,13 +99,16 @@ def load_robot(memory: Any, lane: int, queue: Any, robot: int, step: float) -> N
     for i in range(memory.state.shape[0]):
         memory.state[i, lane] = queue.state[robot, i]
         memory.start[i, lane] = queue.state[robot, i]
-        memory.velocity[0, i, lane] = queue.velocity[robot, i]
-        memory.acceleration[0, i, lane] = queue.acceleration[robot, i]
+        # Every slot begins with what a scheme without a past finds in it.
+        for slot in range(memory.velocity.shape[0]):
+            memory.velocity[slot, i, lane] = queue.velocity[robot, i]
+            memory.acceleration[slot, i, lane] = queue.acceleration[robot, i]
     for k in range(memory.clock.shape[0]):
         memory.clock[k, lane] = 0.0
     memory.clock[STEP, lane] = step
     memory.clock[STAGE, lane] = 1.0
     memory.clock[SMALLEST_GAP, lane] = 1e30
+    memory.clock[SMALLEST_STABLE_STEP, lane] = 1e30
     memory.clock[ACTIVE, lane] = 1.0
 
 
@@ -146,7 +154,7 @@ def find_starts(template: Any, masses: Any, memory: Any, queue: Queue, lanes: An
 def march(
     template: Any,
     masses: Any,
-    tableau: Any,
+    scheme: Any,
     stepping: Any,
     ending: Any,
     limits: Limits,
@@ -164,7 +172,7 @@ def march(
     width = memory.clock.shape[1]
     work = view_work(memory, lanes)
     clock = work.clock
-    last_stage = 1.0 * (tableau.nodes.shape[0] - 1)
+    last_stage = 1.0 * stage_count(scheme)
     step = first_step(stepping)
     if queue.cursor[0] == 0:
         for lane in range(width):
@@ -173,7 +181,7 @@ def march(
         if queue.cursor[1] == 0:
             return True
         model = with_numbers(template, work.numbers)
-        begin_stage(model, tableau, masses, work, clock[ACTIVE] >= 0.0)
+        begin_stage(model, scheme, masses, work, clock[ACTIVE] >= 0.0)
         record_start(recorder, model, masses, work)
 
     for _ in range(passes):
@@ -182,19 +190,20 @@ def march(
         model = with_numbers(template, work.numbers)
         active = clock[ACTIVE] > 0.0
         h = clock[STEP]
-        motion = Motion(
-            clock[TIME] + pick(tableau.nodes, clock[STAGE]) * h, 1.0 / (tableau.gamma * h), 0.0 * h
-        )
-        outcome = newton_iteration(
-            model,
-            motion,
-            masses,
-            work,
-            active,
-            newton_tolerance(stepping),
-            limits.of_a_stage,
-            MOST_BACKTRACKS,
-        )
+        motion = stage_motion(scheme, work)
+        if is_explicit(scheme):
+            outcome = evaluate_forces(model, motion, masses, work, active)
+        else:
+            outcome = newton_iteration(
+                model,
+                motion,
+                masses,
+                work,
+                active,
+                newton_tolerance(stepping),
+                limits.of_a_stage,
+                MOST_BACKTRACKS,
+            )
         clock[ITERATIONS] = clock[ITERATIONS] + where(active, 1.0, 0.0)
         converged = outcome.converged & active
         failed = outcome.failed & active
@@ -209,13 +218,13 @@ def march(
             status = where(under, 1.0 * STEP_UNDERFLOW, status)
         if any_true(converged):
             restage = restage | converged
-            error = store_stage(tableau, work, converged)
-            record_stage(recorder, model, masses, motion, tableau, work, converged)
+            error = keep_stage(scheme, work, motion, converged)
+            record_stage(recorder, model, masses, motion, scheme, work, converged)
             ended = converged & (clock[STAGE] >= last_stage)
             clock[STAGE] = where(converged, clock[STAGE] + 1.0, clock[STAGE])
             if any_true(ended):
                 status = finish_step(
-                    model, masses, tableau, stepping, ending, recorder, work, ended, error, status
+                    model, masses, scheme, stepping, ending, recorder, work, ended, error, status
                 )
         exhausted = active & (clock[ITERATIONS] >= limits.of_a_march) & (status == 0.0)
         status = where(exhausted, 1.0 * ITERATION_LIMIT, status)
@@ -231,7 +240,7 @@ def march(
                     memory.clock[STATUS, lane] = 0.0
             model = with_numbers(template, work.numbers)
         if any_true(restage):
-            begin_stage(model, tableau, masses, work, restage)
+            begin_stage(model, scheme, masses, work, restage)
     return queue.cursor[1] == 0
 
 
@@ -239,7 +248,7 @@ def march(
 def finish_step(
     model: Any,
     masses: Any,
-    tableau: Any,
+    scheme: Any,
     stepping: Any,
     ending: Any,
     recorder: Any,
@@ -254,6 +263,12 @@ def finish_step(
     error = error / leniency(ending, model, work)
     rate = contact_frequency(work)
     good = ended & accepts(stepping, error, h, rate)
+    if is_explicit(scheme):
+        good = good & (h <= clock[STABLE_STEP])
+    closed = h < 0.0
+    if not ends_in_a_stage(scheme):
+        closed = reach_end(model, scheme, masses, work, ended)
+        good = good & negate(closed)
     bad = ended & negate(good)
     clock[ERROR] = error
     clock[STEPS] = clock[STEPS] + where(good, 1.0, 0.0)
@@ -261,15 +276,22 @@ def finish_step(
     clock[FAILURES] = where(good, 0.0, clock[FAILURES])
     clock[STAGE] = where(ended, 1.0, clock[STAGE])
     clock[SMALLEST_GAP] = where(good, minimum(clock[SMALLEST_GAP], clock[GAP]), clock[SMALLEST_GAP])
-    commit_step(tableau, work, good)
+    commit_step(scheme, work, good)
     record_step(recorder, work)
-    touching = good & (clock[GAP] < contact_reach(model.contact))
+    touching = good & (clock[GAP] < clearance(model.contact))
     clock[LAST_CONTACT] = where(touching, clock[TIME], clock[LAST_CONTACT])
     verdict = judge(ending, model, masses, work, good)
     status = where(good, verdict, status)
     finite = clock[TIME] + error < 1e30
     status = where(ended & negate(finite), 1.0 * NOT_FINITE, status)
-    proposed = next_step(stepping, error, tableau.error_order, h, rate)
+    proposed = next_step(stepping, error, error_order(scheme), h, rate)
+    if not ends_in_a_stage(scheme):
+        proposed = where(closed, step_after_failure(stepping, h), proposed)
+    if is_explicit(scheme):
+        stable = clock[STABLE_STEP]
+        smallest = minimum(clock[SMALLEST_STABLE_STEP], stable)
+        clock[SMALLEST_STABLE_STEP] = where(good, smallest, clock[SMALLEST_STABLE_STEP])
+        proposed = minimum(proposed, STABILITY_MARGIN * stable)
     remaining = maximum(time_limit(ending) - clock[TIME], smallest_step(stepping) + 0.0 * h)
     clock[STEP] = where(ended, minimum(proposed, remaining), clock[STEP])
     under = bad & (clock[STEP] < smallest_step(stepping))

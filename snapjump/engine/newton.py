@@ -3,7 +3,7 @@
 from typing import Any, NamedTuple
 
 from snapjump.clamp.base import clamp_angles
-from snapjump.contact.base import has_contact
+from snapjump.contact.base import has_contact, keeps_open
 from snapjump.discretization.base import NODES_COUPLED, clamp_offset, has_elements
 from snapjump.engine.assemble import (
     Assembly,
@@ -47,8 +47,9 @@ class Correction(NamedTuple):
 @kernel
 def allowed_share(model: Any, masses: Any, state: Any, frame_drop: Any, drop: Any) -> Any:
     """Share of ``state -= drop`` (at most 1) by which no gap shrinks below GAP_FRACTION."""
-    share = limit_frame_step(model.frame, state, frame_drop, GAP_FRACTION)
-    if has_contact(model.contact):
+    share = 1.0 + 0.0 * state[0]
+    if has_contact(model.contact) and keeps_open(model.contact):
+        share = limit_frame_step(model.frame, state, frame_drop, GAP_FRACTION)
         offset = frame_dofs(model.frame)
         for node in range(masses.shape[0]):
             if masses[node] == 0.0:

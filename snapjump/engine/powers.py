@@ -1,62 +1,117 @@
-"""Powers of friction, damping and clamps at a stage: what the energy ledger adds up."""
+"""Powers of friction, contact, damping and clamps at a stage: what the energy ledger adds up."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from snapjump.clamp.base import clamp_angles
-from snapjump.contact.base import contact_force, contact_reach, contact_weights, has_contact
+from snapjump.contact.base import (
+    Approach,
+    acts,
+    contact_loss,
+    contact_reach,
+    contact_weights,
+    force_if_acting,
+    has_contact,
+)
 from snapjump.damping.base import mass_damping
 from snapjump.discretization.base import chain_powers, clamp_offset, has_elements
-from snapjump.frame.base import corner_point, end_tangents, frame_dofs, frame_mass
+from snapjump.frame.base import corner_mass, corner_point, end_tangents, frame_dofs, frame_mass
 from snapjump.friction.base import has_friction, is_lagged, slip
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import where
 
 
+class Powers(NamedTuple):
+    """Losses by friction, damping and contact, and the power that clamps put in (EI/(L T))."""
+
+    friction: Any
+    damping: Any
+    clamps: Any
+    contact: Any
+
+
+class Point(NamedTuple):
+    """Gap (L) and velocity (L/T) of a point that may touch the ground."""
+
+    gap: Any
+    vx: Any
+    vy: Any
+
+
 @kernel
-def sliding_force(model: Any, gap: Any, velocity: Any, weight: Any) -> Any:
-    """Friction force (EI/L^2) of a point at a gap (L) that slides with a velocity (L/T)."""
-    reach = contact_reach(model.contact)
-    near = gap < reach
-    normal, _ = contact_force(model.contact, where(near, gap, reach))
-    ratio, _ = slip(model.friction, velocity, 0.0 * velocity)
-    return ratio * normal * weight
+def node_point(model: Any, node: Any, state: Any, velocity: Any) -> Point:
+    """A node as a point."""
+    i = 2 * node + frame_dofs(model.frame)
+    return Point(state[i + 1], velocity[i], velocity[i + 1])
+
+
+@kernel
+def corner_of(model: Any, corner: Any, state: Any, velocity: Any) -> Point:
+    """A corner of the frame as a point."""
+    _, gap, vx, vy = corner_point(model.frame, corner, state, velocity)
+    return Point(gap, vx, vy)
+
+
+@kernel
+def point_losses(model: Any, motion: Any, now: Point, begun: Point, mass: Any, weight: Any) -> Any:
+    """Power that friction and the contact law take out at a point; lagged friction uses the
+    step's beginning."""
+    rate = motion.rate_factor
+    inertia = mass * rate * motion.inertia_rate
+    approach = Approach(now.vy, rate, begun.gap, begun.vy, inertia)
+    active = acts(model.contact, now.gap, approach)
+    gap = where(active, now.gap, contact_reach(model.contact))
+    lost = where(active, contact_loss(model.contact, gap, approach), 0.0) * weight
+    rubbed = 0.0 * now.gap
+    if has_friction(model.friction):
+        sliding = now.vx
+        _, normal, _ = force_if_acting(model.contact, now.gap, approach)
+        if is_lagged(model.friction):
+            zero = 0.0 * now.gap
+            before = Approach(begun.vy, zero, begun.gap, begun.vy, zero)
+            sliding = begun.vx
+            _, normal, _ = force_if_acting(model.contact, begun.gap, before)
+        ratio, _ = slip(model.friction, sliding, 0.0 * sliding)
+        rubbed = ratio * normal * weight * now.vx
+    return rubbed, lost
 
 
 @routine
-def friction_power(model: Any, masses: Any, work: Any, state: Any, velocity: Any) -> Any:
-    """Power that friction takes out (EI/(L T)); lagged laws use the step's beginning."""
-    offset = frame_dofs(model.frame)
+def contact_powers(
+    model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity: Any
+) -> Any:
+    """Power that friction and contact take out, all points together."""
     by_node, by_corner = contact_weights(model.contact)
-    lagged = is_lagged(model.friction)
-    power = 0.0 * state[0]
+    friction = 0.0 * state[0]
+    contact = 0.0 * state[0]
+    before = work.velocity[0]
     for node in range(masses.shape[0]):
         if masses[node] > 0.0:
-            i = 2 * node + offset
-            gap = work.start[i + 1] if lagged else state[i + 1]
-            speed = work.velocity[0, i] if lagged else velocity[i]
-            power = power + sliding_force(model, gap, speed, by_node) * velocity[i]
-    if offset > 0:
+            now = node_point(model, node, state, velocity)
+            begun = node_point(model, node, work.start, before)
+            rubbed, lost = point_losses(model, motion, now, begun, masses[node], by_node)
+            friction = friction + rubbed
+            contact = contact + lost
+    if frame_dofs(model.frame) > 0:
         for corner in range(4):
-            _, gap, speed = corner_point(model.frame, corner, state, velocity)
-            force_gap = gap
-            force_speed = speed
-            if lagged:
-                _, force_gap, force_speed = corner_point(
-                    model.frame, corner, work.start, work.velocity[0]
-                )
-            power = power + sliding_force(model, force_gap, force_speed, by_corner) * speed
-    return power
+            now = corner_of(model, corner, state, velocity)
+            begun = corner_of(model, corner, work.start, before)
+            mass = corner_mass(model.frame, corner, state)
+            rubbed, lost = point_losses(model, motion, now, begun, mass, by_corner)
+            friction = friction + rubbed
+            contact = contact + lost
+    return friction, contact
 
 
 @routine
-def powers(model: Any, masses: Any, work: Any, time: Any, state: Any, velocity: Any) -> Any:
-    """Losses by friction and by damping, and the power that the clamps put in (EI/(L T))."""
+def powers(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity: Any) -> Powers:
+    """The :class:`Powers` of a stage's state and velocity."""
     offset = frame_dofs(model.frame)
     friction = 0.0 * state[0]
+    contact = 0.0 * state[0]
     damping = 0.0 * state[0]
     clamps = 0.0 * state[0]
-    if has_contact(model.contact) and has_friction(model.friction):
-        friction = friction_power(model, masses, work, state, velocity)
+    if has_contact(model.contact):
+        friction, contact = contact_powers(model, motion, masses, work, state, velocity)
     drag = mass_damping(model.damping)
     for node in range(masses.shape[0]):
         i = 2 * node + offset
@@ -65,7 +120,7 @@ def powers(model: Any, masses: Any, work: Any, time: Any, state: Any, velocity: 
     for k in range(offset):
         damping = damping + drag * frame_mass(model.frame, k) * velocity[k] * velocity[k]
     if has_elements(model.discretization):
-        angles = clamp_angles(model.clamp, time)
+        angles = clamp_angles(model.clamp, motion.time)
         turn_rate = velocity[2] if offset > 0 else 0.0 * state[0]
         tangents = end_tangents(model.frame, model.load, angles, state, turn_rate)
         chain = chain_powers(
@@ -77,4 +132,4 @@ def powers(model: Any, masses: Any, work: Any, time: Any, state: Any, velocity: 
         right_pull = chain.right_x * tangents.right_y - chain.right_y * tangents.right_x
         clamps = (chain.left_moment + shift * left_pull) * angles.left_rate
         clamps = clamps + (chain.right_moment + shift * right_pull) * angles.right_rate
-    return friction, damping, clamps
+    return Powers(friction, damping, clamps, contact)

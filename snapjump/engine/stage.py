@@ -4,72 +4,119 @@ from typing import Any
 
 from snapjump.clamp.base import clamp_angles
 from snapjump.discretization.base import clamp_offset, has_elements
+from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import (
     BACKTRACKS,
     FASTEST,
+    GAP,
     ITERATION,
+    LAST_STEP,
+    SHARE,
     SIZE,
     STAGE,
     STEP,
     TIME,
 )
-from snapjump.engine.newton import allowed_share
-from snapjump.frame.base import frame_dofs, place_ends
+from snapjump.engine.newton import GAP_FRACTION, allowed_share
+from snapjump.frame.base import corner_point, frame_dofs, place_ends
+from snapjump.integrator.base import (
+    Rates,
+    end_step,
+    keep_history,
+    predict,
+    stage_count,
+    stage_node,
+    stage_rates,
+    store_stage,
+    weigh_slots,
+)
 from snapjump.number.dispatch import kernel, routine
-from snapjump.number.functions import any_true, fma, sqrt, where
+from snapjump.number.functions import maximum, minimum, sqrt, where
 
 
 @kernel
-def pick(table: Any, stage: Any) -> Any:
-    """The table's entry at every lane's own stage."""
-    value = 0.0 * stage
-    for k in range(table.shape[0]):
-        value = where(stage == 1.0 * k, table[k] + value, value)
-    return value
+def step_ratio(work: Any) -> Any:
+    """This step over the last one, 0 where there was none."""
+    last = work.clock[LAST_STEP]
+    return where(last > 0.0, work.clock[STEP] / maximum(last, 1e-300 + 0.0 * last), 0.0)
+
+
+@kernel
+def stage_motion(scheme: Any, work: Any) -> Motion:
+    """Time and rates of every lane's current stage."""
+    clock = work.clock
+    step = clock[STEP]
+    rates = stage_rates(scheme, step, step_ratio(work))
+    return Motion(
+        clock[TIME] + stage_node(scheme, clock[STAGE]) * step,
+        rates.rate_factor,
+        rates.inertia_rate,
+        0.0 * step,
+    )
 
 
 @routine
-def store_stage(tableau: Any, work: Any, mask: Any) -> Any:
-    """Keep velocity and acceleration of the stage that has just converged.
+def keep_stage(scheme: Any, work: Any, motion: Any, mask: Any) -> Any:
+    """Keep the stage that has just converged; returns the error (L) of steps that end with it."""
+    clock = work.clock
+    rates = Rates(motion.rate_factor, motion.inertia_rate)
+    return store_stage(scheme, work, clock[STAGE], clock[STEP], step_ratio(work), rates, mask)
 
-    Returns the largest difference in position (L) from the comparison method, for lanes whose
-    step has ended.
+
+@kernel
+def smallest_gap(model: Any, masses: Any, state: Any) -> Any:
+    """Of all points that can touch the ground (L)."""
+    dofs = frame_dofs(model.frame)
+    smallest = 1.0e30 + 0.0 * state[0]
+    for node in range(masses.shape[0]):
+        if masses[node] > 0.0:
+            smallest = minimum(smallest, state[2 * node + 1 + dofs])
+    if dofs > 0:
+        for corner in range(4):
+            _, height, _, _ = corner_point(model.frame, corner, state, state)
+            smallest = minimum(smallest, height)
+    return smallest
+
+
+@routine
+def reach_end(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> Any:
+    """Move from the last stage to the end of the step, where that is no stage.
+
+    Returns the mask of lanes whose step must be repeated: the end closed a gap.
     """
     clock = work.clock
-    last = len(tableau.error) - 1
-    rate = 1.0 / (tableau.gamma * clock[STEP])
-    for k in range(1, last):
-        here = mask & (clock[STAGE] == 1.0 * k)
-        if any_true(here):
-            velocity = work.velocity[k]
-            acceleration = work.acceleration[k]
-            for i in range(work.state.shape[0]):
-                v = (work.state[i] - work.origin[i]) * rate
-                a = (v - work.drift[i]) * rate
-                velocity[i] = where(here, v, velocity[i])
-                acceleration[i] = where(here, a, acceleration[i])
-    total = 0.0 * rate
-    if any_true(mask & (clock[STAGE] >= 1.0 * last)):
-        # The last stage is used up at once: other lanes' entries may be overwritten.
-        velocity = work.velocity[last]
-        acceleration = work.acceleration[last]
-        for i in range(work.state.shape[0]):
-            v = (work.state[i] - work.origin[i]) * rate
-            velocity[i] = v
-            acceleration[i] = (v - work.drift[i]) * rate
-            error = tableau.error[last] * v
-            for k in range(last):
-                error = fma(tableau.error[k], work.velocity[k, i], error)
-            total = fma(error, error, total)
-    return sqrt(total / work.state.shape[0]) * clock[STEP]
+    dofs = frame_dofs(model.frame)
+    drop = work.system.residual
+    frame_drop = work.system.frame_residual
+    for i in range(work.state.shape[0]):
+        if i < dofs:
+            frame_drop[i] = work.state[i]
+        else:
+            drop[i - dofs] = work.state[i]
+    end_step(scheme, work, clock[STEP], mask)
+    if has_elements(model.discretization):
+        share = where(mask, 1.0, stage_node(scheme, clock[STAGE]))
+        angles = clamp_angles(model.clamp, clock[TIME] + share * clock[STEP])
+        place_ends(model.frame, clamp_offset(model.discretization), angles, work.state)
+    # Of its gap at the stage every point must keep GAP_FRACTION; said of the gap at the end.
+    for i in range(work.state.shape[0]):
+        if i < dofs:
+            frame_drop[i] = GAP_FRACTION * (frame_drop[i] - work.state[i])
+        else:
+            drop[i - dofs] = GAP_FRACTION * (drop[i - dofs] - work.state[i])
+    closed = mask & (allowed_share(model, masses, work.state, frame_drop, drop) < 1.0)
+    clock[GAP] = where(mask, smallest_gap(model, masses, work.state), clock[GAP])
+    return closed
 
 
 @routine
-def commit_step(tableau: Any, work: Any, mask: Any) -> None:
+def commit_step(scheme: Any, work: Any, mask: Any) -> None:
     """Make the last stage the beginning of the next step."""
-    last = len(tableau.error) - 1
+    last = stage_count(scheme)
     clock = work.clock
+    keep_history(scheme, work, clock[STEP], mask)
     clock[TIME] = where(mask, clock[TIME] + clock[STEP], clock[TIME])
+    clock[LAST_STEP] = where(mask, clock[STEP], clock[LAST_STEP])
     for i in range(work.state.shape[0]):
         work.start[i] = where(mask, work.state[i], work.start[i])
         work.velocity[0, i] = where(mask, work.velocity[last, i], work.velocity[0, i])
@@ -77,29 +124,19 @@ def commit_step(tableau: Any, work: Any, mask: Any) -> None:
 
 
 @routine
-def begin_stage(model: Any, tableau: Any, masses: Any, work: Any, mask: Any) -> None:
+def begin_stage(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> None:
     """Set origin, drift and a gap-safe first guess of every masked lane's current stage."""
     clock = work.clock
-    stages = len(tableau.error)
     stage = clock[STAGE]
     step = clock[STEP]
-    share = tableau.gamma * step
+    ratio = step_ratio(work)
+    rates = stage_rates(scheme, step, ratio)
     size = work.state.shape[0]
     restart = mask & (stage == 1.0)
-    for k in range(stages - 1):
-        work.weights[k] = step * pick(tableau.matrix[:, k], stage)
+    weigh_slots(scheme, stage, step, ratio, work.weights)
     for i in range(size):
-        position = work.start[i]
-        origin = position
-        drift = work.velocity[0, i]
-        guess = work.acceleration[0, i]
-        for k in range(stages - 1):
-            earlier = work.acceleration[k, i]
-            origin = fma(work.weights[k], work.velocity[k, i], origin)
-            drift = fma(work.weights[k], earlier, drift)
-            guess = where(stage > 1.0 * k, earlier, guess)
-        state = where(restart, position, work.state[i])
-        aim = origin + share * (drift + share * guess)
+        origin, drift, aim = predict(scheme, work, i, stage, rates)
+        state = where(restart, work.start[i], work.state[i])
         work.origin[i] = where(mask, origin, work.origin[i])
         work.drift[i] = where(mask, drift, work.drift[i])
         work.state[i] = state
@@ -111,11 +148,13 @@ def begin_stage(model: Any, tableau: Any, masses: Any, work: Any, mask: Any) -> 
         work.state[i] = work.state[i] - allowed * work.change[i]
     for i in range(work.slip.shape[0]):
         work.slip[i] = where(mask, 0.0, work.slip[i])
+        work.held[i] = where(mask, 0.0, work.held[i])
     clock[ITERATION] = where(mask, 0.0, clock[ITERATION])
     clock[SIZE] = where(mask, 0.0, clock[SIZE])
+    clock[SHARE] = where(mask, allowed, clock[SHARE])
     clock[BACKTRACKS] = where(mask, 0.0, clock[BACKTRACKS])
     if has_elements(model.discretization):
-        time = clock[TIME] + pick(tableau.nodes, stage) * step
+        time = clock[TIME] + stage_node(scheme, stage) * step
         angles = clamp_angles(model.clamp, time)
         place_ends(model.frame, clamp_offset(model.discretization), angles, work.state)
 

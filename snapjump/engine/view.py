@@ -29,6 +29,7 @@ def view_work(work: Any, lanes: Any) -> Work:
         view_numbers(work.velocity, lanes),
         view_numbers(work.acceleration, lanes),
         view_numbers(work.slip, lanes),
+        view_numbers(work.held, lanes),
         view_numbers(work.clock, lanes),
         view_numbers(work.numbers, lanes),
         view_numbers(work.weights, lanes),

@@ -35,7 +35,8 @@ class Work(NamedTuple):
     state: current Newton iterate (D); start: state at the step's beginning (D); origin, drift:
     the stage's position and velocity before its own share (D); change: last Newton correction
     (D); velocity, acceleration: of every stage, the first being the step's beginning (S, D);
-    slip: sliding velocities at the last iterate, corners first (4 + nodes); clock: scalars by
+    slip: sliding velocities at the last iterate, corners first (4 + nodes); held: 1 where a
+    constraint held a point at the last iterate (4 + nodes); clock: scalars by
     lane (see :mod:`snapjump.engine.clock`); numbers: of the model (P); weights: of earlier
     stages (S).
     """
@@ -48,6 +49,7 @@ class Work(NamedTuple):
     velocity: Any
     acceleration: Any
     slip: Any
+    held: Any
     clock: Any
     numbers: Any
     weights: Any
@@ -87,6 +89,7 @@ def make_work(
         velocity=zeros(stages, size),
         acceleration=zeros(stages, size),
         slip=zeros(CORNERS + nodes),
+        held=zeros(CORNERS + nodes),
         clock=zeros(clocks),
         numbers=zeros(numbers),
         weights=zeros(stages),

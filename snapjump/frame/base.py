@@ -60,7 +60,12 @@ def limit_frame_step(frame: Any, state: Any, drop: Any, fraction: Any) -> Any:
 
 @family_function
 def corner_point(frame: Any, corner: Any, state: Any, velocity: Any) -> Any:
-    """Place (x, y) of a corner of a moving frame (in L) and its velocity along x (in L/T)."""
+    """Place (x, y) of a corner of a moving frame (in L) and its velocity (in L/T)."""
+
+
+@family_function
+def corner_mass(frame: Any, corner: Any, state: Any) -> Any:
+    """Mass (in rho A L) that a vertical push at a corner moves."""
 
 
 @family_function

@@ -8,6 +8,7 @@ from snapjump.frame.base import (
     add_frame_forces,
     condense_first,
     condense_last,
+    corner_mass,
     corner_point,
     end_tangents,
     frame_dofs,
@@ -79,7 +80,12 @@ def _limit_frame_step(frame: CantileverFrame, state: Any, drop: Any, fraction: A
 @corner_point.member(CantileverFrame)
 def _corner_point(frame: CantileverFrame, corner: Any, state: Any, velocity: Any) -> Any:
     zero = 0.0 * state[0]
-    return zero, zero, zero
+    return zero, zero, zero, zero
+
+
+@corner_mass.member(CantileverFrame)
+def _corner_mass(frame: CantileverFrame, corner: Any, state: Any) -> float:
+    return 0.0
 
 
 @frame_mass.member(CantileverFrame)

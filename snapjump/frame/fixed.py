@@ -8,6 +8,7 @@ from snapjump.frame.base import (
     add_frame_forces,
     condense_first,
     condense_last,
+    corner_mass,
     corner_point,
     end_tangents,
     frame_dofs,
@@ -82,7 +83,12 @@ def _limit_frame_step(frame: FixedFrame, state: Any, drop: Any, fraction: Any) -
 @corner_point.member(FixedFrame)
 def _corner_point(frame: FixedFrame, corner: Any, state: Any, velocity: Any) -> Any:
     zero = 0.0 * state[0]
-    return zero, zero, zero
+    return zero, zero, zero, zero
+
+
+@corner_mass.member(FixedFrame)
+def _corner_mass(frame: FixedFrame, corner: Any, state: Any) -> float:
+    return 0.0
 
 
 @frame_mass.member(FixedFrame)

@@ -6,11 +6,12 @@ The clamped end nodes of the beam belong to it, so that its mass matrix is diago
 from typing import Any, NamedTuple
 
 from snapjump.contact.base import (
+    acts,
     bounce_rate_squared,
-    contact_force,
-    contact_reach,
     contact_weights,
+    force_if_acting,
     has_contact,
+    note_contact,
 )
 from snapjump.damping.base import mass_damping
 from snapjump.discretization.base import EndTangents
@@ -19,6 +20,7 @@ from snapjump.frame.base import (
     add_frame_forces,
     condense_first,
     condense_last,
+    corner_mass,
     corner_point,
     end_tangents,
     frame_dofs,
@@ -27,7 +29,7 @@ from snapjump.frame.base import (
     place_ends,
 )
 from snapjump.frame.ends import release_first_node, release_last_node
-from snapjump.frame.rigid_corners import add_corner_friction, corner_arm
+from snapjump.frame.rigid_corners import add_corner_friction, corner_approach, corner_arm
 from snapjump.friction.base import has_friction
 from snapjump.load.base import gravity
 from snapjump.number.dispatch import kernel
@@ -228,9 +230,9 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
     for k in range(3):
         mass = frame.inertia if k == 2 else frame.mass
         velocity = (state[k] - work.origin[k]) * rate
-        inertial = mass * (velocity - work.drift[k]) * rate
+        inertial = mass * (velocity - work.drift[k]) * motion.inertia_rate
         residual[k] += inertial + mass * drag * velocity
-        square[k, k] += mass * (rate + drag) * rate
+        square[k, k] += mass * (motion.inertia_rate + drag) * rate
         largest = maximum(largest, absolute(inertial))
     weight = frame.mass * gravity(model.load)
     residual[1] += weight
@@ -243,7 +245,6 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
     fastest = 0.0 * rate
     if has_contact(model.contact):
         contact = model.contact
-        reach = contact_reach(contact)
         _, weight = contact_weights(contact)
         c = cos(state[2])
         s = sin(state[2])
@@ -251,9 +252,11 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
             rx, ry = corner_arm(frame, corner, c, s)
             gap = state[1] + ry
             smallest = minimum(smallest, gap)
-            near = gap < reach
+            effective = 1.0 / (1.0 / frame.mass + rx * rx / frame.inertia)
+            approach = corner_approach(frame, motion, work, corner, rx, effective)
+            near = acts(contact, gap, approach)
             if any_true(near):
-                force, stiffness = contact_force(contact, where(near, gap, reach))
+                _, force, stiffness = force_if_acting(contact, gap, approach)
                 force = force * weight
                 stiffness = stiffness * weight
                 largest = maximum(largest, force)
@@ -263,14 +266,13 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
                 square[1, 2] += stiffness * rx
                 square[2, 1] += stiffness * rx
                 square[2, 2] += stiffness * rx * rx + force * ry
-                lever = 1.0 / frame.mass + rx * rx / frame.inertia
-                speed = (state[1] - work.origin[1] + rx * (state[2] - work.origin[2])) * rate
-                bounce = bounce_rate_squared(stiffness, 1.0 / lever, speed)
+                bounce = bounce_rate_squared(contact, stiffness, effective, approach.speed)
                 fastest = maximum(fastest, bounce)
                 if has_friction(model.friction):
                     add_corner_friction(
                         model, motion, work, corner, frame, rx, ry, near, force, stiffness
                     )
+            note_contact(contact, work, corner, near)
     return FrameForces(largest, smallest, fastest)
 
 
@@ -292,7 +294,14 @@ def _limit_frame_step(frame: RigidFrame, state: Any, drop: Any, fraction: Any) -
 @corner_point.member(RigidFrame)
 def _corner_point(frame: RigidFrame, corner: Any, state: Any, velocity: Any) -> Any:
     rx, ry = corner_arm(frame, corner, cos(state[2]), sin(state[2]))
-    return state[0] + rx, state[1] + ry, velocity[0] - ry * velocity[2]
+    vx = velocity[0] - ry * velocity[2]
+    return state[0] + rx, state[1] + ry, vx, velocity[1] + rx * velocity[2]
+
+
+@corner_mass.member(RigidFrame)
+def _corner_mass(frame: RigidFrame, corner: Any, state: Any) -> Any:
+    rx, _ = corner_arm(frame, corner, cos(state[2]), sin(state[2]))
+    return 1.0 / (1.0 / frame.mass + rx * rx / frame.inertia)
 
 
 @frame_mass.member(RigidFrame)

@@ -2,7 +2,13 @@
 
 from typing import Any
 
-from snapjump.contact.base import contact_force, contact_reach, contact_weights
+from snapjump.contact.base import (
+    Approach,
+    contact_weights,
+    force_if_acting,
+    is_impulsive,
+    pressing_force,
+)
 from snapjump.friction.base import is_lagged, slip
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import cos, sin, where
@@ -14,6 +20,24 @@ def corner_arm(frame: Any, corner: Any, c: Any, s: Any) -> Any:
     x = -frame.half_span if corner < 2 else frame.half_span
     y = frame.foot_y if corner == 0 or corner == 3 else frame.top_y
     return c * x - s * y, s * x + c * y
+
+
+@kernel
+def corner_approach(
+    frame: Any, motion: Any, work: Any, corner: Any, rx: Any, effective_mass: Any
+) -> Approach:
+    """How a corner at ``rx`` from the centre of mass comes near the ground within a stage."""
+    rate = motion.rate_factor
+    start = work.start
+    begun = work.velocity[0]
+    sx, sy = corner_arm(frame, corner, cos(start[2]), sin(start[2]))
+    return Approach(
+        (work.state[1] - work.origin[1] + rx * (work.state[2] - work.origin[2])) * rate,
+        rate,
+        start[1] + sy,
+        begun[1] + sx * begun[2],
+        effective_mass * rate * motion.inertia_rate,
+    )
 
 
 @kernel
@@ -36,10 +60,11 @@ def add_corner_friction(
     if is_lagged(friction):
         start = work.start
         begun = work.velocity[0]
-        _, sy = corner_arm(frame, corner, cos(start[2]), sin(start[2]))
+        sx, sy = corner_arm(frame, corner, cos(start[2]), sin(start[2]))
         gap = start[1] + sy
-        was_near = gap < contact_reach(model.contact)
-        normal, _ = contact_force(model.contact, where(was_near, gap, contact_reach(model.contact)))
+        zero = 0.0 * gap
+        before = Approach(begun[1] + sx * begun[2], zero, gap, zero, zero)
+        _, normal, _ = force_if_acting(model.contact, gap, before)
         velocity = begun[0] - sy * begun[2]
         ratio, _ = slip(friction, velocity, 0.0 * velocity)
         _, weight = contact_weights(model.contact)
@@ -53,12 +78,15 @@ def add_corner_friction(
         previous = work.slip[corner]
         ratio, slope = slip(friction, velocity, previous)
         work.slip[corner] = where(near, velocity, previous)
-        drag = ratio * force
+        normal = pressing_force(model.contact, work, corner, force)
+        # A constraint's stiffness is no derivative of the force that friction sees.
+        yielding = 0.0 if is_impulsive(model.contact) else 1.0
+        drag = ratio * normal
         residual[0] += drag
         residual[2] -= ry * drag
-        along_x = force * slope * rate
-        along_y = -ratio * stiffness
-        along_turn = force * slope * (-ry * rate - rx * turn) - ratio * stiffness * rx
+        along_x = normal * slope * rate
+        along_y = -ratio * stiffness * yielding
+        along_turn = normal * slope * (-ry * rate - rx * turn) + along_y * rx
         square[0, 0] += along_x
         square[0, 1] += along_y
         square[0, 2] += along_turn

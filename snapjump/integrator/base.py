@@ -1,60 +1,97 @@
-"""One-step integrators: diagonally implicit Runge-Kutta methods, one Butcher tableau each.
+"""Time integrators: the contract that every one fulfils.
 
-Every member fulfils one contract: stage 0 is the (explicit) beginning of the step, stages
-1 ... S - 1 solve the shared stage problem (:mod:`snapjump.engine.assemble`) with the same diagonal
-coefficient gamma, and the last stage is the end of the step (stiffly accurate), so that whatever a
-stage guards, the end point guards too.
+A scheme is a ``NamedTuple`` of numbers. A step has implicit stages 1 ... S, and every stage of
+every scheme is the same problem (:mod:`snapjump.engine.assemble`),
+
+    M A + grad V(q) + damping(q, v) + contact = 0,   v = (q - origin) rate_factor,
+                                                     A = (v - drift) inertia_rate,
+
+in which only two rates and the vectors ``origin`` and ``drift`` differ. Velocities and
+accelerations are kept in slots: slot 0 is the beginning of the step, slots 1 ... S its stages (the
+last one becomes slot 0 of the next step), and a scheme may keep a slot of history.
+An explicit scheme has one stage, whose position is known and whose forces are only evaluated.
 """
 
-from dataclasses import dataclass
-from typing import ClassVar, NamedTuple
+from typing import Any, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
+from snapjump.number.dispatch import family_function
 
 
-class Tableau(NamedTuple):
-    """A Butcher tableau for the kernels.
+class Rates(NamedTuple):
+    """dv/dq and dA/dv of a stage (1/T)."""
 
-    gamma: diagonal coefficient; matrix (S, S) strictly lower part by which earlier stages enter;
-    nodes (S); weights (S): the last row; error (S): weights minus those of a comparison method,
-    a tuple, so that kernels know the number of stages while they are compiled.
+    rate_factor: Any
+    inertia_rate: Any
+
+
+@family_function
+def slots(scheme: Any) -> Any:
+    """Velocities and accelerations to keep; a constant while compiling."""
+
+
+@family_function
+def stage_count(scheme: Any) -> Any:
+    """Stages S of a step; a constant while compiling."""
+
+
+@family_function
+def is_explicit(scheme: Any) -> Any:
+    """Whether the stage's position is known beforehand; a constant while compiling."""
+
+
+@family_function
+def ends_in_a_stage(scheme: Any) -> Any:
+    """Whether the last stage is the end of the step; a constant while compiling."""
+
+
+@family_function
+def stage_node(scheme: Any, stage: Any) -> Any:
+    """Time of a stage, as a share of the step."""
+
+
+@family_function
+def stage_rates(scheme: Any, step: Any, ratio: Any) -> Any:
+    """The :class:`Rates` of a step; ``ratio`` is its size over the last one's, 0 for the first."""
+
+
+@family_function
+def weigh_slots(scheme: Any, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
+    """Fill ``weights`` (slots) with what :func:`predict` needs at every lane's own stage."""
+
+
+@family_function
+def predict(scheme: Any, work: Any, i: Any, stage: Any, rates: Any) -> Any:
+    """Origin, drift and first guess of coordinate ``i`` of a stage."""
+
+
+@family_function
+def store_stage(
+    scheme: Any, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
+) -> Any:
+    """Keep velocity and acceleration of the stage that has just converged.
+
+    An explicit scheme finds the stage's acceleration in ``work.change``.
+
+    Returns the step's estimated error in position (L, root mean square over the coordinates) for
+    lanes whose last stage it was.
     """
 
-    gamma: float
-    matrix: NDArray[np.float64]
-    nodes: NDArray[np.float64]
-    weights: NDArray[np.float64]
-    error: tuple[float, ...]
-    error_order: float
+
+@family_function
+def end_step(scheme: Any, work: Any, step: Any, mask: Any) -> None:
+    """Move state and last slot from the last stage to the end of the step, where they differ."""
 
 
-@dataclass(frozen=True)
-class Integrator:
-    """Base of all members; the class attributes declare what a test measures.
+@family_function
+def keep_history(scheme: Any, work: Any, step: Any, mask: Any) -> None:
+    """Update the slot of history of lanes whose step stands, before the step is committed."""
 
-    ``rows``: the tableau's rows, stage 0 first. ``order``: of accuracy. ``damping_at_infinity``:
-    amplification of an infinitely fast oscillation (0 if L-stable).
-    """
 
-    rows: ClassVar[tuple[tuple[float, ...], ...]]
-    order: ClassVar[int]
-    damping_at_infinity: ClassVar[float]
+@family_function
+def error_order(scheme: Any) -> Any:
+    """Power of the step with which the estimated error shrinks."""
 
-    def tableau(self) -> Tableau:
-        """The tableau, with an error estimate by the quadrature of highest order on its nodes."""
-        full = np.zeros((len(self.rows), len(self.rows)))
-        for i, row in enumerate(self.rows):
-            full[i, : len(row)] = row
-        nodes = full.sum(axis=1)
-        powers = np.arange(len(nodes))
-        interpolatory = np.linalg.solve(nodes[None, :] ** powers[:, None], 1.0 / (powers + 1.0))
-        gamma = full[1, 1]
-        return Tableau(
-            gamma=float(gamma),
-            matrix=np.tril(full, -1),
-            nodes=nodes,
-            weights=full[-1].copy(),
-            error=tuple(float(e) for e in full[-1] - interpolatory),
-            error_order=float(self.order + 1),
-        )
+
+@family_function
+def quadrature_weight(scheme: Any, stage: Any) -> Any:
+    """Weight of a stage (0: the beginning) in an integral over the step."""

@@ -3,13 +3,24 @@
 from dataclasses import dataclass
 
 from snapjump.checks import check_choice, check_number
+from snapjump.contact.hunt_crossley import HuntCrossley
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.contact.none import NoContact
+from snapjump.contact.penalty import Penalty
+from snapjump.contact.signorini import Signorini
 from snapjump.options.discretization import DiscreteElasticRodOptions
 from snapjump.units import Scales
 
 WEIGHTINGS = ("per_length", "per_node")
 PAPER_ELEMENTS = 66  # of the mesh whose every node the paper gives the stiffness K_c
+CLEARANCE_M = 2.0e-5  # where nothing pushes from afar, a robot this high is in the air
+
+
+def node_weight(weighting: str, discretization: DiscreteElasticRodOptions | None) -> float:
+    """Share of the stiffness at a node; all of it for a lone mass, without a discretization."""
+    if discretization is None or weighting == "per_node":
+        return 1.0
+    return PAPER_ELEMENTS / discretization.elements
 
 
 @dataclass(frozen=True)
@@ -17,33 +28,139 @@ class LogBarrierOptions:
     """Logarithmic barrier (the paper, IPC): no gap ever closes.
 
     ``stiffness_N_m`` is K_c at a frame corner and at a node of the paper's mesh of 66 elements;
-    per length it is spread so that refining the mesh does not stiffen the ground.
+    per length it is spread so that refining the mesh does not stiffen the ground. ``damping_s``
+    adds a force of so many seconds times the stiffness times the closing speed.
     """
 
     stiffness_N_m: float = 1.0e4  # noqa: N815 (the unit is a capital)
     distance_m: float = 5.0e-4
+    damping_s: float = 0.0
     weighting: str = "per_length"
 
     def __post_init__(self) -> None:
         check_number("contact.stiffness_N_m", self.stiffness_N_m, 0.0, above=True, unit="N/m")
         check_number("contact.distance_m", self.distance_m, 0.0, above=True, unit="m")
+        check_number("contact.damping_s", self.damping_s, 0.0, unit="s")
         check_choice("contact.weighting", self.weighting, WEIGHTINGS)
 
-    def member(self, scales: Scales, discretization: DiscreteElasticRodOptions) -> LogBarrier:
+    def member(
+        self, scales: Scales, discretization: DiscreteElasticRodOptions | None = None
+    ) -> LogBarrier:
         """The dimensionless law."""
-        by_length = PAPER_ELEMENTS / discretization.elements
         return LogBarrier(
             stiffness=self.stiffness_N_m / scales.stiffness_N_m,
             distance=self.distance_m / scales.length_m,
-            node_weight=by_length if self.weighting == "per_length" else 1.0,
+            relaxation_time=self.damping_s / scales.time_s,
+            node_weight=node_weight(self.weighting, discretization),
             corner_weight=1.0,
         )
+
+
+@dataclass(frozen=True)
+class PenaltyOptions:
+    """Quadratic penalty: a spring below the ground; conservative, fast, and it lets points sink in.
+
+    ``stiffness_N_m`` as for the barrier.
+    """
+
+    stiffness_N_m: float = 1.0e5  # noqa: N815
+    weighting: str = "per_length"
+
+    def __post_init__(self) -> None:
+        check_number("contact.stiffness_N_m", self.stiffness_N_m, 0.0, above=True, unit="N/m")
+        check_choice("contact.weighting", self.weighting, WEIGHTINGS)
+
+    def member(
+        self, scales: Scales, discretization: DiscreteElasticRodOptions | None = None
+    ) -> Penalty:
+        """The dimensionless law."""
+        return Penalty(
+            stiffness=self.stiffness_N_m / scales.stiffness_N_m,
+            clearance=CLEARANCE_M / scales.length_m,
+            node_weight=node_weight(self.weighting, discretization),
+            corner_weight=1.0,
+        )
+
+
+@dataclass(frozen=True)
+class HuntCrossleyOptions:
+    """Hunt-Crossley: a Hertzian spring with a damper that gives an impact its restitution.
+
+    ``stiffness_N_m``: force over penetration at ``penetration_m``; ``restitution`` of an impact at
+    ``impact_speed_m_s`` (slower ones lose less).
+    """
+
+    restitution: float = 0.8
+    impact_speed_m_s: float = 5.0
+    stiffness_N_m: float = 1.0e5  # noqa: N815
+    penetration_m: float = 2.0e-5
+    weighting: str = "per_length"
+
+    def __post_init__(self) -> None:
+        check_number("contact.restitution", self.restitution, 0.01, 1.0)
+        check_number("contact.impact_speed_m_s", self.impact_speed_m_s, 0.0, above=True, unit="m/s")
+        check_number("contact.stiffness_N_m", self.stiffness_N_m, 0.0, above=True, unit="N/m")
+        check_number("contact.penetration_m", self.penetration_m, 0.0, above=True, unit="m")
+        check_choice("contact.weighting", self.weighting, WEIGHTINGS)
+
+    def member(
+        self, scales: Scales, discretization: DiscreteElasticRodOptions | None = None
+    ) -> HuntCrossley:
+        """The dimensionless law."""
+        secant = self.stiffness_N_m / scales.stiffness_N_m
+        speed = self.impact_speed_m_s / scales.velocity_m_s
+        return HuntCrossley(
+            stiffness=secant / (self.penetration_m / scales.length_m) ** 0.5,
+            damping=damping_number(self.restitution) / speed,
+            clearance=CLEARANCE_M / scales.length_m,
+            node_weight=node_weight(self.weighting, discretization),
+            corner_weight=1.0,
+        )
+
+
+def damping_number(restitution: float) -> float:
+    """Damping times impact speed, u, for which (1 + e) u = log((1 + u) / (1 - e u))."""
+    from math import log1p
+
+    from scipy.optimize import brentq
+
+    if restitution == 1.0:
+        return 0.0
+
+    def excess(u: float) -> float:
+        return log1p(u) - log1p(-restitution * u) - (1.0 + restitution) * u
+
+    # Towards u = 0 the excess is (e^2 - 1) u^2 / 2 < 0, towards 1/e it grows without bound.
+    low = min(1e-3, 0.1 * (1.0 - restitution))
+    return float(brentq(excess, low, (1.0 - 1e-15) / restitution, xtol=1e-15))
+
+
+@dataclass(frozen=True)
+class SignoriniOptions:
+    """The rigid ground: a complementarity of gap and force, and Newton's impact law.
+
+    ``restitution``: of every impact of a node or a corner. An impact law of velocities, which
+    needs integrator=implicit_euler.
+    """
+
+    restitution: float = 1.0
+
+    def __post_init__(self) -> None:
+        check_number("contact.restitution", self.restitution, 0.0, 1.0)
+
+    def member(
+        self, scales: Scales, discretization: DiscreteElasticRodOptions | None = None
+    ) -> Signorini:
+        """The dimensionless law."""
+        return Signorini(self.restitution, CLEARANCE_M / scales.length_m)
 
 
 @dataclass(frozen=True)
 class NoContactOptions:
     """No ground: every contact term is left out of the compiled program."""
 
-    def member(self, scales: Scales, discretization: DiscreteElasticRodOptions) -> NoContact:
+    def member(
+        self, scales: Scales, discretization: DiscreteElasticRodOptions | None = None
+    ) -> NoContact:
         """The empty law."""
         return NoContact()

@@ -15,7 +15,7 @@ def record_start(recorder: Any, model: Any, masses: Any, work: Any) -> None:
 
 @family_function
 def record_stage(
-    recorder: Any, model: Any, masses: Any, motion: Any, tableau: Any, work: Any, converged: Any
+    recorder: Any, model: Any, masses: Any, motion: Any, scheme: Any, work: Any, converged: Any
 ) -> None:
     """Called when stages have converged, before the clock's stage moves on."""
 

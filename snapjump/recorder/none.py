@@ -20,7 +20,7 @@ def _record_stage(
     model: Any,
     masses: Any,
     motion: Any,
-    tableau: Any,
+    scheme: Any,
     work: Any,
     converged: Any,
 ) -> None:

@@ -9,23 +9,24 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.engine.assemble import assemble
+from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.clock import LARGEST_RESIDUAL, STAGE, STEP, TIME
 from snapjump.engine.powers import powers
 from snapjump.frame.base import frame_dofs
+from snapjump.integrator.base import is_explicit, quadrature_weight
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, any_true, maximum
 from snapjump.recorder.base import record_stage, record_start, record_step
 
-LEDGER = 3  # works of friction, damping, clamps
+LEDGER = 4  # works of friction, damping, clamps, contact
 
 
 class TrajectoryRecorder(NamedTuple):
     """Samples, at most S of them, and the ledger between them.
 
     interval (1): least time between samples (T); filled (1): samples so far; times (S); states,
-    velocities (S, D); works (S, 3): of friction, damping and clamps since the beginning (EI/L);
-    totals, pending, begun, ended (3): works committed and of the step under way, powers at its
+    velocities (S, D); works (S, 4): of friction, damping, clamps and contact since the beginning (EI/L);
+    totals, pending, begun, ended (4): works committed and of the step under way, powers at its
     beginning and end; clock (1): time up to which works are committed.
     """
 
@@ -83,11 +84,10 @@ def keep_sample(recorder: Any, work: Any) -> None:
 
 @record_start.member(TrajectoryRecorder)
 def _record_start(recorder: TrajectoryRecorder, model: Any, masses: Any, work: Any) -> None:
-    time = work.clock[TIME]
-    friction, damping, clamps = powers(model, masses, work, time, work.start, work.velocity[0])
-    recorder.begun[0] = friction
-    recorder.begun[1] = damping
-    recorder.begun[2] = clamps
+    motion = Motion(work.clock[TIME], 0.0, 0.0, 0.0)
+    now = powers(model, motion, masses, work, work.start, work.velocity[0])
+    for w in range(LEDGER):
+        recorder.begun[w] = now[w]
     keep_sample(recorder, work)
 
 
@@ -97,26 +97,26 @@ def _record_stage(
     model: Any,
     masses: Any,
     motion: Any,
-    tableau: Any,
+    scheme: Any,
     work: Any,
     converged: Any,
 ) -> None:
-    assembly = assemble(model, motion, masses, work)
-    left = largest_entry(work.system.frame_residual, 0.0) if frame_dofs(model.frame) > 0 else 0.0
-    left = largest_entry(work.system.residual, left) / (assembly.largest_force + 1e-300)
-    work.clock[LARGEST_RESIDUAL] = maximum(work.clock[LARGEST_RESIDUAL], left)
+    if not is_explicit(scheme):
+        assembly = assemble(model, motion, masses, work)
+        left = 0.0
+        if frame_dofs(model.frame) > 0:
+            left = largest_entry(work.system.frame_residual, left)
+        left = largest_entry(work.system.residual, left) / (assembly.largest_force + 1e-300)
+        work.clock[LARGEST_RESIDUAL] = maximum(work.clock[LARGEST_RESIDUAL], left)
     stage = int(work.clock[STAGE])
     step = work.clock[STEP]
-    friction, damping, clamps = powers(
-        model, masses, work, motion.time, work.state, work.velocity[stage]
-    )
-    recorder.ended[0] = friction
-    recorder.ended[1] = damping
-    recorder.ended[2] = clamps
+    now = powers(model, motion, masses, work, work.state, work.velocity[stage])
+    for w in range(LEDGER):
+        recorder.ended[w] = now[w]
     for w in range(LEDGER):
         if stage == 1:
-            recorder.pending[w] = step * tableau.weights[0] * recorder.begun[w]
-        recorder.pending[w] += step * tableau.weights[stage] * recorder.ended[w]
+            recorder.pending[w] = step * quadrature_weight(scheme, 0) * recorder.begun[w]
+        recorder.pending[w] += step * quadrature_weight(scheme, stage) * recorder.ended[w]
 
 
 @record_step.member(TrajectoryRecorder)

@@ -1,13 +1,20 @@
 """A robot at the beginning of its jump: its model and the first guess of its equilibrium."""
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.checks import ParameterError
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
-from snapjump.contact.base import contact_force
-from snapjump.contact.logbarrier import LogBarrier
+from snapjump.contact.base import (
+    at_rest,
+    contact_reach,
+    contact_weights,
+    force_if_acting,
+    keeps_open,
+)
 from snapjump.engine.model import Model
 from snapjump.load.gravity import Gravity
 from snapjump.scenes.frame_body import rigid_frame
@@ -26,16 +33,23 @@ def mount_height_bar(simulation: Simulation) -> float:
     return symmetric_threshold(robot, simulation.discretization, simulation.design.epsilon).h1_bar
 
 
-def resting_gap(contact: LogBarrier, weight: float) -> float:
-    """Gap (in L) at which two feet in the barrier carry the weight (in EI/L^2)."""
+def resting_gap(contact: Any, weight: float, points: float) -> float:
+    """Gap (in L) at which a law carries a weight (in EI/L^2) at so many points."""
+    if weight == 0.0:
+        return float(contact_reach(contact))
 
     from scipy.optimize import brentq
 
-    def surplus(share: float) -> float:
-        force, _ = contact_force(contact, share * contact.distance)
-        return 2.0 * contact.corner_weight * force - weight
+    def surplus(gap: float) -> float:
+        return points * float(force_if_acting(contact, gap, at_rest(gap))[1]) - weight
 
-    return float(brentq(surplus, 1e-9, 1.0 - 1e-15)) * contact.distance
+    reach = float(contact_reach(contact))
+    low = 1e-12 * reach
+    if not keeps_open(contact):
+        low = reach - 1e-9
+        while surplus(low) < 0.0:
+            low -= reach - low
+    return float(brentq(surplus, low, reach, xtol=1e-15 * (reach - low), rtol=1e-14))
 
 
 def start_angle_rad(simulation: Simulation) -> float:
@@ -99,7 +113,8 @@ def resting_guess(simulation: Simulation, model: Model) -> Array:
     discretization = simulation.discretization
     frame = model.frame
     weight = (frame.mass + float(np.sum(discretization.masses()))) * model.load.acceleration
-    gap = resting_gap(model.contact, weight)
+    _, by_corner = contact_weights(model.contact)
+    gap = resting_gap(model.contact, weight, 2.0 * by_corner)
     x, y = buckled_arch(simulation.design.epsilon, discretization.elements)
     chain = discretization.moving_elements
     skipped = model.discretization.clamp_offset

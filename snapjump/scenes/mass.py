@@ -8,7 +8,7 @@ import numpy as np
 
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
-from snapjump.contact.base import contact_force
+from snapjump.contact.base import Approach, contact_reach, force_if_acting
 from snapjump.damping.none import NoDamping
 from snapjump.discretization.none import LooseNodes
 from snapjump.ending.timed import TimedEnding
@@ -20,49 +20,33 @@ from snapjump.friction.base import slip
 from snapjump.load.inclined import InclinedGravity
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
+from snapjump.scenes.jump_start import resting_gap
 from snapjump.scenes.runner import March, Progress
 from snapjump.scenes.trajectory import trajectory_arrays
 
 
 def mass_model(simulation: Simulation, gravity_m_s2: float, incline: float) -> Model:
-    """One loose node with the barrier's plain stiffness K_c, gravity tilted by the incline."""
+    """One loose node with the law's plain stiffness, gravity tilted by the incline."""
     scales = simulation.robot.scales
-    contact = simulation.contact.member(scales, simulation.discretization)._replace(node_weight=1.0)
     angle = math.atan(incline)
     fall = gravity_m_s2 / scales.acceleration_m_s2
     return Model(
         LooseNodes(),
         NoFrame(),
         ConstantRate(0.0, 1.0, 1.0, 0.0),
-        contact,
+        simulation.contact.member(scales),
         simulation.friction.member(scales, simulation.environment.mu),
         NoDamping(),
         InclinedGravity(fall * math.cos(angle), fall * math.sin(angle)),
     )
 
 
-def resting_gap_bar(model: Model, mass_bar: float) -> float:
-    """Gap (in L) at which the barrier carries the mass."""
-    weight = mass_bar * model.load.normal
-    if weight == 0.0:
-        return float(model.contact.distance)
-
-    from scipy.optimize import brentq
-
-    def surplus(gap: float) -> float:
-        return float(contact_force(model.contact, gap)[0]) - weight
-
-    reach = model.contact.distance
-    return float(brentq(surplus, 1e-12 * reach, reach, xtol=1e-15 * reach, rtol=1e-14))
-
-
 def beginning(
     model: Model, mass_bar: float, state: tuple[float, float], velocity: tuple[float, float]
 ) -> tuple[float, float]:
     """Acceleration (L/T^2) of the mass at its first moment."""
-    normal = 0.0
-    if state[1] < model.contact.distance:
-        normal = float(contact_force(model.contact, state[1])[0]) / mass_bar
+    approach = Approach(velocity[1], 0.0, state[1], velocity[1], 0.0)
+    normal = float(force_if_acting(model.contact, state[1], approach)[1]) / mass_bar
     ratio, _ = slip(model.friction, velocity[0], 0.0)
     return model.load.tangential - float(ratio) * normal, normal - model.load.normal
 
@@ -111,7 +95,7 @@ def simulate_bounce_scene(simulation: Simulation, progress: Progress | None = No
     scene, scales = simulation.sim, simulation.robot.scales
     model = mass_model(simulation, 0.0, 0.0)
     mass = scene.mass_kg / scales.mass_kg
-    start = (0.0, float(model.contact.distance))
+    start = (0.0, float(contact_reach(model.contact)))
     fall = (0.0, -scene.speed_m_s / scales.velocity_m_s)
     result, arrays = march_mass(simulation, model, mass, start, fall, progress)
     speed = arrays["node_vy_m_s"][-1, 0]
@@ -125,7 +109,7 @@ def simulate_slide_scene(simulation: Simulation, progress: Progress | None = Non
     scene, scales = simulation.sim, simulation.robot.scales
     model = mass_model(simulation, simulation.robot.gravity_m_s2, scene.incline)
     mass = scene.mass_kg / scales.mass_kg
-    start = (0.0, resting_gap_bar(model, mass))
+    start = (0.0, resting_gap(model.contact, mass * model.load.normal, 1.0))
     velocity = (scene.speed_m_s / scales.velocity_m_s, 0.0)
     result, arrays = march_mass(simulation, model, mass, start, velocity, progress)
     result.summary["distance_m"] = float(arrays["node_x_m"][-1, 0])

@@ -14,6 +14,7 @@ from snapjump.engine.march import Limits, Queue, find_starts, march
 from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.work import Work, make_work
 from snapjump.frame.base import frame_dofs
+from snapjump.integrator.base import slots
 from snapjump.number.announcement import load
 from snapjump.recorder.none import NoRecorder
 
@@ -52,12 +53,12 @@ class March:
             cursor=np.zeros(2, dtype=np.int64),
             carried=np.zeros(self.lanes, dtype=np.int64),
         )
-        self.tableau = self.simulation.integrator.tableau()
+        self.scheme = self.simulation.integrator.scheme()
         self.stepping = self.simulation.stepping.member(self.simulation.robot.scales)
         self.memory: Work = make_work(
             len(self.masses),
             frame_dofs(self.models[0].frame),
-            len(self.tableau.nodes),
+            slots(self.scheme),
             ROWS,
             self.numbers.shape[1],
             self.lanes,
@@ -84,7 +85,7 @@ class March:
         arguments = (
             self.models[0],
             self.masses,
-            self.tableau,
+            self.scheme,
             self.stepping,
             self.ending,
             Limits(ITERATIONS_PER_STAGE, MOST_ITERATIONS),

@@ -8,11 +8,13 @@ from numpy.typing import NDArray
 from snapjump.clamp.base import clamp_angles
 from snapjump.composition import Simulation
 from snapjump.contact.base import (
+    Approach,
     contact_energy,
-    contact_force,
     contact_reach,
     contact_weights,
+    force_if_acting,
     has_contact,
+    is_impulsive,
 )
 from snapjump.discretization.base import has_elements, internal_energy
 from snapjump.engine.model import Model
@@ -25,7 +27,7 @@ Array = NDArray[np.float64]
 
 
 def samples_of(march: March) -> tuple[Array, Array, Array, Array]:
-    """Times (S), states and velocities (S, D), works (S, 3), the march's last state included."""
+    """Times (S), states and velocities (S, D), works (S, 4), the march's last state included."""
     recorder = march.recorder
     count = int(recorder.filled[0])
     times, states = recorder.times[:count], recorder.states[:count]
@@ -93,16 +95,21 @@ def frame_arrays(
     }
 
 
-def point_forces(model: Model, gaps: Array, speeds: Array, weight: float) -> tuple[Array, Array]:
-    """Normal and friction force (EI/L^2) at points of any shape."""
-    reach = contact_reach(model.contact)
+def point_forces(
+    model: Model, gaps: Array, slides: Array, speeds: Array, weight: float
+) -> tuple[Array, Array]:
+    """Normal and friction force (EI/L^2) at points of any shape.
+
+    slides, speeds: the points' velocities along and across the ground (L/T).
+    """
     normal = np.zeros_like(gaps)
     drag = np.zeros_like(gaps)
-    for index in zip(*np.nonzero(gaps < reach), strict=True):
-        force, _ = contact_force(model.contact, float(gaps[index]))
+    for index in zip(*np.nonzero(gaps < contact_reach(model.contact)), strict=True):
+        gap, speed = float(gaps[index]), float(speeds[index])
+        _, force, _ = force_if_acting(model.contact, gap, Approach(speed, 0.0, gap, speed, 0.0))
         normal[index] = weight * force
         if has_friction(model.friction):
-            ratio, _ = slip(model.friction, float(speeds[index]), 0.0)
+            ratio, _ = slip(model.friction, float(slides[index]), 0.0)
             drag[index] = -ratio * normal[index]
     return normal, drag
 
@@ -110,17 +117,16 @@ def point_forces(model: Model, gaps: Array, speeds: Array, weight: float) -> tup
 def contact_arrays(
     model: Model, masses: Array, states: Array, velocities: Array, scales: Any
 ) -> dict[str, Array]:
-    """Gaps, normal forces and friction (along +x) at nodes and corners; slave nodes have none."""
+    """Gaps, normal forces and friction (along +x) at nodes and corners; slave nodes have none.
+
+    The forces of a constraint are none of the state, and are left out.
+    """
     dofs = frame_dofs(model.frame)
     by_node, by_corner = contact_weights(model.contact)
     gaps = states[:, dofs + 1 :: 2]
     held = np.where(masses > 0.0, gaps, np.inf)
-    normal, drag = point_forces(model, held, velocities[:, dofs::2], by_node)
-    arrays = {
-        "node_gap_m": gaps * scales.length_m,
-        "node_normal_N": normal * scales.force_N,
-        "node_friction_N": drag * scales.force_N,
-    }
+    places = {"node": (held, velocities[:, dofs::2], velocities[:, dofs + 1 :: 2], by_node)}
+    arrays = {"node_gap_m": gaps * scales.length_m}
     if dofs:
         points = np.array(
             [
@@ -128,10 +134,14 @@ def contact_arrays(
                 for q, v in zip(states, velocities, strict=True)
             ]
         )
-        normal, drag = point_forces(model, points[:, :, 1], points[:, :, 2], by_corner)
+        places["corner"] = (points[:, :, 1], points[:, :, 2], points[:, :, 3], by_corner)
         arrays["corner_gap_m"] = points[:, :, 1] * scales.length_m
-        arrays["corner_normal_N"] = normal * scales.force_N
-        arrays["corner_friction_N"] = drag * scales.force_N
+    if is_impulsive(model.contact):
+        return arrays
+    for name, (heights, slides, speeds, weight) in places.items():
+        normal, drag = point_forces(model, heights, slides, speeds, weight)
+        arrays[f"{name}_normal_N"] = normal * scales.force_N
+        arrays[f"{name}_friction_N"] = drag * scales.force_N
     return arrays
 
 
@@ -181,8 +191,8 @@ def energy_arrays(
     if has_contact(model.contact):
         contact = np.array([stored_contact_energy(model, masses, q) for q in states])
     stored = elastic + kinetic + potential + contact
-    friction, damping, clamps = works.T
-    numerical = stored[0] + clamps - friction - damping - stored
+    friction, damping, clamps, impacts = works.T
+    numerical = stored[0] + clamps - friction - damping - impacts - stored
     ledger = {
         "elastic_J": elastic,
         "kinetic_J": kinetic,
@@ -191,6 +201,7 @@ def energy_arrays(
         "clamp_work_J": clamps,
         "friction_loss_J": friction,
         "damping_loss_J": damping,
+        "contact_loss_J": impacts,
         "numerical_loss_J": numerical,
     }
     return {name: values * scales.energy_J for name, values in ledger.items()}

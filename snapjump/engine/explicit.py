@@ -1,0 +1,83 @@
+"""A stage of an explicit scheme: forces at a known position, and the step that stays stable."""
+
+from typing import Any
+
+from snapjump.discretization.base import HALF_BANDWIDTH
+from snapjump.engine.assemble import assemble
+from snapjump.engine.clock import FASTEST, GAP, RESIDUAL, SHARE, STABLE_STEP, STEP
+from snapjump.engine.newton import Correction
+from snapjump.frame.base import frame_dofs, frame_mass
+from snapjump.number.dispatch import kernel, routine
+from snapjump.number.functions import absolute, maximum, negate, sqrt, where
+
+
+@kernel
+def slave_acceleration(work: Any, i: Any, step: Any) -> Any:
+    """Of a coordinate that moves with a clamp, by how far it has been moved."""
+    mean_speed = (work.state[i] - work.start[i]) / step
+    return 2.0 * (mean_speed - work.velocity[0, i]) / step - work.acceleration[0, i]
+
+
+@kernel
+def row_sum(system: Any, row: Any) -> Any:
+    """Sum of absolute values of a node's row in the tangent (``row`` counts the padding)."""
+    band = system.padded_band
+    total = absolute(band[row, 0])
+    for k in range(1, HALF_BANDWIDTH + 1):
+        total = total + absolute(band[row, k]) + absolute(band[row - k, k])
+    return total
+
+
+@routine
+def largest_rate_squared(model: Any, masses: Any, system: Any, zero: Any) -> Any:
+    """Bound (Gershgorin) on the eigenvalues of M^-1 K (1/T^2)."""
+    dofs = frame_dofs(model.frame)
+    border = system.padded_border
+    bound = zero
+    for node in range(masses.shape[0]):
+        if masses[node] == 0.0:
+            continue
+        for axis in range(2):
+            row = HALF_BANDWIDTH + 2 * node + axis
+            total = row_sum(system, row)
+            for k in range(dofs):
+                total = total + absolute(border[row, k])
+            bound = maximum(bound, total / masses[node])
+    for k in range(dofs):
+        total = zero
+        for m in range(dofs):
+            total = total + absolute(system.square[k, m])
+        for row in range(border.shape[0]):
+            total = total + absolute(border[row, k])
+        bound = maximum(bound, total / frame_mass(model.frame, k))
+    return bound
+
+
+@routine
+def evaluate_forces(model: Any, motion: Any, masses: Any, work: Any, mask: Any) -> Correction:
+    """Leave the acceleration of every coordinate in ``work.change``, and the stable step."""
+    clock = work.clock
+    dofs = frame_dofs(model.frame)
+    step = clock[STEP]
+    assembly = assemble(model, motion, masses, work)
+    system = work.system
+    total = 0.0 * step
+    for k in range(dofs):
+        work.change[k] = -system.frame_residual[k] / frame_mass(model.frame, k)
+        total = total + absolute(work.change[k])
+    for node in range(masses.shape[0]):
+        for axis in range(2):
+            row = 2 * node + axis
+            i = row + dofs
+            if masses[node] > 0.0:
+                work.change[i] = -system.residual[row] / masses[node]
+            else:
+                work.change[i] = slave_acceleration(work, i, step)
+            total = total + absolute(work.change[i])
+    rate_squared = largest_rate_squared(model, masses, system, 0.0 * step)
+    clock[STABLE_STEP] = 2.0 / sqrt(maximum(rate_squared, 1e-300 + 0.0 * step))
+    clock[GAP] = assembly.smallest_gap
+    clock[FASTEST] = assembly.contact_rate_squared
+    clock[RESIDUAL] = 0.0 * step
+    sound = (total < 1e300) & (clock[SHARE] >= 1.0)
+    return Correction(mask & sound, mask & negate(sound), 0.0 * step)

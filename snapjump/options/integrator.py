@@ -1,0 +1,223 @@
+"""Options of the integrators. A Runge-Kutta method is a YAML file in ``integrator/tableaux``."""
+
+from dataclasses import dataclass, field, make_dataclass
+from importlib.resources import files
+from typing import Any, ClassVar
+
+import numpy as np
+import yaml
+
+from snapjump.checks import ParameterError, check_integer, check_number
+from snapjump.integrator.bdf2 import Bdf2
+from snapjump.integrator.central_difference import CentralDifference
+from snapjump.integrator.dirk import QuadratureTableau, Tableau
+from snapjump.integrator.generalized_alpha import GeneralizedAlpha
+
+Rows = tuple[tuple[float, ...], ...]
+ACCELERATION_ERROR = 1.0 / 12.0  # of h^2 (a_1 - a_0), the error of the trapezoidal rule
+ROUNDING = 1e-12
+
+
+@dataclass(frozen=True)
+class Dirk:
+    """A diagonally implicit Runge-Kutta method.
+
+    ``rows`` of its matrix up to the diagonal, stage 0 (the step's beginning) first; ``weights`` of
+    the end, None if that is the last stage; ``embedded`` weights of a comparison method, None for
+    the quadrature of highest order on the nodes. ``order`` and ``damping_at_infinity`` (the
+    amplification of an infinitely fast oscillation) are what a test measures.
+    """
+
+    order: int
+    damping_at_infinity: float
+    rows: Rows
+    weights: tuple[float, ...] | None = None
+    embedded: tuple[float, ...] | None = None
+    a_stable: ClassVar[bool] = True
+
+    def __post_init__(self) -> None:
+        check_integer("integrator.order", self.order, 1, 12)
+        check_number("integrator.damping_at_infinity", self.damping_at_infinity, 0.0, 1.0)
+        rows = checked_rows(self.rows)
+        object.__setattr__(self, "rows", rows)
+        for key in ("weights", "embedded"):
+            given = getattr(self, key)
+            if given is not None:
+                row = checked_row(f"integrator.{key}", given, len(rows))
+                object.__setattr__(self, key, row)
+                if abs(sum(row) - 1.0) > ROUNDING:
+                    raise ParameterError(f"integrator.{key}", list(given), "weights that add to 1")
+        if self.weights is not None and any((self.weights[0], *(row[0] for row in rows))):
+            raise ParameterError(
+                "integrator.weights", list(self.weights), "null where stage 0 enters any stage"
+            )
+
+    @property
+    def stages(self) -> int:
+        """Implicit stages of a step."""
+        return len(self.rows) - 1
+
+    def scheme(self) -> Tableau | QuadratureTableau:
+        """The tableau for the kernels."""
+        matrix = np.zeros((len(self.rows), len(self.rows)))
+        for i, row in enumerate(self.rows):
+            matrix[i, : len(row)] = row
+        nodes = matrix.sum(axis=1)
+        gamma = float(matrix[1, 1])
+        lower = np.tril(matrix, -1)
+        if self.weights is not None:
+            error = np.zeros(len(nodes))
+            error[0], error[-1] = -ACCELERATION_ERROR, ACCELERATION_ERROR
+            weights = np.array(self.weights)
+            return QuadratureTableau(gamma, lower, nodes, weights, tuple(error.tolist()), 3.0)
+        comparison = self.embedded
+        order = float(self.order)
+        if comparison is None:
+            powers = np.arange(len(nodes))
+            moments = 1.0 / (powers + 1.0)
+            comparison = np.linalg.solve(nodes[None, :] ** powers[:, None], moments)
+            order += 1.0
+        error = matrix[-1] - comparison
+        return Tableau(gamma, lower, nodes, matrix[-1].copy(), tuple(error.tolist()), order)
+
+
+def checked_row(key: str, row: Any, length: int) -> tuple[float, ...]:
+    """A row of so many numbers. Raises ParameterError."""
+    if isinstance(row, str) or not hasattr(row, "__len__") or len(row) != length:
+        raise ParameterError(key, row, f"a list of {length} numbers")
+    for value in row:
+        check_number(key, value, -1e6, 1e6)
+    return tuple(float(value) for value in row)
+
+
+def checked_rows(rows: Any) -> Rows:
+    """The matrix of a tableau with one implicit diagonal. Raises ParameterError."""
+    key = "integrator.rows"
+    if isinstance(rows, str) or not hasattr(rows, "__len__") or len(rows) < 2:
+        raise ParameterError(key, rows, "a list of at least two rows")
+    checked = tuple(checked_row(key, row, k + 1) for k, row in enumerate(rows))
+    if checked[0] != (0.0,):
+        raise ParameterError(key, list(checked[0]), "[0.0] as its first row, the step's beginning")
+    diagonal = {row[-1] for row in checked[1:]}
+    if len(diagonal) > 1 or min(diagonal) <= 0.0:
+        raise ParameterError(key, sorted(diagonal), "one positive number on the diagonal")
+    return checked
+
+
+def dirk_class(name: str, text: str) -> type[Dirk]:
+    """The options of a method whose YAML file is given: its first comment and its numbers."""
+    values = yaml.safe_load(text)
+    comment = text.splitlines()[0].lstrip("# ")
+    return dirk_member(name, comment, {k: v for k, v in values.items() if k != "name"})
+
+
+def dirk_member(name: str, comment: str, values: dict[str, Any]) -> type[Dirk]:
+    """A class of options with these values as defaults. Raises ParameterError for bad ones."""
+    given = vars(Dirk(**values))
+    fields = [(key, Any, field(default=value)) for key, value in given.items()]
+    cls = make_dataclass(name, fields, bases=(Dirk,), frozen=True)
+    cls.__doc__ = comment
+    return cls
+
+
+def tableaux() -> dict[str, type[Dirk]]:
+    """Options of every method in ``integrator/tableaux``, by name."""
+    folder = files("snapjump.integrator") / "tableaux"
+    found = sorted((f for f in folder.iterdir() if f.name.endswith(".yaml")), key=lambda f: f.name)
+    return {f.name[:-5]: dirk_class(f.name[:-5], f.read_text(encoding="utf-8")) for f in found}
+
+
+@dataclass(frozen=True)
+class Bdf2Options:
+    """Second order, one stage, two steps; L-stable; steps may vary."""
+
+    order: ClassVar[int] = 2
+    stages: ClassVar[int] = 1
+    a_stable: ClassVar[bool] = True
+    damping_at_infinity: ClassVar[float] = 0.0
+
+    def scheme(self) -> Bdf2:
+        """The scheme for the kernels."""
+        return Bdf2()
+
+
+@dataclass(frozen=True)
+class NewmarkOptions:
+    """Newmark's method: average acceleration by default, second order, damps nothing.
+
+    Second order for ``gamma`` = 1/2; A-stable for 2 ``beta`` >= ``gamma`` >= 1/2.
+    """
+
+    beta: float = 0.25
+    gamma: float = 0.5
+    stages: ClassVar[int] = 1
+
+    def __post_init__(self) -> None:
+        check_number("integrator.gamma", self.gamma, 0.5, 1.0)
+        check_number("integrator.beta", self.beta, 0.5 * self.gamma, 1.0)
+
+    @property
+    def order(self) -> int:
+        return 2 if self.gamma == 0.5 else 1
+
+    @property
+    def a_stable(self) -> bool:
+        return True
+
+    @property
+    def damping_at_infinity(self) -> float:
+        """Spectral radius for infinitely fast oscillations."""
+        return largest_root(self.beta, self.gamma)
+
+    def scheme(self) -> GeneralizedAlpha:
+        """The scheme for the kernels."""
+        return GeneralizedAlpha(self.beta, self.gamma, 0.0, 0.0)
+
+
+def largest_root(beta: float, gamma: float) -> float:
+    """Spectral radius of Newmark's method as the frequency goes to infinity."""
+    # lambda^2 + ((gamma + 1/2) / beta - 2) lambda + 1 - (gamma - 1/2) / beta = 0
+    roots = np.roots([1.0, (gamma + 0.5) / beta - 2.0, 1.0 - (gamma - 0.5) / beta])
+    return float(np.abs(roots).max())
+
+
+@dataclass(frozen=True)
+class GeneralizedAlphaOptions:
+    """Generalized-alpha (Chung and Hulbert): second order, damps fast modes as much as is wanted.
+
+    ``spectral_radius``: amplification of an infinitely fast oscillation.
+    """
+
+    spectral_radius: float = 0.5
+    order: ClassVar[int] = 2
+    stages: ClassVar[int] = 1
+    a_stable: ClassVar[bool] = True
+
+    def __post_init__(self) -> None:
+        check_number("integrator.spectral_radius", self.spectral_radius, 0.0, 1.0)
+
+    @property
+    def damping_at_infinity(self) -> float:
+        return self.spectral_radius
+
+    def scheme(self) -> GeneralizedAlpha:
+        """The scheme for the kernels."""
+        rho = self.spectral_radius
+        alpha_m = (2.0 * rho - 1.0) / (rho + 1.0)
+        alpha_f = rho / (rho + 1.0)
+        drift = alpha_f - alpha_m
+        return GeneralizedAlpha(0.25 * (1.0 + drift) ** 2, 0.5 + drift, alpha_m, alpha_f)
+
+
+@dataclass(frozen=True)
+class CentralDifferenceOptions:
+    """Explicit, second order, lumped masses: steps are held to the stable one, which is computed."""
+
+    order: ClassVar[int] = 2
+    stages: ClassVar[int] = 1
+    a_stable: ClassVar[bool] = False
+    damping_at_infinity: ClassVar[float | None] = None
+
+    def scheme(self) -> CentralDifference:
+        """The scheme for the kernels."""
+        return CentralDifference()
