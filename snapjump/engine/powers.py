@@ -5,7 +5,13 @@ from typing import Any
 from snapjump.clamp.base import clamp_angles
 from snapjump.contact.base import contact_force, contact_reach, contact_weights, has_contact
 from snapjump.damping.base import mass_damping
-from snapjump.discretization.base import chain_powers, clamp_offset, has_elements
+from snapjump.discretization.base import (
+    TURN_INERTIA,
+    chain_powers,
+    clamp_offset,
+    has_elements,
+    node_dofs,
+)
 from snapjump.frame.base import corner_point, end_tangents, frame_dofs, frame_mass
 from snapjump.friction.base import has_friction, is_lagged, slip
 from snapjump.number.dispatch import kernel, routine
@@ -26,12 +32,13 @@ def sliding_force(model: Any, gap: Any, velocity: Any, weight: Any) -> Any:
 def friction_power(model: Any, masses: Any, work: Any, state: Any, velocity: Any) -> Any:
     """Power that friction takes out (EI/(L T)); lagged laws use the step's beginning."""
     offset = frame_dofs(model.frame)
+    dofs = node_dofs(model.discretization)
     by_node, by_corner = contact_weights(model.contact)
     lagged = is_lagged(model.friction)
     power = 0.0 * state[0]
     for node in range(masses.shape[0]):
         if masses[node] > 0.0:
-            i = 2 * node + offset
+            i = dofs * node + offset
             gap = work.start[i + 1] if lagged else state[i + 1]
             speed = work.velocity[0, i] if lagged else velocity[i]
             power = power + sliding_force(model, gap, speed, by_node) * velocity[i]
@@ -52,6 +59,7 @@ def friction_power(model: Any, masses: Any, work: Any, state: Any, velocity: Any
 def powers(model: Any, masses: Any, work: Any, time: Any, state: Any, velocity: Any) -> Any:
     """Losses by friction and by damping, and the power that the clamps put in (EI/(L T))."""
     offset = frame_dofs(model.frame)
+    dofs = node_dofs(model.discretization)
     friction = 0.0 * state[0]
     damping = 0.0 * state[0]
     clamps = 0.0 * state[0]
@@ -59,8 +67,10 @@ def powers(model: Any, masses: Any, work: Any, time: Any, state: Any, velocity: 
         friction = friction_power(model, masses, work, state, velocity)
     drag = mass_damping(model.damping)
     for node in range(masses.shape[0]):
-        i = 2 * node + offset
+        i = dofs * node + offset
         speed_squared = velocity[i] * velocity[i] + velocity[i + 1] * velocity[i + 1]
+        if dofs == 3:
+            speed_squared = speed_squared + TURN_INERTIA * velocity[i + 2] * velocity[i + 2]
         damping = damping + drag * masses[node] * speed_squared
     for k in range(offset):
         damping = damping + drag * frame_mass(model.frame, k) * velocity[k] * velocity[k]
