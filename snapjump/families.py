@@ -9,7 +9,11 @@ from snapjump.options.contact import (
     SignoriniOptions,
 )
 from snapjump.options.damping import KelvinVoigtOptions, MassProportionalOptions, NoDampingOptions
-from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.options.discretization import (
+    CorotationalOptions,
+    DiscreteElasticRodOptions,
+    GeometricallyExactOptions,
+)
 from snapjump.options.frame import FixedFrameOptions, RigidFrameOptions
 from snapjump.options.friction import (
     ImplicitFrictionOptions,
@@ -43,7 +47,11 @@ FAMILIES: dict[str, dict[str, type]] = {
         "bounce": BounceScene,
         "slide": SlideScene,
     },
-    "discretization": {"der": DiscreteElasticRodOptions},
+    "discretization": {
+        "der": DiscreteElasticRodOptions,
+        "corotational": CorotationalOptions,
+        "geometrically_exact": GeometricallyExactOptions,
+    },
     "frame": {"rigid": RigidFrameOptions, "fixed": FixedFrameOptions},
     "contact": {
         "logbarrier": LogBarrierOptions,

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from snapjump.discretization.base import node_dofs
 from snapjump.number.dispatch import routine
 
 
@@ -16,7 +17,7 @@ def centre_of_mass(model: Any, masses: Any, state: Any, velocity: Any) -> Any:
     beam = 0.0
     for node in range(masses.shape[0]):
         weight = masses[node]
-        i = 2 * node + 3
+        i = node_dofs(model.discretization) * node + 3
         x = x + weight * state[i]
         y = y + weight * state[i + 1]
         vx = vx + weight * velocity[i]

@@ -25,5 +25,5 @@ def equilibrate(template: Any, numbers: Any, masses: Any, memory: Any, iterate: 
     failed = False
     if iterate:
         negative, failed = settle(model, masses, work, 0.0)
-    assemble(model, Motion(0.0, 0.0, 0.0), masses, work)
+    assemble(model, Motion(0.0, 0.0, 0.0, 0.0), masses, work)
     return negative, failed

@@ -3,7 +3,6 @@
 from typing import Any
 
 from snapjump.clamp.base import clamp_angles
-from snapjump.discretization.base import clamp_offset
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import BACKTRACKS, ITERATION, SIZE
 from snapjump.engine.newton import newton_iteration
@@ -24,13 +23,13 @@ def settle(model: Any, masses: Any, work: Any, time: Any) -> Any:
     """
     clock = work.clock
     zero = 0.0 * clock[ITERATION]
-    motion = Motion(time + zero, zero, zero + ANCHOR)
+    motion = Motion(time + zero, zero, zero, zero + ANCHOR)
     clock[ITERATION] = zero
     clock[SIZE] = zero
     clock[BACKTRACKS] = zero
     dofs = frame_dofs(model.frame)
     angles = clamp_angles(model.clamp, motion.time)
-    place_ends(model.frame, clamp_offset(model.discretization), angles, work.state)
+    place_ends(model.frame, model.discretization, angles, work.state)
     for i in range(dofs, work.state.shape[0]):
         work.origin[i] = work.state[i]
     negative = zero

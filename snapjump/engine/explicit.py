@@ -2,13 +2,13 @@
 
 from typing import Any
 
-from snapjump.discretization.base import HALF_BANDWIDTH
+from snapjump.discretization.base import HALF_BANDWIDTH, TURN_INERTIA, node_dofs
 from snapjump.engine.assemble import assemble
 from snapjump.engine.clock import FASTEST, GAP, RESIDUAL, SHARE, STABLE_STEP, STEP
 from snapjump.engine.newton import Correction
 from snapjump.frame.base import frame_dofs, frame_mass
 from snapjump.number.dispatch import kernel, routine
-from snapjump.number.functions import absolute, maximum, negate, sqrt, where
+from snapjump.number.functions import absolute, maximum, negate, sqrt
 
 
 @kernel
@@ -16,6 +16,12 @@ def slave_acceleration(work: Any, i: Any, step: Any) -> Any:
     """Of a coordinate that moves with a clamp, by how far it has been moved."""
     mean_speed = (work.state[i] - work.start[i]) / step
     return 2.0 * (mean_speed - work.velocity[0, i]) / step - work.acceleration[0, i]
+
+
+@kernel
+def node_mass(mass: Any, axis: Any) -> Any:
+    """Mass or rotary inertia that belongs to a coordinate of a node."""
+    return TURN_INERTIA * mass if axis == 2 else mass
 
 
 @kernel
@@ -32,17 +38,18 @@ def row_sum(system: Any, row: Any) -> Any:
 def largest_rate_squared(model: Any, masses: Any, system: Any, zero: Any) -> Any:
     """Bound (Gershgorin) on the eigenvalues of M^-1 K (1/T^2)."""
     dofs = frame_dofs(model.frame)
+    per_node = node_dofs(model.discretization)
     border = system.padded_border
     bound = zero
     for node in range(masses.shape[0]):
         if masses[node] == 0.0:
             continue
-        for axis in range(2):
-            row = HALF_BANDWIDTH + 2 * node + axis
+        for axis in range(per_node):
+            row = HALF_BANDWIDTH + per_node * node + axis
             total = row_sum(system, row)
             for k in range(dofs):
                 total = total + absolute(border[row, k])
-            bound = maximum(bound, total / masses[node])
+            bound = maximum(bound, total / node_mass(masses[node], axis))
     for k in range(dofs):
         total = zero
         for m in range(dofs):
@@ -58,6 +65,7 @@ def evaluate_forces(model: Any, motion: Any, masses: Any, work: Any, mask: Any) 
     """Leave the acceleration of every coordinate in ``work.change``, and the stable step."""
     clock = work.clock
     dofs = frame_dofs(model.frame)
+    per_node = node_dofs(model.discretization)
     step = clock[STEP]
     assembly = assemble(model, motion, masses, work)
     system = work.system
@@ -66,11 +74,11 @@ def evaluate_forces(model: Any, motion: Any, masses: Any, work: Any, mask: Any) 
         work.change[k] = -system.frame_residual[k] / frame_mass(model.frame, k)
         total = total + absolute(work.change[k])
     for node in range(masses.shape[0]):
-        for axis in range(2):
-            row = 2 * node + axis
+        for axis in range(per_node):
+            row = per_node * node + axis
             i = row + dofs
             if masses[node] > 0.0:
-                work.change[i] = -system.residual[row] / masses[node]
+                work.change[i] = -system.residual[row] / node_mass(masses[node], axis)
             else:
                 work.change[i] = slave_acceleration(work, i, step)
             total = total + absolute(work.change[i])

@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 from snapjump.clamp.base import clamp_angles
 from snapjump.contact.base import has_contact, keeps_open
-from snapjump.discretization.base import NODES_COUPLED, clamp_offset, has_elements
+from snapjump.discretization.base import NODES_COUPLED, has_elements, node_dofs
 from snapjump.engine.assemble import (
     Assembly,
     Motion,
@@ -28,6 +28,7 @@ from snapjump.linear_solver.banded import (
     solve_frame,
     substitute_back,
 )
+from snapjump.linear_solver.banded_turning import eliminate_turning_node, substitute_back_turning
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, any_true, maximum, minimum, negate, where
 
@@ -51,11 +52,12 @@ def allowed_share(model: Any, masses: Any, state: Any, frame_drop: Any, drop: An
     if has_contact(model.contact) and keeps_open(model.contact):
         share = limit_frame_step(model.frame, state, frame_drop, GAP_FRACTION)
         offset = frame_dofs(model.frame)
+        dofs = node_dofs(model.discretization)
         for node in range(masses.shape[0]):
             if masses[node] == 0.0:
                 continue
-            fall = drop[2 * node + 1]
-            allowed = (1.0 - GAP_FRACTION) * state[2 * node + 1 + offset]
+            fall = drop[dofs * node + 1]
+            allowed = (1.0 - GAP_FRACTION) * state[dofs * node + 1 + offset]
             beyond = fall > allowed
             if any_true(beyond):
                 share = minimum(share, where(beyond, allowed / absolute(fall), 1.0))
@@ -88,6 +90,7 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
     """
     system = work.system
     bordered = frame_dofs(model.frame) > 0
+    turning = node_dofs(model.discretization) == 3
     nodes = masses.shape[0]
     zero = 0.0 * motion.rate_factor
     sweep = begin_assembly(model, motion, work)
@@ -96,7 +99,10 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
         if node < nodes:
             sweep = assemble_node(model, motion, masses, work, node, sweep)
         if node >= NODES_COUPLED:
-            done = eliminate_node(system, node - NODES_COUPLED, bordered, done)
+            if turning:
+                done = eliminate_turning_node(system, node - NODES_COUPLED, bordered, done)
+            else:
+                done = eliminate_node(system, node - NODES_COUPLED, bordered, done)
     residual = done.largest
     negative = done.negative
     correction = zero
@@ -104,7 +110,10 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
         residual = largest_of_three(system.frame_residual, residual)
         negative = negative + solve_frame(system, done)
         correction = largest_of_three(system.frame_residual, correction)
-    correction = maximum(correction, substitute_back(system, bordered, zero))
+    if turning:
+        correction = maximum(correction, substitute_back_turning(system, bordered, zero))
+    else:
+        correction = maximum(correction, substitute_back(system, bordered, zero))
     return Solution(end_assembly(sweep), residual, correction, negative)
 
 
@@ -152,7 +161,7 @@ def newton_iteration(
         work.change[i] = where(back, work.change[i], step)
     if has_elements(model.discretization):
         angles = clamp_angles(model.clamp, motion.time)
-        place_ends(model.frame, clamp_offset(model.discretization), angles, work.state)
+        place_ends(model.frame, model.discretization, angles, work.state)
 
     # The error left is about the correction times the rate of convergence.
     rate = where(first, 1.0, minimum(correction / maximum(clock[SIZE], tiny), 1.0 + 0.0 * tiny))

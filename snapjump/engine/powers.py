@@ -13,7 +13,13 @@ from snapjump.contact.base import (
     has_contact,
 )
 from snapjump.damping.base import mass_damping
-from snapjump.discretization.base import chain_powers, clamp_offset, has_elements
+from snapjump.discretization.base import (
+    TURN_INERTIA,
+    chain_powers,
+    clamp_offset,
+    has_elements,
+    node_dofs,
+)
 from snapjump.frame.base import corner_mass, corner_point, end_tangents, frame_dofs, frame_mass
 from snapjump.friction.base import has_friction, is_lagged, slip
 from snapjump.number.dispatch import kernel, routine
@@ -40,7 +46,7 @@ class Point(NamedTuple):
 @kernel
 def node_point(model: Any, node: Any, state: Any, velocity: Any) -> Point:
     """A node as a point."""
-    i = 2 * node + frame_dofs(model.frame)
+    i = node_dofs(model.discretization) * node + frame_dofs(model.frame)
     return Point(state[i + 1], velocity[i], velocity[i + 1])
 
 
@@ -106,6 +112,7 @@ def contact_powers(
 def powers(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity: Any) -> Powers:
     """The :class:`Powers` of a stage's state and velocity."""
     offset = frame_dofs(model.frame)
+    dofs = node_dofs(model.discretization)
     friction = 0.0 * state[0]
     contact = 0.0 * state[0]
     damping = 0.0 * state[0]
@@ -114,8 +121,10 @@ def powers(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity
         friction, contact = contact_powers(model, motion, masses, work, state, velocity)
     drag = mass_damping(model.damping)
     for node in range(masses.shape[0]):
-        i = 2 * node + offset
+        i = dofs * node + offset
         speed_squared = velocity[i] * velocity[i] + velocity[i + 1] * velocity[i + 1]
+        if dofs == 3:
+            speed_squared = speed_squared + TURN_INERTIA * velocity[i + 2] * velocity[i + 2]
         damping = damping + drag * masses[node] * speed_squared
     for k in range(offset):
         damping = damping + drag * frame_mass(model.frame, k) * velocity[k] * velocity[k]

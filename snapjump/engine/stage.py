@@ -3,7 +3,7 @@
 from typing import Any
 
 from snapjump.clamp.base import clamp_angles
-from snapjump.discretization.base import clamp_offset, has_elements
+from snapjump.discretization.base import has_elements, node_dofs
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import (
     BACKTRACKS,
@@ -67,10 +67,11 @@ def keep_stage(scheme: Any, work: Any, motion: Any, mask: Any) -> Any:
 def smallest_gap(model: Any, masses: Any, state: Any) -> Any:
     """Of all points that can touch the ground (L)."""
     dofs = frame_dofs(model.frame)
+    stride = node_dofs(model.discretization)
     smallest = 1.0e30 + 0.0 * state[0]
     for node in range(masses.shape[0]):
         if masses[node] > 0.0:
-            smallest = minimum(smallest, state[2 * node + 1 + dofs])
+            smallest = minimum(smallest, state[stride * node + 1 + dofs])
     if dofs > 0:
         for corner in range(4):
             _, height, _, _ = corner_point(model.frame, corner, state, state)
@@ -97,7 +98,7 @@ def reach_end(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> Any
     if has_elements(model.discretization):
         share = where(mask, 1.0, stage_node(scheme, clock[STAGE]))
         angles = clamp_angles(model.clamp, clock[TIME] + share * clock[STEP])
-        place_ends(model.frame, clamp_offset(model.discretization), angles, work.state)
+        place_ends(model.frame, model.discretization, angles, work.state)
     # Of its gap at the stage every point must keep GAP_FRACTION; said of the gap at the end.
     for i in range(work.state.shape[0]):
         if i < dofs:
@@ -156,7 +157,7 @@ def begin_stage(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> N
     if has_elements(model.discretization):
         time = clock[TIME] + stage_node(scheme, stage) * step
         angles = clamp_angles(model.clamp, time)
-        place_ends(model.frame, clamp_offset(model.discretization), angles, work.state)
+        place_ends(model.frame, model.discretization, angles, work.state)
 
 
 @kernel

@@ -7,6 +7,7 @@ branch's tangent and the acceleration its curvature.
 from typing import Any
 
 from snapjump.clamp.constant_rate import ConstantRate
+from snapjump.discretization.base import node_dofs
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.equilibrium import settle
 from snapjump.engine.model import Model
@@ -50,7 +51,7 @@ def stay_in_place(model: Any, masses: Any, work: Any) -> None:
     work.velocity[0, 0] = work.velocity[0, 0] - speed
     work.acceleration[0, 0] = work.acceleration[0, 0] - push
     for node in range(masses.shape[0]):
-        i = 3 + 2 * node
+        i = 3 + node_dofs(model.discretization) * node
         work.velocity[0, i] = work.velocity[0, i] - speed
         work.acceleration[0, i] = work.acceleration[0, i] - push
 
@@ -111,7 +112,7 @@ def follow_branch(model: Any, masses: Any, work: Any) -> Any:
         state[i] = now
     if frame_dofs(model.frame) > 0:
         stay_in_place(model, masses, work)
-    middle = (masses.shape[0] - 1) // 2 * 2 + 1 + frame_dofs(model.frame)
     first = 1 + frame_dofs(model.frame)
+    middle = (masses.shape[0] - 1) // 2 * node_dofs(model.discretization) + first
     lost = lost | (state[middle] < state[first])
     return where(lost, 1.0 * NO_EQUILIBRIUM, 1.0 * RUNNING)

@@ -14,8 +14,9 @@ CORNERS = 4
 class System(NamedTuple):
     """The linear system of a Newton iteration, for B coordinates of nodes and F of the frame.
 
-    residual (B), band (B, 6), border (B, 3): of the nodes; these are views into the padded arrays
-    of B + 10 rows, whose five zero rows before and after spare the solver its edge cases.
+    residual (B), band (B, 6), border (B, 3): of the nodes, two or three coordinates each; these
+    are views into the padded arrays of B + 10 rows, whose five zero rows before and after spare
+    the solver its edge cases.
     frame_residual (F) and square (3, 3): of the frame.
     """
 
@@ -57,10 +58,16 @@ class Work(NamedTuple):
 
 
 def make_work(
-    nodes: int, frame_dofs: int, stages: int, clocks: int, numbers: int, lanes: int
+    nodes: int,
+    frame_dofs: int,
+    stages: int,
+    clocks: int,
+    numbers: int,
+    lanes: int,
+    node_dofs: int = 2,
 ) -> Work:
     """Zeroed memory of shape (..., lanes)."""
-    beam = 2 * nodes
+    beam = node_dofs * nodes
     size = frame_dofs + beam
 
     def zeros(*shape: int) -> NDArray[np.float64]:

@@ -30,20 +30,20 @@ def end_tangents(frame: Any, load: Any, angles: Any, state: Any, velocity: Any) 
 
 
 @family_function
-def place_ends(frame: Any, offset: Any, angles: Any, state: Any) -> Any:
+def place_ends(frame: Any, discretization: Any, angles: Any, state: Any) -> Any:
     """Put the slave nodes where the frame holds them."""
 
 
 @family_function
 def condense_first(
-    frame: Any, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: Any, tangents: Any, discretization: Any, hinge: Any, state: Any, system: Any
 ) -> Any:
     """Move the first node's rows and columns, and its hinge, onto the frame's coordinates."""
 
 
 @family_function
 def condense_last(
-    frame: Any, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: Any, tangents: Any, discretization: Any, hinge: Any, state: Any, system: Any
 ) -> Any:
     """Move the last node's rows and columns, and its hinge, onto the frame's coordinates."""
 

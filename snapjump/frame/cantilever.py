@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.discretization.base import EndTangents
+from snapjump.discretization.base import EndTangents, clamp_offset, node_dofs, turn_length
 from snapjump.frame.base import (
     FrameForces,
     add_frame_forces,
@@ -47,21 +47,24 @@ def _end_tangents(frame: CantileverFrame, load: Any, angles: Any, state: Any, ve
 
 
 @place_ends.member(CantileverFrame)
-def _place_ends(frame: CantileverFrame, offset: Any, angles: Any, state: Any) -> None:
+def _place_ends(frame: CantileverFrame, discretization: Any, angles: Any, state: Any) -> None:
+    offset = clamp_offset(discretization)
     state[0] = offset * cos(angles.left)
     state[1] = -offset * sin(angles.left)
+    if node_dofs(discretization) == 3:
+        state[2] = -turn_length(discretization) * angles.left
 
 
 @condense_first.member(CantileverFrame)
 def _condense_first(
-    frame: CantileverFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: CantileverFrame, tangents: Any, discretization: Any, hinge: Any, state: Any, system: Any
 ) -> None:
-    release_first_node(system.residual, system.band)
+    release_first_node(node_dofs(discretization), system.residual, system.band)
 
 
 @condense_last.member(CantileverFrame)
 def _condense_last(
-    frame: CantileverFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: CantileverFrame, tangents: Any, discretization: Any, hinge: Any, state: Any, system: Any
 ) -> None:
     pass
 

@@ -6,31 +6,27 @@ from snapjump.number.dispatch import kernel
 
 
 @kernel
-def release_first_node(residual: Any, band: Any) -> None:
-    """Leave an identity in place of node 0 (``residual`` of the nodes alone)."""
-    for k in range(1, 6):
-        band[0, k] = 0.0
-        band[1, k] = 0.0
-    band[0, 0] = 1.0
-    band[1, 0] = 1.0
-    residual[0] = 0.0
-    residual[1] = 0.0
+def release_first_node(dofs: Any, residual: Any, band: Any) -> None:
+    """Leave an identity in place of node 0 of ``dofs`` coordinates (``residual`` of the nodes)."""
+    for i in range(dofs):
+        for k in range(1, 6):
+            band[i, k] = 0.0
+        band[i, 0] = 1.0
+        residual[i] = 0.0
 
 
 @kernel
-def release_last_node(residual: Any, band: Any, last: Any) -> None:
+def release_last_node(dofs: Any, residual: Any, band: Any, last: Any) -> None:
     """Leave an identity in place of the last node, ``last`` being its number."""
-    row = 2 * last
-    band[row - 4, 4] = 0.0
-    band[row - 4, 5] = 0.0
-    band[row - 3, 3] = 0.0
-    band[row - 3, 4] = 0.0
-    band[row - 2, 2] = 0.0
-    band[row - 2, 3] = 0.0
-    band[row - 1, 1] = 0.0
-    band[row - 1, 2] = 0.0
-    band[row, 0] = 1.0
-    band[row, 1] = 0.0
-    band[row + 1, 0] = 1.0
-    residual[row] = 0.0
-    residual[row + 1] = 0.0
+    row = dofs * last
+    # Columns of the nodes before: two of two coordinates, or one of three, reach the last one.
+    before = 4 if dofs == 2 else 3
+    for k in range(1, before + 1):
+        for i in range(dofs):
+            if k + i <= 5:
+                band[row - k, k + i] = 0.0
+    for i in range(dofs):
+        for k in range(1, dofs - i):
+            band[row + i, k] = 0.0
+        band[row + i, 0] = 1.0
+        residual[row + i] = 0.0

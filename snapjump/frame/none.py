@@ -34,20 +34,20 @@ def _end_tangents(frame: NoFrame, load: Any, angles: Any, state: Any, velocity: 
 
 
 @place_ends.member(NoFrame)
-def _place_ends(frame: NoFrame, offset: Any, angles: Any, state: Any) -> None:
+def _place_ends(frame: NoFrame, discretization: Any, angles: Any, state: Any) -> None:
     pass
 
 
 @condense_first.member(NoFrame)
 def _condense_first(
-    frame: NoFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: NoFrame, tangents: Any, discretization: Any, hinge: Any, state: Any, system: Any
 ) -> None:
     pass
 
 
 @condense_last.member(NoFrame)
 def _condense_last(
-    frame: NoFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: NoFrame, tangents: Any, discretization: Any, hinge: Any, state: Any, system: Any
 ) -> None:
     pass
 

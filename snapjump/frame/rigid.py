@@ -14,7 +14,13 @@ from snapjump.contact.base import (
     note_contact,
 )
 from snapjump.damping.base import mass_damping
-from snapjump.discretization.base import EndTangents
+from snapjump.discretization.base import (
+    EndHinge,
+    EndTangents,
+    clamp_offset,
+    node_dofs,
+    turn_length,
+)
 from snapjump.frame.base import (
     FrameForces,
     add_frame_forces,
@@ -92,15 +98,20 @@ def last_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Any:
 
 
 @place_ends.member(RigidFrame)
-def _place_ends(frame: RigidFrame, offset: Any, angles: Any, state: Any) -> None:
+def _place_ends(frame: RigidFrame, discretization: Any, angles: Any, state: Any) -> None:
     tangents = _end_tangents(frame, 0.0, angles, state, 0.0 * state[2])
+    dofs = node_dofs(discretization)
+    offset = clamp_offset(discretization)
     lx, ly = first_arm(frame, offset, tangents, state[2])
     rx, ry = last_arm(frame, offset, tangents, state[2])
-    last = state.shape[0] - 2
+    last = state.shape[0] - dofs
     state[3] = state[0] + lx
     state[4] = state[1] + ly
     state[last] = state[0] + rx
     state[last + 1] = state[1] + ry
+    if dofs == 3:
+        state[5] = turn_length(discretization) * (state[2] - angles.left)
+        state[last + 2] = turn_length(discretization) * (state[2] + angles.right)
 
 
 @kernel
@@ -144,79 +155,115 @@ def add_arm(
     )
 
 
-@condense_first.member(RigidFrame)
-def _condense_first(
-    frame: RigidFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+@kernel
+def condense_hinged_node(
+    row: Any, hinge: Any, sign: Any, arm_x: Any, arm_y: Any, system: Any
 ) -> None:
-    residual = system.frame_residual
-    nodes = system.residual
-    band = system.band
-    border = system.border
-    lx, ly = first_arm(frame, offset, tangents, state[2])
-    # The left hinge's angle falls with the frame's direction; its edge leaves node 0.
-    coupling = hinge.stiffness
-    add_arm(
-        band[0, 0],
-        band[0, 1],
-        band[1, 0],
-        coupling * hinge.slope_x,
-        coupling * hinge.slope_y,
-        hinge,
-        -1.0,
-        nodes[0],
-        nodes[1],
-        lx,
-        ly,
-        residual,
-        system.square,
-    )
-    for row in range(2, 6):
-        bx = band[0, row]
-        by = band[1, row - 1]
-        border[row, 0] += bx
-        border[row, 1] += by
-        border[row, 2] += by * lx - bx * ly
-    border[2, 2] -= coupling * hinge.slope_x
-    border[3, 2] -= coupling * hinge.slope_y
-    release_first_node(nodes, band)
+    """Move an end node that does not turn, with the hinge of its edge, onto the frame.
 
-
-@condense_last.member(RigidFrame)
-def _condense_last(
-    frame: RigidFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
-) -> None:
-    residual = system.frame_residual
-    nodes = system.residual
+    ``sign``: d(hinge angle)/d(frame's direction); the edge leaves the first node and ends at
+    the last one.
+    """
     band = system.band
-    border = system.border
-    rx, ry = last_arm(frame, offset, tangents, state[2])
-    last = (state.shape[0] - 3) // 2 - 1
-    row = 2 * last
-    coupling = hinge.stiffness
+    nodes = system.residual
+    coupling = -sign * hinge.stiffness
     add_arm(
         band[row, 0],
         band[row, 1],
         band[row + 1, 0],
-        -coupling * hinge.slope_x,
-        -coupling * hinge.slope_y,
+        coupling * hinge.slope_x,
+        coupling * hinge.slope_y,
         hinge,
+        sign,
+        nodes[row],
+        nodes[row + 1],
+        arm_x,
+        arm_y,
+        system.frame_residual,
+        system.square,
+    )
+
+
+@kernel
+def condense_turning_node(row: Any, length: Any, arm_x: Any, arm_y: Any, system: Any) -> None:
+    """Move an end node with a third coordinate, ``length`` times its rotation, onto the frame.
+
+    It turns with the frame: what acts on its rotation is the moment of the clamp.
+    """
+    band = system.band
+    nodes = system.residual
+    zero = 0.0 * arm_x
+    moment = length * nodes[row + 2]
+    stiffness = length * length * band[row + 2, 0]
+    add_arm(
+        band[row, 0],
+        band[row, 1],
+        band[row + 1, 0],
+        length * band[row, 2],
+        length * band[row + 1, 1],
+        EndHinge(moment, stiffness, zero, zero),
         1.0,
         nodes[row],
         nodes[row + 1],
-        rx,
-        ry,
-        residual,
+        arm_x,
+        arm_y,
+        system.frame_residual,
         system.square,
     )
-    for k in range(1, 5):
-        bx = band[row - k, k]
-        by = band[row - k, k + 1]
-        border[row - k, 0] += bx
-        border[row - k, 1] += by
-        border[row - k, 2] += by * rx - bx * ry
-    border[row - 2, 2] += coupling * hinge.slope_x
-    border[row - 1, 2] += coupling * hinge.slope_y
-    release_last_node(nodes, band, last)
+
+
+@kernel
+def add_border(bx: Any, by: Any, arm_x: Any, arm_y: Any, border: Any, row: Any) -> None:
+    """Move the coupling (bx, by) of an end node with a row onto the frame's columns."""
+    border[row, 0] += bx
+    border[row, 1] += by
+    border[row, 2] += by * arm_x - bx * arm_y
+
+
+@condense_first.member(RigidFrame)
+def _condense_first(
+    frame: RigidFrame, tangents: Any, discretization: Any, hinge: Any, state: Any, system: Any
+) -> None:
+    arm_x, arm_y = first_arm(frame, clamp_offset(discretization), tangents, state[2])
+    if node_dofs(discretization) == 3:
+        condense_turning_node(0, turn_length(discretization), arm_x, arm_y, system)
+        for row in range(3, 6):
+            bx, by, bt = system.band[0, row], system.band[1, row - 1], system.band[2, row - 2]
+            add_border(bx, by, arm_x, arm_y, system.border, row)
+            system.border[row, 2] += turn_length(discretization) * bt
+        release_first_node(3, system.residual, system.band)
+    else:
+        condense_hinged_node(0, hinge, -1.0, arm_x, arm_y, system)
+        for row in range(2, 6):
+            bx, by = system.band[0, row], system.band[1, row - 1]
+            add_border(bx, by, arm_x, arm_y, system.border, row)
+        system.border[2, 2] -= hinge.stiffness * hinge.slope_x
+        system.border[3, 2] -= hinge.stiffness * hinge.slope_y
+        release_first_node(2, system.residual, system.band)
+
+
+@condense_last.member(RigidFrame)
+def _condense_last(
+    frame: RigidFrame, tangents: Any, discretization: Any, hinge: Any, state: Any, system: Any
+) -> None:
+    arm_x, arm_y = last_arm(frame, clamp_offset(discretization), tangents, state[2])
+    band = system.band
+    border = system.border
+    dofs = node_dofs(discretization)
+    last = (state.shape[0] - 3) // dofs - 1
+    row = dofs * last
+    if dofs == 3:
+        condense_turning_node(row, turn_length(discretization), arm_x, arm_y, system)
+        for k in range(1, 4):
+            add_border(band[row - k, k], band[row - k, k + 1], arm_x, arm_y, border, row - k)
+            border[row - k, 2] += turn_length(discretization) * band[row - k, k + 2]
+    else:
+        condense_hinged_node(row, hinge, 1.0, arm_x, arm_y, system)
+        for k in range(1, 5):
+            add_border(band[row - k, k], band[row - k, k + 1], arm_x, arm_y, border, row - k)
+        border[row - 2, 2] += hinge.stiffness * hinge.slope_x
+        border[row - 1, 2] += hinge.stiffness * hinge.slope_y
+    release_last_node(dofs, system.residual, band, last)
 
 
 @add_frame_forces.member(RigidFrame)

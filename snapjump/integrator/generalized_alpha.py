@@ -1,6 +1,7 @@
 """Newmark's method and generalized-alpha (Chung and Hulbert 1993), forces weighted at step ends.
 
-    q_1 = q_0 + h v_0 + h^2 ((1/2 - beta) a_0 + beta a_1),  v_1 = v_0 + h ((1 - gamma) a_0 + gamma a_1)
+    q_1 = q_0 + h v_0 + h^2 ((1/2 - beta) a_0 + beta a_1)
+    v_1 = v_0 + h ((1 - gamma) a_0 + gamma a_1)
     (1 - alpha_m) a_1 + alpha_m a_0 = (1 - alpha_f) s_1 + alpha_f s_0,   M s + forces(q, v) = 0
 
 Weighting the forces of both ends of a step, and not evaluating them between, means that contact

@@ -8,7 +8,7 @@ from snapjump.contact.logbarrier import LogBarrier
 from snapjump.contact.none import NoContact
 from snapjump.contact.penalty import Penalty
 from snapjump.contact.signorini import Signorini
-from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.options.discretization import DiscretizationOptions
 from snapjump.units import Scales
 
 WEIGHTINGS = ("per_length", "per_node")
@@ -16,7 +16,7 @@ PAPER_ELEMENTS = 66  # of the mesh whose every node the paper gives the stiffnes
 CLEARANCE_M = 2.0e-5  # where nothing pushes from afar, a robot this high is in the air
 
 
-def node_weight(weighting: str, discretization: DiscreteElasticRodOptions | None) -> float:
+def node_weight(weighting: str, discretization: DiscretizationOptions | None) -> float:
     """Share of the stiffness at a node; all of it for a lone mass, without a discretization."""
     if discretization is None or weighting == "per_node":
         return 1.0
@@ -44,7 +44,7 @@ class LogBarrierOptions:
         check_choice("contact.weighting", self.weighting, WEIGHTINGS)
 
     def member(
-        self, scales: Scales, discretization: DiscreteElasticRodOptions | None = None
+        self, scales: Scales, discretization: DiscretizationOptions | None = None
     ) -> LogBarrier:
         """The dimensionless law."""
         return LogBarrier(
@@ -71,7 +71,7 @@ class PenaltyOptions:
         check_choice("contact.weighting", self.weighting, WEIGHTINGS)
 
     def member(
-        self, scales: Scales, discretization: DiscreteElasticRodOptions | None = None
+        self, scales: Scales, discretization: DiscretizationOptions | None = None
     ) -> Penalty:
         """The dimensionless law."""
         return Penalty(
@@ -104,7 +104,7 @@ class HuntCrossleyOptions:
         check_choice("contact.weighting", self.weighting, WEIGHTINGS)
 
     def member(
-        self, scales: Scales, discretization: DiscreteElasticRodOptions | None = None
+        self, scales: Scales, discretization: DiscretizationOptions | None = None
     ) -> HuntCrossley:
         """The dimensionless law."""
         secant = self.stiffness_N_m / scales.stiffness_N_m
@@ -149,7 +149,7 @@ class SignoriniOptions:
         check_number("contact.restitution", self.restitution, 0.0, 1.0)
 
     def member(
-        self, scales: Scales, discretization: DiscreteElasticRodOptions | None = None
+        self, scales: Scales, discretization: DiscretizationOptions | None = None
     ) -> Signorini:
         """The dimensionless law."""
         return Signorini(self.restitution, CLEARANCE_M / scales.length_m)
@@ -160,7 +160,7 @@ class NoContactOptions:
     """No ground: every contact term is left out of the compiled program."""
 
     def member(
-        self, scales: Scales, discretization: DiscreteElasticRodOptions | None = None
+        self, scales: Scales, discretization: DiscretizationOptions | None = None
     ) -> NoContact:
         """The empty law."""
         return NoContact()

@@ -1,4 +1,4 @@
-"""Options of the integrators. A Runge-Kutta method is a YAML file in ``integrator/tableaux``."""
+"""Options of the integrators. A Runge-Kutta method is a YAML file in ``snapjump/tableaux``."""
 
 from dataclasses import dataclass, field, make_dataclass
 from importlib.resources import files
@@ -121,8 +121,8 @@ def dirk_member(name: str, comment: str, values: dict[str, Any]) -> type[Dirk]:
 
 
 def tableaux() -> dict[str, type[Dirk]]:
-    """Options of every method in ``integrator/tableaux``, by name."""
-    folder = files("snapjump.integrator") / "tableaux"
+    """Options of every method in ``tableaux/integrator``, by name."""
+    folder = files("snapjump.tableaux") / "integrator"
     found = sorted((f for f in folder.iterdir() if f.name.endswith(".yaml")), key=lambda f: f.name)
     return {f.name[:-5]: dirk_class(f.name[:-5], f.read_text(encoding="utf-8")) for f in found}
 
@@ -211,7 +211,7 @@ class GeneralizedAlphaOptions:
 
 @dataclass(frozen=True)
 class CentralDifferenceOptions:
-    """Explicit, second order, lumped masses: steps are held to the stable one, which is computed."""
+    """Explicit, second order, lumped masses: held to the stable step, which it computes."""
 
     order: ClassVar[int] = 2
     stages: ClassVar[int] = 1

@@ -25,7 +25,7 @@ class TrajectoryRecorder(NamedTuple):
     """Samples, at most S of them, and the ledger between them.
 
     interval (1): least time between samples (T); filled (1): samples so far; times (S); states,
-    velocities (S, D); works (S, 4): of friction, damping, clamps and contact since the beginning (EI/L);
+    velocities (S, D); works (S, 4): of friction, damping, clamps, contact since the start (EI/L);
     totals, pending, begun, ended (4): works committed and of the step under way, powers at its
     beginning and end; clock (1): time up to which works are committed.
     """

@@ -10,7 +10,7 @@ from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.base import internal_energy
+from snapjump.discretization.base import internal_energy, node_dofs
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import Model, numbers_of
@@ -41,9 +41,9 @@ def bend_cantilever(
         NoDamping(),
         TipLoad(0.0, 0.0, 0.0),
     )
-    size = 2 * (elements + 1)
-    memory = make_work(elements + 1, 0, 2, ROWS, len(numbers_of(model)), 1)
-    memory.state[0::2, 0] = np.linspace(0.0, 1.0, elements + 1)
+    dofs = node_dofs(rod)
+    memory = make_work(elements + 1, 0, 2, ROWS, len(numbers_of(model)), 1, dofs)
+    memory.state[0::dofs, 0] = np.linspace(0.0, 1.0, elements + 1)
     masses = np.zeros(elements + 1)
     steps = max(1, int(np.ceil(max(abs(force_x), abs(force_y), abs(moment)) / LOAD_STEP)))
     negative = 0.0
@@ -56,7 +56,7 @@ def bend_cantilever(
     state = memory.state[:, 0].copy()
     tangents = end_tangents(CantileverFrame(), load, ClampAngles(0.0, 0.0, 0.0, 0.0), state, 0.0)
     energy = float(internal_energy(rod, state, tangents))
-    return state.reshape(size // 2, 2), energy, int(negative)
+    return state.reshape(-1, dofs)[:, :2], energy, int(negative)
 
 
 def simulate_cantilever_scene(simulation: Simulation, progress: Progress | None = None) -> Result:

@@ -15,10 +15,12 @@ from snapjump.contact.base import (
     force_if_acting,
     keeps_open,
 )
+from snapjump.discretization.base import clamp_offset
 from snapjump.engine.model import Model
 from snapjump.load.gravity import Gravity
 from snapjump.scenes.frame_body import rigid_frame
 from snapjump.statics.arch import StaticArch
+from snapjump.statics.chain_state import chain_state
 from snapjump.statics.elastica import buckled_arch, resampled
 from snapjump.statics.threshold import symmetric_threshold
 
@@ -109,7 +111,7 @@ def jump_model(simulation: Simulation) -> Model:
 
 
 def resting_guess(simulation: Simulation, model: Model) -> Array:
-    """State (3 + 2 nodes) of the robot at rest with flat clamps: frame, then nodes."""
+    """State of the robot at rest with flat clamps: frame (3), then nodes (2 or 3 each)."""
     discretization = simulation.discretization
     frame = model.frame
     weight = (frame.mass + float(np.sum(discretization.masses()))) * model.load.acceleration
@@ -117,10 +119,11 @@ def resting_guess(simulation: Simulation, model: Model) -> Array:
     gap = resting_gap(model.contact, weight, 2.0 * by_corner)
     x, y = buckled_arch(simulation.design.epsilon, discretization.elements)
     chain = discretization.moving_elements
-    skipped = model.discretization.clamp_offset
+    skipped = clamp_offset(model.discretization)
     centre = gap - frame.foot_y
-    state = np.zeros(3 + 2 * (chain + 1))
-    state[1] = centre
-    state[3::2] = resampled(x, skipped, chain)
-    state[4::2] = resampled(y, skipped, chain) + centre + frame.mount_y
-    return state
+    beam = chain_state(
+        model.discretization,
+        resampled(x, skipped, chain),
+        resampled(y, skipped, chain) + centre + frame.mount_y,
+    )
+    return np.concatenate([[0.0, centre, 0.0], beam])

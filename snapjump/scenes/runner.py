@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
+from snapjump.discretization.base import node_dofs
 from snapjump.engine.clock import ROWS, TIME
 from snapjump.engine.march import Limits, Queue, find_starts, march
 from snapjump.engine.model import Model, numbers_of
@@ -62,6 +63,7 @@ class March:
             ROWS,
             self.numbers.shape[1],
             self.lanes,
+            node_dofs(self.models[0].discretization),
         )
         self.kernel_seconds = 0.0
 

@@ -16,7 +16,7 @@ from snapjump.contact.base import (
     has_contact,
     is_impulsive,
 )
-from snapjump.discretization.base import has_elements, internal_energy
+from snapjump.discretization.base import TURN_INERTIA, has_elements, internal_energy, node_dofs
 from snapjump.engine.model import Model
 from snapjump.frame.base import corner_point, end_tangents, frame_dofs, frame_mass
 from snapjump.friction.base import has_friction, slip
@@ -46,15 +46,16 @@ def trajectory_arrays(simulation: Simulation, model: Model, march: March) -> dic
     scales = simulation.robot.scales
     times, states, velocities, works = samples_of(march)
     dofs = frame_dofs(model.frame)
+    stride = node_dofs(model.discretization)
     nodes, speeds = states[:, dofs:], velocities[:, dofs:]
     begun = model.clamp.start / model.clamp.rate if model.clamp.rate else 0.0
     angles = [clamp_angles(model.clamp, t) for t in times]
     arrays = {
         "time_s": (times + begun) * scales.time_s,
-        "node_x_m": nodes[:, 0::2] * scales.length_m,
-        "node_y_m": nodes[:, 1::2] * scales.length_m,
-        "node_vx_m_s": speeds[:, 0::2] * scales.velocity_m_s,
-        "node_vy_m_s": speeds[:, 1::2] * scales.velocity_m_s,
+        "node_x_m": nodes[:, 0::stride] * scales.length_m,
+        "node_y_m": nodes[:, 1::stride] * scales.length_m,
+        "node_vx_m_s": speeds[:, 0::stride] * scales.velocity_m_s,
+        "node_vy_m_s": speeds[:, 1::stride] * scales.velocity_m_s,
         "clamp_left_rad": np.array([float(a.left) for a in angles]),
         "clamp_right_rad": np.array([float(a.right) for a in angles]),
     }
@@ -70,11 +71,12 @@ def frame_arrays(
     model: Model, masses: Array, states: Array, velocities: Array, scales: Any
 ) -> dict[str, Array]:
     """Pose of the frame, its corners, and the centre of mass of frame and beam."""
+    stride = node_dofs(model.discretization)
     weights = np.concatenate([[model.frame.mass], masses])
-    xs = np.column_stack([states[:, 0], states[:, 3::2]])
-    ys = np.column_stack([states[:, 1], states[:, 4::2]])
-    vxs = np.column_stack([velocities[:, 0], velocities[:, 3::2]])
-    vys = np.column_stack([velocities[:, 1], velocities[:, 4::2]])
+    xs = np.column_stack([states[:, 0], states[:, 3::stride]])
+    ys = np.column_stack([states[:, 1], states[:, 4::stride]])
+    vxs = np.column_stack([velocities[:, 0], velocities[:, 3::stride]])
+    vys = np.column_stack([velocities[:, 1], velocities[:, 4::stride]])
     share = weights / weights.sum()
     corners = np.array(
         [
@@ -122,10 +124,13 @@ def contact_arrays(
     The forces of a constraint are none of the state, and are left out.
     """
     dofs = frame_dofs(model.frame)
+    stride = node_dofs(model.discretization)
     by_node, by_corner = contact_weights(model.contact)
-    gaps = states[:, dofs + 1 :: 2]
+    gaps = states[:, dofs + 1 :: stride]
     held = np.where(masses > 0.0, gaps, np.inf)
-    places = {"node": (held, velocities[:, dofs::2], velocities[:, dofs + 1 :: 2], by_node)}
+    places = {
+        "node": (held, velocities[:, dofs::stride], velocities[:, dofs + 1 :: stride], by_node)
+    }
     arrays = {"node_gap_m": gaps * scales.length_m}
     if dofs:
         points = np.array(
@@ -150,9 +155,8 @@ def stored_contact_energy(model: Model, masses: Array, state: Array) -> float:
     dofs = frame_dofs(model.frame)
     by_node, by_corner = contact_weights(model.contact)
     reach = contact_reach(model.contact)
-    points = [
-        (by_node, gap) for mass, gap in zip(masses, state[dofs + 1 :: 2], strict=True) if mass > 0.0
-    ]
+    heights = state[dofs + 1 :: node_dofs(model.discretization)]
+    points = [(by_node, gap) for mass, gap in zip(masses, heights, strict=True) if mass > 0.0]
     if dofs:
         points += [(by_corner, corner_point(model.frame, k, state, state)[1]) for k in range(4)]
     return float(sum(w * contact_energy(model.contact, float(g)) for w, g in points if g < reach))
@@ -172,11 +176,12 @@ def energy_arrays(
     What the integrator itself dissipated is what the other entries leave unexplained.
     """
     dofs = frame_dofs(model.frame)
-    weights = np.repeat(masses, 2)
+    stride = node_dofs(model.discretization)
+    weights = np.outer(masses, [1.0, 1.0, TURN_INERTIA][:stride]).ravel()
     kinetic = 0.5 * (velocities[:, dofs:] ** 2) @ weights
     fall = gravity(model.load)
     tug = pull(model.load)
-    potential = (fall * states[:, dofs + 1 :: 2] - tug * states[:, dofs::2]) @ masses
+    potential = (fall * states[:, dofs + 1 :: stride] - tug * states[:, dofs::stride]) @ masses
     for k in range(dofs):
         kinetic = kinetic + 0.5 * float(frame_mass(model.frame, k)) * velocities[:, k] ** 2
     if dofs:

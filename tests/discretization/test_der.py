@@ -26,8 +26,8 @@ ELEMENTS = 9
 ANGLES = ConstantRate(0.3, 1.5, 0.7, 0.1)
 RELAXATION = 2e-3
 ELASTIC = NoDamping()
-STILL = Motion(0.0, 0.0, 0.0)
-MOVING = Motion(0.4, 30.0, 0.0)
+STILL = Motion(0.0, 0.0, 0.0, 0.0)
+MOVING = Motion(0.4, 30.0, 30.0, 0.0)
 
 
 def make_rod(clamp: str) -> DiscreteElasticRod:

@@ -15,7 +15,7 @@ from snapjump.friction.implicit import ImplicitFriction
 from snapjump.load.inclined import InclinedGravity
 
 MASSES = np.array([0.3, 0.5, 0.2])
-MOTION = Motion(0.0, 40.0, 0.0)
+MOTION = Motion(0.0, 40.0, 40.0, 0.0)
 MODEL = Model(
     LooseNodes(),
     NoFrame(),
@@ -55,6 +55,6 @@ def test_figures_report_force_gap_and_contact_time():
 
 def test_gravity_pulls_down_and_along_the_slope():
     high = STATE + [0.0, 1.0] * 3
-    _, work = assembled(MODEL, Motion(0.0, 0.0, 0.0), MASSES, high, origin=high)
+    _, work = assembled(MODEL, Motion(0.0, 0.0, 0.0, 0.0), MASSES, high, origin=high)
     residual = work.system.residual.reshape(3, 2)
     np.testing.assert_allclose(residual, np.outer(MASSES, [-6.0, 20.0]), rtol=1e-14)

@@ -34,8 +34,8 @@ FRAME = RigidFrame(0.4, -0.15, -0.25, 0.25, 15.0, 1.3)
 BARRIER = LogBarrier(4e3, 0.025, 7.0, 1.5)
 CLAMP = ConstantRate(0.35, 1.5, 0.6, 0.1)
 HELD = ConstantRate(0.35, 1.5, 0.0, 0.1)
-STILL = Motion(0.0, 0.0, 0.0)
-MOVING = Motion(0.2, 50.0, 0.0)
+STILL = Motion(0.0, 0.0, 0.0, 0.0)
+MOVING = Motion(0.2, 50.0, 50.0, 0.0)
 DOFS = 3
 
 NO_CONTACT, NO_FRICTION, NO_DAMPING, NO_LOAD = NoContact(), NoFriction(), NoDamping(), NoLoad()
@@ -74,7 +74,7 @@ def full_state(model: Model, free: Any, angles: Any) -> Any:
     free = np.asarray(free)
     zero = np.zeros(2, free.dtype)
     state = np.concatenate([free[:3], zero, free[3:], zero])
-    place_ends(model.frame, clamp_offset(model.discretization), angles, state)
+    place_ends(model.frame, model.discretization, angles, state)
     return state
 
 

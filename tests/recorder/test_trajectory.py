@@ -89,7 +89,7 @@ def test_residual_left_in_a_stage_is_recorded():
     recorder = trajectory.make_recorder(2, 1.0, 0.1)
     work = plain_work(1, 0, len(TABLEAU.nodes))
     work.clock[STAGE] = 1.0
-    now = Motion(0.1, 20.0, 0.0)
+    now = Motion(0.1, 20.0, 20.0, 0.0)
     record_stage(recorder, MODEL, MASSES, now, TABLEAU, work, True)
     assert work.clock[LARGEST_RESIDUAL] == 0.0
     work.drift[:] = 3.0, 1.0  # 4 parts of force in play, 3 of them along x, none balanced

@@ -1,0 +1,1 @@
+"""Butcher tableaux as configurations: one YAML a method, found by the library and by Hydra."""
