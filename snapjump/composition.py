@@ -11,6 +11,10 @@ from snapjump.parameters.environment import Environment
 from snapjump.parameters.robot import Robot
 
 
+LAWS = ("logbarrier", "penalty", "hunt_crossley", "signorini")
+SMALLEST_EXPLICIT_STEP_S = 5.0e-9
+
+
 @dataclass(frozen=True)
 class Simulation:
     """Everything that determines a result. Raises ParameterError where parts do not fit."""
@@ -35,23 +39,60 @@ class Simulation:
         scene = self.scene_name
         if scene == "jump":
             self._require("frame", ("rigid",))
-            self._require("contact", ("logbarrier",))
+            self._require("contact", LAWS)
             self.environment.mass_kg(self.robot)
         if scene in ("snap", "static", "cantilever"):
             self._require("contact", ("none",))
             self._require("friction", ("none",))
             self._require("frame", ("fixed",))
         if scene in ("bounce", "slide"):
-            self._require("contact", ("logbarrier",))
+            self._require("contact", LAWS)
             self._require("frame", ("fixed",))
 
         if scene != "jump":
             self._require("backend", ("scalar",))
+        if self.name("contact") == "signorini":
+            self._check_signorini()
+        if self.name("integrator") == "central_difference":
+            self._check_explicit_damping()
 
     def _require(self, family: str, names: tuple[str, ...]) -> None:
         if self.name(family) not in names:
             raise ParameterError(
                 family, self.name(family), f"{' or '.join(names)} with sim={self.scene_name}"
+            )
+
+    def _check_signorini(self) -> None:
+        if self.name("integrator") != "implicit_euler":
+            raise ParameterError(
+                "integrator",
+                self.name("integrator"),
+                "implicit_euler with contact=signorini, whose impact law is one of velocities "
+                "between the ends of a step",
+            )
+        if self.name("friction") == "lagged":
+            raise ParameterError(
+                "friction",
+                "lagged",
+                "implicit or none with contact=signorini, whose force is not one of the position "
+                "a step ago",
+            )
+
+    def _check_explicit_damping(self) -> None:
+        """Material damping stiffens the stretching so much that explicit steps lead nowhere."""
+        eta = getattr(self.damping, "relaxation_time_s", 0.0)
+        if self.scene_name not in ("jump", "snap") or eta == 0.0:
+            return
+        robot, scales = self.robot, self.robot.scales
+        rate = 2.0 * self.discretization.elements * robot.stretching_stiffness_bar**0.5
+        step_s = 2.0 * scales.time_s**2 / (eta * rate**2)
+        if step_s < SMALLEST_EXPLICIT_STEP_S:
+            raise ParameterError(
+                "damping",
+                self.name("damping"),
+                f"none or mass_proportional with integrator=central_difference, which needs steps "
+                f"of {step_s:.1g} s for damping.relaxation_time_s = {eta:g} at this mesh (at "
+                f"least {SMALLEST_EXPLICIT_STEP_S:g} s)",
             )
 
     def name(self, family: str) -> str:

@@ -8,6 +8,7 @@ from snapjump.accuracy import TIERS
 from snapjump.checks import ParameterError, check_choice
 from snapjump.composition import Simulation, with_tier
 from snapjump.families import FAMILIES
+from snapjump.options.integrator import dirk_member
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.parameters.robot import Robot
@@ -33,7 +34,8 @@ def build(config: Mapping[str, Any]) -> Simulation:
     """A checked simulation from nested groups, as Hydra composes them.
 
     Each family's group has a ``name`` and that member's fields; ``robot``, ``design`` and
-    ``environment`` have fields only; ``accuracy.name`` is the tier. Raises ParameterError.
+    ``environment`` have fields only; ``accuracy.name`` is the tier. An integrator that is not
+    known but has ``rows`` is a Runge-Kutta method of that tableau. Raises ParameterError.
     """
     parts: dict[str, Any] = {}
     for group, cls in PLAIN.items():
@@ -43,6 +45,8 @@ def build(config: Mapping[str, Any]) -> Simulation:
         if not values:
             continue
         name = values.pop("name", None)
+        if family == "integrator" and "rows" in values and name not in members:
+            members[name] = dirk_member(str(name), "", values)
         check_choice(family, name, tuple(members))
         parts[family] = _construct(family, members[name], values)
     accuracy = config.get("accuracy") or {}

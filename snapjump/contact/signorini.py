@@ -26,7 +26,7 @@ from snapjump.contact.base import (
     keeps_open,
 )
 from snapjump.number.dispatch import kernel
-from snapjump.number.functions import where
+from snapjump.number.functions import maximum, where
 
 STIFFER_THAN_INERTIA = 1e6
 STATIC_STIFFNESS = 1e8  # EI/L^3
@@ -68,7 +68,8 @@ def _clearance(contact: Signorini) -> float:
 @kernel
 def target_gap(contact: Signorini, approach: Any) -> Any:
     """The gap that the step must not end below."""
-    step = where(approach.rate > 0.0, 1.0 / approach.rate, 0.0)
+    rate = approach.rate
+    step = where(rate > 0.0, 1.0 / maximum(rate, 1e-300 + 0.0 * rate), 0.0)
     closing = approach.begun + step * approach.begun_speed < SKIN
     falling = approach.begun_speed < 0.0
     rebound = approach.begun - contact.restitution * step * approach.begun_speed

@@ -1,6 +1,8 @@
 """Central differences (velocity Verlet): explicit, second order, stable up to h omega = 2.
 
-    q_1 = q_0 + h v_0 + h^2/2 a_0,  a_1 = -M^-1 forces(q_1, v_0 + h a_0),  v_1 = v_0 + h/2 (a_0 + a_1)
+    q_1 = q_0 + h v_0 + h^2/2 a_0
+    a_1 = -M^-1 forces(q_1, v_0 + h a_0)
+    v_1 = v_0 + h/2 (a_0 + a_1)
 
 Forces that depend on the velocity see its prediction, so that a mode with stiffness k, damping c
 and mass m is stable while h^2 k + 2 h c <= 4 m. The march computes that bound at every step from
