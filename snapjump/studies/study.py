@@ -89,12 +89,10 @@ class Study(ABC):
         write_report(folder, conclusion, bool(self.config["figures"]))
         write_children(folder, children(done.values(), conclusion.metrics))
         counts = {"cells": len(done), **_counts(done.values(), folder.path.name)}
+        words = [f"{n} {word.removeprefix('cells_')}" for word, n in counts.items() if n]
         self._told = [
             (name, conclusion.title),
-            (
-                "cells",
-                ", ".join(f"{n} {word.removeprefix('cells_')}" for word, n in counts.items()),
-            ),
+            ("cells", ", ".join(words).replace("cells", "in all")),
             *[("finding" if k == 0 else "", text) for k, text in enumerate(conclusion.findings)],
         ]
         summary = {**conclusion.summary, **counts}
