@@ -10,6 +10,7 @@ from snapjump.tasks.base import Task
 
 TASKS = {
     "simulate": "snapjump.tasks.simulate:Simulate",
+    "convergence": "experiments.convergence.study:Convergence",
 }
 STUDIES = "experiments."
 
