@@ -1,10 +1,11 @@
 """Compositions as plain groups, changed by plain groups: what the cells of studies are made of."""
 
 from collections.abc import Mapping
+from dataclasses import asdict
 from typing import Any
 
 from snapjump.composition import Simulation
-from snapjump.families import FAMILIES
+from snapjump.families import FAMILIES, name_of
 from snapjump.simulation import PLAIN, build
 
 Groups = dict[str, dict[str, Any]]
@@ -36,3 +37,12 @@ def has_field(groups: Mapping[str, Mapping[str, Any]], group: str, key: str) -> 
 def composed(groups: Mapping[str, Mapping[str, Any]]) -> Simulation:
     """The simulation; raises ParameterError for what cannot be composed."""
     return build(groups)
+
+
+def described(simulation: Simulation) -> Groups:
+    """The groups that a simulation would be built from."""
+    groups: Groups = {key: asdict(getattr(simulation, key)) for key in PLAIN}
+    for family in FAMILIES:
+        options = getattr(simulation, family)
+        groups[family] = {"name": name_of(family, options), **asdict(options)}
+    return {**groups, "accuracy": {"name": simulation.accuracy}}

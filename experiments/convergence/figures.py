@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -40,8 +41,9 @@ def draw_ladders(ladders: Sequence[Ladder], verdicts: Sequence[Verdict], path: P
             axes.set_xscale("log")
             axes.set_yscale("log")
             axes.grid(True)
-            axes.set_title(f"{ladder.name}: {ladder.label}", loc="left")
+            axes.set_title(ladder.name, loc="left", fontweight="bold")
             axes.set_xlabel(ladder.label)
+            label_decades(axes)
             if column == 0:
                 axes.set_ylabel("error (%)")
             low, high = axes.get_ylim()
@@ -49,11 +51,22 @@ def draw_ladders(ladders: Sequence[Ladder], verdicts: Sequence[Verdict], path: P
             axes.legend(loc="upper left", fontsize=8.5, ncols=1, handlelength=2.2)
 
 
-def _draw(axes: object, verdict: Verdict) -> None:
+def label_decades(axes: Any) -> None:
+    """Label 1, 2 and 5 of each decade where the axis has less than two, else the decades."""
+    from matplotlib.ticker import LogLocator, NullFormatter
+
+    low, high = axes.get_xlim()
+    subs = (1.0, 2.0, 5.0) if high < 100.0 * low else (1.0,)
+    axes.xaxis.set_major_locator(LogLocator(subs=subs))
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    axes.xaxis.set_major_formatter("{x:.0e}")
+
+
+def _draw(axes: Any, verdict: Verdict) -> None:
     name, colour, marker = LOOKS[verdict.observable]
     order = "no order" if np.isnan(verdict.fitted) else f"{verdict.fitted:.1f}"
     good = np.isfinite(verdict.errors) & (verdict.errors > 0.0)
-    axes.plot(  # type: ignore[attr-defined]
+    axes.plot(
         verdict.sizes[good],
         verdict.errors[good],
         marker=marker,

@@ -12,15 +12,20 @@ from snapjump.families import FAMILIES
 TIGHT = {"name": "adaptive", "tolerance": 2e-10, "contact_steps": 1.0}
 TIGHTER = 100.0  # of the reference in time, against the finest level
 LOOSER = 10.0  # of the reference, to see how far it is converged itself
-SMALLEST_TOLERANCE = 1e-12
+TIGHTEST = 2e-12  # rounding comes through below
 # Other methods, the first that there is and that is not the method itself.
 OTHER_INTEGRATORS = ("esdirk3", "sdirk2", "tr_bdf2")
 ACCURATE = "tr_bdf2"
 # Factors of the configured values, coarsest first.
 FACTORS = {
-    "distance_m": (4.0, 2.0, 1.0, 0.5, 0.25, 0.125),
-    "stiffness_N_m": (1 / 64, 1 / 16, 1 / 4, 1.0, 4.0, 16.0),
-    "velocity_threshold_m_s": (64.0, 16.0, 4.0, 1.0, 0.25, 0.0625),
+    "distance_m": tuple(4.0 * 2.0**-k for k in range(10)),
+    "stiffness_N_m": tuple(4.0 ** (k - 3) for k in range(10)),
+    "velocity_threshold_m_s": tuple(64.0 * 4.0**-k for k in range(10)),
+}
+NAMES = {
+    "distance_m": "barrier",
+    "stiffness_N_m": "stiffness",
+    "velocity_threshold_m_s": "threshold",
 }
 LABELS = {
     "distance_m": "barrier distance d_hat (m)",
@@ -85,11 +90,8 @@ def in_time(groups: Groups, count: int) -> Ladder:
     base = float(groups["stepping"][key])
     first = base if fixed else 16.0 * base
     values = [first * ratio**-k for k in range(count)]
-    finest = values[-1] if not fixed else 1e-9
-    tolerance = max(finest / TIGHTER, SMALLEST_TOLERANCE)
-    # A second-order method with steps that much shorter is tighter by far.
-    if fixed:
-        tolerance = 10.0 * SMALLEST_TOLERANCE
+    # Fixed steps have no tolerance: theirs is tighter than that of any ladder.
+    tolerance = TIGHTEST if fixed else max(values[-1] / TIGHTER, TIGHTEST)
     other = next(n for n in OTHER_INTEGRATORS if n in FAMILIES["integrator"] and n != name)
     references = {
         f"time reference {label}": changed(
@@ -103,7 +105,7 @@ def in_time(groups: Groups, count: int) -> Ladder:
     }
     return Ladder(
         name="time",
-        label="time step (s)" if fixed else "1/steps",
+        label="time step (s)" if fixed else "1/steps, by tolerance",
         size="value" if fixed else "steps",
         levels={v: changed(groups, {"stepping": {key: v}}) for v in values},
         references=references,
@@ -129,9 +131,9 @@ def in_space(groups: Groups, count: int) -> Ladder:
 def in_model(groups: Groups, family: str, key: str, count: int) -> Ladder:
     """A number of the contact or friction law towards the limit it stands for."""
     base = float(groups[family][key])
-    values = [base * factor for factor in FACTORS[key][: max(count, 4)]]
+    values = [base * factor for factor in FACTORS[key][:count]]
     return Ladder(
-        name=key.rsplit("_", 1)[0] if key != "stiffness_N_m" else "stiffness",
+        name=NAMES[key],
         label=LABELS[key],
         size="inverse" if key == "stiffness_N_m" else "value",
         levels={v: changed(groups, {family: {key: v}}) for v in values},

@@ -13,8 +13,8 @@ from snapjump.scenes.observed import observe_jump
 from snapjump.studies.base import Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
 
-QUICK_LEVELS, FULL_LEVELS = 6, 8
-FEWEST_LEVELS, MOST_LEVELS = 3, 12
+QUICK_LEVELS, FULL_LEVELS = 6, 9
+FEWEST_LEVELS, MOST_LEVELS = 3, 10
 KEPT = (*OBSERVABLES, "steps", "newton_iterations", "kernel_seconds")
 
 
@@ -59,8 +59,13 @@ class Convergence(Study):
                     "of x of max(|x|, 0.1 y)): the reference cell of time and nodes, else the "
                     "limit, or the finest level where nothing is approached",
                     [v.row() for v in verdicts],
+                    digits={"limit": 8, "reference": 8, "limit_uncertainty": 2},
                 ),
-                "levels": Table("Every level and reference", [*map(level_row, done.values())]),
+                "levels": Table(
+                    "Every level and reference",
+                    [*map(level_row, done.values())],
+                    digits=dict.fromkeys(OBSERVABLES, 7),
+                ),
             },
             figures={
                 "ladders": Figure(
@@ -91,5 +96,5 @@ def finding(ladder: Ladder, verdicts: list[Verdict]) -> str:
     text = f"{ladder.name}: observed orders {orders}{promise}."
     if irregular:
         text += f" Not in the asymptotic range: {', '.join(irregular)}."
-    shaky = own[0].reference_name
-    return text + (f" Judged by {shaky}." if shaky else "")
+    judge = own[0].reference_name
+    return text + (f" Judged by the cell '{judge}'." if judge else "")

@@ -46,10 +46,14 @@ class Done:
 
 @dataclass(frozen=True)
 class Table:
-    """Rows under a caption; units stand in the keys of the rows."""
+    """Rows under a caption; units stand in the keys of the rows.
+
+    ``digits``: significant digits for reading, by column, where four are not right.
+    """
 
     caption: str
     rows: Sequence[Row]
+    digits: Mapping[str, int] = field(default_factory=dict)
 
     @property
     def header(self) -> list[str]:

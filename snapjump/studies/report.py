@@ -2,7 +2,9 @@
 
 import csv
 import io
+import math
 from pathlib import Path
+from typing import Any
 
 from snapjump.files.atomic import write_text
 from snapjump.files.result_folder import ResultFolder
@@ -33,9 +35,16 @@ def write_report(folder: ResultFolder, conclusion: Conclusion, draw: bool) -> No
 
 
 def markdown(table: Table) -> str:
-    """The table for reading: four significant digits."""
+    """The table for reading: four significant digits, and nothing where there is no number."""
+
+    def text(key: str, value: Any) -> str:
+        if isinstance(value, float):
+            return "" if math.isnan(value) else f"{value:.{table.digits.get(key, 4)}g}"
+        return number(value)
+
     header = table.header
-    return markdown_table(header, [[number(row.get(key)) for key in header] for row in table.rows])
+    rows = [[text(key, row.get(key)) for key in header] for row in table.rows]
+    return markdown_table(header, rows)
 
 
 def csv_text(table: Table) -> str:

@@ -10,6 +10,7 @@ from snapjump.tasks.base import Task
 
 TASKS = {
     "simulate": "snapjump.tasks.simulate:Simulate",
+    "tradeoff": "experiments.tradeoff.study:Tradeoff",
     "convergence": "experiments.convergence.study:Convergence",
 }
 STUDIES = "experiments."

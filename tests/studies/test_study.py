@@ -158,12 +158,12 @@ def test_a_killed_study_leaves_whole_cells_and_no_lock(tmp_path: Path) -> None:
 
 
 def test_the_folder_s_name_tells_what_determines_the_cells() -> None:
-    roots = ["experiments.tiers"]
+    roots = ["experiments.speed"]
     name = fingerprint(CONFIG, roots)
     assert fingerprint({**CONFIG, "tracking": {"name": "off"}, "publish": "x"}, roots) == name
     assert fingerprint({**CONFIG, "seed": 1}, roots) != name
     assert fingerprint(CONFIG, ["experiments.designs"]) != name
-    assert {file.name for file in sources(roots)} >= {"tiers.py", "designs.py"}
+    assert {file.name for file in sources(roots)} >= {"speed.py", "designs.py"}
 
 
 def test_only_what_is_between_the_markers_is_replaced() -> None:
