@@ -21,6 +21,8 @@ CONFIG: dict[str, Any] = {
     "task": {"name": "stand_in"},
     "figures": True,
     "seed": 0,
+    "effort": "quick",
+    "publish": None,
 }
 
 
@@ -99,6 +101,9 @@ def test_a_defect_leaves_its_traceback(tmp_path: Path, monkeypatch: pytest.Monke
         ({"seed": -1}, "seed"),
         ({"seed": 1.5}, "seed"),
         ({"figures": "maybe"}, "figures"),
+        ({"effort": "heroic"}, "effort"),
+        ({"publish": 3}, "publish"),
+        ({"publish": "docs"}, "publish"),
         ({"task": {"name": "dream"}}, "task.name"),
         ({"design": 3}, "design"),
         ({"nonsense": 1}, "nonsense"),
