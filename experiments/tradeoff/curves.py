@@ -12,6 +12,7 @@ from typing import Any
 from experiments.compositions import Groups, changed
 from experiments.tradeoff.batches import LANES
 from snapjump.families import FAMILIES
+from snapjump.integrator.base import error_order
 
 STANDARD_ELEMENTS, STANDARD_TOLERANCE = 104, 4.5e-8
 TOLERANCE_POWER = 4.5
@@ -51,7 +52,7 @@ def estimate_order(name: str) -> float:
     """Order of a method's error estimate."""
     member: Any = FAMILIES["integrator"][name]
     try:
-        return float(member().tableau().error_order)
+        return float(error_order(member().scheme()))
     except AttributeError:
         return float(getattr(member, "order", 2)) + 1.0
 

@@ -58,12 +58,17 @@ def corner_of(model: Any, corner: Any, state: Any, velocity: Any) -> Point:
 
 
 @kernel
+def approach_of(motion: Any, now: Point, begun: Point, mass: Any) -> Approach:
+    """How a point comes near the ground within a stage that began the step at ``begun``."""
+    rate = motion.rate_factor
+    return Approach(now.vy, rate, begun.gap, begun.vy, mass * rate * motion.inertia_rate)
+
+
+@kernel
 def point_losses(model: Any, motion: Any, now: Point, begun: Point, mass: Any, weight: Any) -> Any:
     """Power that friction and the contact law take out at a point; lagged friction uses the
     step's beginning."""
-    rate = motion.rate_factor
-    inertia = mass * rate * motion.inertia_rate
-    approach = Approach(now.vy, rate, begun.gap, begun.vy, inertia)
+    approach = approach_of(motion, now, begun, mass)
     active = acts(model.contact, now.gap, approach)
     gap = where(active, now.gap, contact_reach(model.contact))
     lost = where(active, contact_loss(model.contact, gap, approach), 0.0) * weight

@@ -10,10 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.clamp.base import clamp_angles
-from snapjump.contact.base import contact_force, contact_reach, contact_weights, has_contact
+from snapjump.contact.base import contact_weights, force_if_acting, has_contact
 from snapjump.discretization.base import clamp_offset
+from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import STAGE, TIME
-from snapjump.frame.base import corner_point, end_tangents, frame_dofs
+from snapjump.engine.powers import approach_of, corner_of, node_point
+from snapjump.frame.base import corner_mass, end_tangents, frame_dofs
+from snapjump.integrator.base import stage_count
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import any_true, sqrt
 from snapjump.recorder.base import record_stage, record_start, record_step
@@ -72,34 +75,37 @@ def middle_height(model: Any, time: Any, state: Any, nodes: Any) -> Any:
 
 
 @kernel
-def ground_force(model: Any, masses: Any, state: Any, velocity: Any) -> Any:
+def ground_force(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity: Any) -> Any:
     """Sum of the normal forces (EI/L^2) at all nodes and corners."""
     total = 0.0 * state[0]
     if has_contact(model.contact):
         by_node, by_corner = contact_weights(model.contact)
-        reach = contact_reach(model.contact)
-        dofs = frame_dofs(model.frame)
-        stride = (state.shape[0] - dofs) // masses.shape[0]
+        before = work.velocity[0]
         for node in range(masses.shape[0]):
-            gap = state[dofs + stride * node + 1]
-            if masses[node] > 0.0 and any_true(gap < reach):
-                force, _ = contact_force(model.contact, gap)
+            if masses[node] > 0.0:
+                now = node_point(model, node, state, velocity)
+                begun = node_point(model, node, work.start, before)
+                approach = approach_of(motion, now, begun, masses[node])
+                _, force, _ = force_if_acting(model.contact, now.gap, approach)
                 total += by_node * force
-        if dofs > 0:
+        if frame_dofs(model.frame) > 0:
             for corner in range(CORNERS):
-                _, gap, _ = corner_point(model.frame, corner, state, velocity)
-                if any_true(gap < reach):
-                    force, _ = contact_force(model.contact, gap)
-                    total += by_corner * force
+                now = corner_of(model, corner, state, velocity)
+                begun = corner_of(model, corner, work.start, before)
+                approach = approach_of(motion, now, begun, corner_mass(model.frame, corner, state))
+                _, force, _ = force_if_acting(model.contact, now.gap, approach)
+                total += by_corner * force
     return total
 
 
 @kernel
-def observe(recorder: Any, model: Any, masses: Any, time: Any, state: Any, velocity: Any) -> None:
+def observe(
+    recorder: Any, model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity: Any
+) -> None:
     """Keep the figures of a state until it is known whether its step stands."""
-    recorder.pending[0] = time
-    recorder.pending[1] = middle_height(model, time, state, masses.shape[0])
-    recorder.pending[2] = ground_force(model, masses, state, velocity)
+    recorder.pending[0] = motion.time
+    recorder.pending[1] = middle_height(model, motion.time, state, masses.shape[0])
+    recorder.pending[2] = ground_force(model, motion, masses, work, state, velocity)
 
 
 @kernel
@@ -115,7 +121,8 @@ def keep(recorder: Any) -> None:
 
 @record_start.member(ObservablesRecorder)
 def _record_start(recorder: ObservablesRecorder, model: Any, masses: Any, work: Any) -> None:
-    observe(recorder, model, masses, work.clock[TIME], work.start, work.velocity[0])
+    motion = Motion(work.clock[TIME], 0.0, 0.0, 0.0)
+    observe(recorder, model, motion, masses, work, work.start, work.velocity[0])
     keep(recorder)
 
 
@@ -125,12 +132,13 @@ def _record_stage(
     model: Any,
     masses: Any,
     motion: Any,
-    tableau: Any,
+    scheme: Any,
     work: Any,
     converged: Any,
 ) -> None:
-    if any_true(work.clock[STAGE] >= tableau.nodes.shape[0] - 1.0):
-        observe(recorder, model, masses, motion.time, work.state, work.velocity[0])
+    last = stage_count(scheme)
+    if any_true(work.clock[STAGE] >= 1.0 * last):
+        observe(recorder, model, motion, masses, work, work.state, work.velocity[last])
 
 
 @record_step.member(ObservablesRecorder)
