@@ -1,7 +1,8 @@
-"""Every integrator: what its tableau declares, and D3, D5 of references/physics.json."""
+"""Every integrator by the engine's own stages: what it declares, and D3, D5 of physics.json."""
 
 import cmath
 import math
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -9,180 +10,116 @@ from plain_python import plain_work
 from scipy.integrate import solve_ivp
 
 from snapjump.clamp.constant_rate import ConstantRate
+from snapjump.contact.base import (
+    acts,
+    bounce_rate_squared,
+    contact_force,
+    contact_reach,
+    contact_weights,
+    has_contact,
+    is_impulsive,
+    keeps_open,
+)
 from snapjump.contact.logbarrier import LogBarrier
+from snapjump.contact.none import NoContact
 from snapjump.damping.mass_proportional import MassProportional
+from snapjump.damping.none import NoDamping
 from snapjump.discretization.none import LooseNodes
-from snapjump.engine.assemble import Motion
-from snapjump.engine.clock import STAGE, STEP, TIME
+from snapjump.engine.clock import LAST_STEP, STABLE_STEP, STAGE, STEP, TIME
+from snapjump.engine.explicit import evaluate_forces
 from snapjump.engine.model import Model
 from snapjump.engine.newton import newton_iteration
-from snapjump.engine.stage import begin_stage, commit_step, store_stage
+from snapjump.engine.stage import begin_stage, commit_step, keep_stage, reach_end, stage_motion
 from snapjump.families import FAMILIES
 from snapjump.frame.none import NoFrame
 from snapjump.friction.none import NoFriction
+from snapjump.integrator.base import (
+    ends_in_a_stage,
+    error_order,
+    is_explicit,
+    quadrature_weight,
+    slots,
+    stage_count,
+)
 from snapjump.load.inclined import InclinedGravity
 
 MEMBERS = FAMILIES["integrator"]
-names = pytest.mark.parametrize("name", sorted(MEMBERS))
-
-
-def full_matrix(tableau):
-    matrix = tableau.matrix.copy()
-    matrix[np.arange(1, len(matrix)), np.arange(1, len(matrix))] += tableau.gamma
-    return matrix
-
-
-def amplification(tableau, z):
-    """R(z) of u' = lambda u with z = lambda h."""
-    matrix = full_matrix(tableau)
-    ones = np.ones(len(matrix))
-    return 1.0 + z * tableau.weights @ np.linalg.solve(np.eye(len(matrix)) - z * matrix, ones)
-
-
-@names
-def test_tableau_is_consistent_and_stiffly_accurate(name):
-    tableau = MEMBERS[name]().tableau()
-    matrix = full_matrix(tableau)
-    np.testing.assert_allclose(matrix.sum(axis=1), tableau.nodes, atol=1e-15)
-    np.testing.assert_allclose(matrix[-1], tableau.weights, atol=1e-15)
-    assert tableau.nodes[0] == 0.0
-    assert tableau.nodes[-1] == pytest.approx(1.0, abs=1e-15)
-    assert not matrix[0].any()
-    assert np.allclose(np.diag(matrix)[1:], tableau.gamma)
-    assert not np.triu(matrix, 1).any()
-
-
-@names
-def test_order_conditions_hold_up_to_the_declared_order_and_not_beyond(name):
-    member = MEMBERS[name]()
-    tableau = member.tableau()
-    b, c, a = tableau.weights, tableau.nodes, full_matrix(tableau)
-    conditions = {
-        1: [b.sum() - 1.0],
-        2: [b @ c - 1.0 / 2.0],
-        3: [b @ c**2 - 1.0 / 3.0, b @ a @ c - 1.0 / 6.0],
-        4: [
-            b @ c**3 - 1 / 4,
-            b @ (c * (a @ c)) - 1 / 8,
-            b @ a @ c**2 - 1 / 12,
-            b @ a @ a @ c - 1 / 24,
-        ],
-    }
-    for order in range(1, member.order + 1):
-        assert np.abs(conditions[order]).max() < 1e-14
-    assert np.abs(conditions[member.order + 1]).max() > 1e-3
-
-
-@names
-def test_comparison_method_is_consistent_and_different(name):
-    tableau = MEMBERS[name]().tableau()
-    assert sum(tableau.error) == pytest.approx(0.0, abs=1e-14)
-    assert np.abs(tableau.error).max() > 1e-2
-    assert tableau.error_order == MEMBERS[name].order + 1
-    # It integrates polynomials up to its number of stages exactly.
-    comparison = tableau.weights - tableau.error
-    for power in range(len(tableau.nodes)):
-        assert comparison @ tableau.nodes**power == pytest.approx(1.0 / (power + 1.0))
-
-
-@names
-def test_damping_of_infinitely_fast_modes_is_as_declared(name):
-    member = MEMBERS[name]()
-    for z in (-1e8, 1e8j):
-        assert abs(amplification(member.tableau(), z)) == pytest.approx(
-            member.damping_at_infinity, abs=1e-6
-        )
-    # A-stable: no oscillation and no decay grows.
-    for size in np.logspace(-2, 4, 100):
-        for direction in (1j, -1.0, cmath.exp(0.6j * math.pi)):
-            assert abs(amplification(member.tableau(), size * direction)) <= 1.0 + 1e-12
-
-
-# D3_linear_amplification: omega h, spectral radius and relative error of the phase
-AMPLIFICATION = {
-    "implicit_euler": [
-        (0.01, 0.9999500037, -3.333133348e-05),
-        (0.0511, 0.9986969464, -0.0008690421881),
-        (0.2, 0.9805806757, -0.01302220075),
-    ],
-    "tr_bdf2": [
-        (0.01, 1.0, -4.043978442e-06),
-        (0.0511, 0.9999999749, -0.0001055751311),
-        (0.2, 0.9999941527, -0.001612345605),
-    ],
-    "sdirk2": [
-        (0.01, 1.0, -4.043978444e-06),
-        (0.0511, 0.9999999749, -0.0001055751311),
-        (0.2, 0.9999941527, -0.001612345605),
-    ],
+VARIANTS = {
+    **{name: cls() for name, cls in MEMBERS.items()},
+    "generalized_alpha 0": MEMBERS["generalized_alpha"](0.0),
+    "generalized_alpha 0.8": MEMBERS["generalized_alpha"](0.8),
+    "newmark damped": MEMBERS["newmark"](0.36, 0.7),
 }
+names = pytest.mark.parametrize("name", sorted(VARIANTS))
+MASSES = np.array([0.7])
 
 
-@pytest.mark.parametrize("name", sorted(AMPLIFICATION))
-def test_amplification_of_an_oscillation(name):
-    tableau = MEMBERS[name]().tableau()
-    for step, radius, phase in AMPLIFICATION[name]:
-        factor = amplification(tableau, 1j * step)
-        assert abs(factor) == pytest.approx(radius, abs=1e-9)
-        assert cmath.phase(factor) / step - 1.0 == pytest.approx(phase, abs=1e-9)
+def model_of(contact, damping, load) -> Model:
+    clamp = ConstantRate(0.0, 1.0, 1.0, 0.0)
+    return Model(LooseNodes(), NoFrame(), clamp, contact, NoFriction(), damping, load)
 
 
-def pendulum(tableau, steps):
-    """u'' = -sin u from u = 2 at rest to t = 5, by the tableau alone."""
-    h = 5.0 / steps
-    stages = len(tableau.nodes)
-    u, v = 2.0, 0.0
-    for _ in range(steps):
-        velocity, acceleration = np.zeros(stages), np.zeros(stages)
-        velocity[0], acceleration[0] = v, -math.sin(u)
-        for k in range(1, stages):
-            u_known = u + h * tableau.matrix[k] @ velocity
-            v_known = v + h * tableau.matrix[k] @ acceleration
-            share = tableau.gamma * h
-            w = u_known + share * v_known
-            for _ in range(20):
-                excess = w - u_known - share * v_known + share**2 * math.sin(w)
-                w -= excess / (1.0 + share**2 * math.cos(w))
-            acceleration[k] = -math.sin(w)
-            velocity[k] = v_known + share * acceleration[k]
-        u = u + h * tableau.weights @ velocity
-        v = v + h * tableau.weights @ acceleration
-    return u, v
+class Integration:
+    """One loose node taken through steps of a scheme."""
+
+    def __init__(self, name, model, state, velocity, acceleration):
+        self.scheme = VARIANTS[name].scheme()
+        self.model = model
+        self.work = plain_work(1, 0, stages=slots(self.scheme))
+        self.work.start[:] = self.work.state[:] = state
+        for k in range(slots(self.scheme)):
+            self.work.velocity[k] = velocity
+            self.work.acceleration[k] = acceleration
+
+    def step(self, size: float) -> float:
+        """Take a step; returns its estimated error."""
+        work, clock = self.work, self.work.clock
+        clock[STEP] = size
+        error = 0.0
+        for stage in range(1, stage_count(self.scheme) + 1):
+            clock[STAGE] = 1.0 * stage
+            begin_stage(self.model, self.scheme, MASSES, work, True)
+            motion = stage_motion(self.scheme, work)
+            for _ in range(30):
+                if is_explicit(self.scheme):
+                    outcome = evaluate_forces(self.model, motion, MASSES, work, True)
+                else:
+                    outcome = newton_iteration(
+                        self.model, motion, MASSES, work, True, 1e-13, 30.0, 4.0
+                    )
+                if outcome.converged:
+                    break
+            assert outcome.converged
+            error = keep_stage(self.scheme, work, motion, True)
+        if not ends_in_a_stage(self.scheme):
+            assert not reach_end(self.model, self.scheme, MASSES, work, True)
+        commit_step(self.scheme, work, True)
+        return error
+
+    @property
+    def phase(self):
+        return np.concatenate([self.work.start, self.work.velocity[0]])
 
 
-# D5_pendulum and D5b_pendulum_errors: u and v at the end, error of u in 50, 200, 800 steps
-PENDULUM = (-1.684124437, 0.7785385729)
-PENDULUM_ERRORS = {
-    "implicit_euler": (0.5293387137, 0.1444076033, 0.0367190603),
-    "tr_bdf2": (0.000534656908, 3.500744427e-05, 2.21273057e-06),
-    "sdirk2": (0.0002464024371, 1.616140573e-05, 1.022008142e-06),
-}
-
-
-@pytest.mark.parametrize("name", sorted(PENDULUM_ERRORS))
-def test_errors_of_a_pendulum(name):
-    tableau = MEMBERS[name]().tableau()
-    for steps, error in zip((50, 200, 800), PENDULUM_ERRORS[name], strict=True):
-        u, _ = pendulum(tableau, steps)
-        assert abs(u - PENDULUM[0]) == pytest.approx(error, rel=0.01)
+@names
+def test_what_is_declared_fits_the_scheme(name):
+    member = VARIANTS[name]
+    scheme = member.scheme()
+    assert member.stages == stage_count(scheme) < slots(scheme)
+    weights = [quadrature_weight(scheme, k) for k in range(stage_count(scheme) + 1)]
+    assert sum(weights) == pytest.approx(1.0, abs=1e-14)
+    assert member.order >= 1 and error_order(scheme) >= 2.0
 
 
 # A mass that oscillates in the barrier under a slope's gravity: smooth, nonlinear, damped.
-MODEL = Model(
-    LooseNodes(),
-    NoFrame(),
-    ConstantRate(0.0, 1.0, 1.0, 0.0),
-    LogBarrier(40.0, 1.0, 1.0, 1.0),
-    NoFriction(),
-    MassProportional(0.3),
-    InclinedGravity(10.0, 1.0),
+MODEL = model_of(
+    LogBarrier(40.0, 1.0, 0.0, 1.0, 1.0), MassProportional(0.3), InclinedGravity(10, 1)
 )
-MASSES = np.array([0.7])
 DURATION = 0.3
 BEGIN = np.array([0.0, 0.75, 0.2, 0.3])
 
 
-def motion(t, q):
+def motion_of_the_mass(t, q):
     _, y, vx, vy = q
     depth = y - 1.0
     push = 40.0 * depth * (2.0 * math.log(y) + depth / y)
@@ -192,44 +129,206 @@ def motion(t, q):
 
 @pytest.fixture(scope="module")
 def exact():
-    return solve_ivp(motion, (0.0, DURATION), BEGIN, rtol=1e-12, atol=1e-13).y[:, -1]
+    solution = solve_ivp(motion_of_the_mass, (0.0, DURATION), BEGIN, rtol=1e-12, atol=1e-13)
+    return solution.y[:, -1]
 
 
-def march_in_plain_python(tableau, steps):
-    """Positions, velocities and largest error estimate, by the engine's own stages."""
-    work = plain_work(1, 0, stages=len(tableau.nodes))
-    clock = work.clock
-    work.start[:] = work.state[:] = BEGIN[:2]
-    work.velocity[0] = BEGIN[2:]
-    work.acceleration[0] = motion(0.0, BEGIN)[2:]
-    clock[STEP], clock[STAGE] = DURATION / steps, 1.0
-    largest = 0.0
-    for _ in range(steps):
-        for stage in range(1, len(tableau.nodes)):
-            clock[STAGE] = 1.0 * stage
-            begin_stage(MODEL, tableau, MASSES, work, True)
-            for _ in range(30):
-                time = clock[TIME] + tableau.nodes[stage] * clock[STEP]
-                now = Motion(time, 1.0 / (tableau.gamma * clock[STEP]), 0.0)
-                step = newton_iteration(MODEL, now, MASSES, work, True, 1e-13, 30.0, 4.0)
-                if step.converged:
-                    break
-            assert step.converged
-            error = store_stage(tableau, work, True)
-        largest = max(largest, error)
-        commit_step(tableau, work, True)
-    assert clock[TIME] == pytest.approx(DURATION)
-    return np.concatenate([work.start, work.velocity[0]]), largest
+def integrate(name, sizes):
+    """State and velocity at the end, and the largest estimate, of steps of these relative sizes."""
+    run = Integration(name, MODEL, BEGIN[:2], BEGIN[2:], motion_of_the_mass(0.0, BEGIN)[2:])
+    sizes = DURATION * np.asarray(sizes) / np.sum(sizes)
+    largest = max(run.step(size) for size in sizes)
+    assert run.work.clock[TIME] == pytest.approx(DURATION)
+    return run.phase, largest
+
+
+# Steps of one size, and steps that vary smoothly by a factor of three.
+PATTERNS = {
+    "even": lambda n: np.ones(n),
+    "varying": lambda n: 2.0 + np.sin(2.0 * np.pi * np.arange(n) / n),
+}
+
+
+@pytest.mark.parametrize("pattern", PATTERNS)
+@names
+def test_order_is_as_declared(name, pattern, exact):
+    member = VARIANTS[name]
+    # Far enough in, and not where rounding or Newton's tolerance shows.
+    coarse = {1: 160, 2: 40, 3: 24, 4: 12}[member.order]
+    results = [integrate(name, PATTERNS[pattern](n)) for n in (coarse, 2 * coarse)]
+    errors = [np.abs(state - exact).max() for state, _ in results]
+    measured = math.log2(errors[0] / errors[1])
+    # Chung and Hulbert's accelerations belong to shifted moments, which varying steps disturb.
+    loose = 0.6 if name.startswith("generalized") and pattern == "varying" else 0.25
+    assert measured == pytest.approx(member.order, abs=loose)
 
 
 @names
-def test_measured_order_of_the_engine_s_stages(name, exact):
-    member = MEMBERS[name]()
-    counts = (80, 160) if member.order == 1 else (20, 40)
-    results = [march_in_plain_python(member.tableau(), n) for n in counts]
-    errors = [np.abs(state - exact).max() for state, _ in results]
-    assert math.log2(errors[0] / errors[1]) == pytest.approx(member.order, abs=0.15)
-    # The estimate of a single step shrinks one order faster than the error of all of them.
-    estimates = [estimate for _, estimate in results]
-    order = math.log2(estimates[0] / estimates[1])
-    assert order == pytest.approx(member.tableau().error_order, abs=0.3)
+def test_estimate_of_the_error_shrinks_as_declared(name):
+    member = VARIANTS[name]
+    coarse = {1: 160, 2: 40, 3: 24, 4: 12}[member.order]
+    estimates = [integrate(name, np.ones(n))[1] for n in (coarse, 2 * coarse)]
+    measured = math.log2(estimates[0] / estimates[1])
+    assert measured >= error_order(member.scheme()) - 1.3
+    assert estimates[1] > 0.0
+
+
+class Pendulum(NamedTuple):
+    """A law in place of the ground's that makes a node's height y obey y'' = -sin y."""
+
+    mass: float
+
+
+class Spring(NamedTuple):
+    """The same for y'' = -stiffness / mass y."""
+
+    stiffness: float
+
+
+@contact_force.member(Pendulum)
+def _pendulum_force(law, gap, approach):
+    return -law.mass * np.sin(gap), law.mass * np.cos(gap)
+
+
+@contact_force.member(Spring)
+def _spring_force(law, gap, approach):
+    return -law.stiffness * gap, law.stiffness
+
+
+for law in (Pendulum, Spring):
+    has_contact.member(law)(lambda law: True)
+    keeps_open.member(law)(lambda law: False)
+    is_impulsive.member(law)(lambda law: False)
+    contact_reach.member(law)(lambda law: 1e9)
+    acts.member(law)(lambda law, gap, approach: gap < 1e9)
+    contact_weights.member(law)(lambda law: (1.0, 1.0))
+    bounce_rate_squared.member(law)(lambda law, stiffness, mass, speed: 0.0)
+
+
+def amplification(name, omega_h):
+    """Eigenvalues of one step of q'' = -omega^2 q, the step's memory and all (h = 1).
+
+    Each part of the memory is moved, the step is taken, and what comes out of it is a column of
+    the step's matrix.
+    """
+    stiffness = omega_h**2
+    size = 1e-3 / (1.0 + stiffness)  # no guess may be farther off than Newton's method goes
+    spring = model_of(Spring(MASSES[0] * stiffness), NoDamping(), InclinedGravity(0.0, 0.0))
+
+    def parts(run):
+        work = run.work
+        slot = [(work.velocity, k) for k in range(slots(run.scheme)) if k != 1]
+        slot += [(work.acceleration, k) for k in range(slots(run.scheme)) if k != 1]
+        return slot
+
+    def memory(run):
+        others = [array[k, 1] for array, k in parts(run)]
+        return np.array([run.work.start[1], *others])
+
+    columns = []
+    for i in range(1 + len(parts(Integration(name, spring, (0.0, 0.0), (0.0, 0.0), (0.0, 0.0))))):
+        run = Integration(name, spring, (0.0, 0.0), (0.0, 0.0), (0.0, 0.0))
+        run.work.clock[LAST_STEP] = 1.0
+        if i == 0:
+            run.work.start[1] += size
+        else:
+            array, k = parts(run)[i - 1]
+            array[k, 1] += size
+        run.step(1.0)
+        columns.append(memory(run) / size)
+    return np.linalg.eigvals(np.array(columns).T), run.work.clock[STABLE_STEP]
+
+
+@names
+def test_infinitely_fast_oscillations_are_damped_as_declared(name):
+    member = VARIANTS[name]
+    roots, _ = amplification(name, 1e6)
+    if member.damping_at_infinity is None:
+        assert is_explicit(member.scheme())
+    else:
+        # Roots that come together at infinity are a little apart before it.
+        assert np.abs(roots).max() == pytest.approx(member.damping_at_infinity, abs=2e-3)
+
+
+@names
+def test_a_stable_schemes_let_no_oscillation_grow(name):
+    for omega_h in (0.03, 0.3, 1.0, 1.9, 2.1, 3.0, 10.0, 100.0):
+        roots, stable_step = amplification(name, omega_h)
+        radius = np.abs(roots).max()
+        if VARIANTS[name].a_stable:
+            assert radius <= 1.0 + 1e-6, omega_h
+        else:
+            # h omega = 2 is where it says that it stops being stable.
+            assert stable_step == pytest.approx(2.0 / omega_h)
+            assert (radius <= 1.0 + 1e-6) == (omega_h < 2.0)
+
+
+# D3_linear_amplification: omega h, spectral radius and relative error of the phase
+AMPLIFICATION = {
+    "implicit_euler": [(0.01, 0.9999500037, -3.333133348e-05), (0.2, 0.9805806757, -0.01302220075)],
+    "implicit_midpoint": [(0.01, 1.0, -8.333208335e-06), (0.2, 1.0, -0.003313475088)],
+    "newmark": [(0.01, 1.0, -8.333208335e-06), (0.2, 1.0, -0.003313475088)],
+    "tr_bdf2": [(0.01, 1.0, -4.043978442e-06), (0.2, 0.9999941527, -0.001612345605)],
+    "sdirk2": [(0.01, 1.0, -4.043978444e-06), (0.2, 0.9999941527, -0.001612345605)],
+    "bdf2": [(0.01, 0.9999999975, -3.332883433e-05), (0.2, 0.9996362938, -0.01267216985)],
+    "generalized_alpha 0.8": [
+        (0.1, 0.9999999316, -0.0008782518082),
+        (0.2, 0.9999989155, -0.003496595531),
+    ],
+    "generalized_alpha": [
+        (0.1, 0.9999981604, -0.001246535445),
+        (0.2, 0.9999711429, -0.004945200971),
+    ],
+    "generalized_alpha 0": [(0.1, 0.9999519177, -0.004480585203)],
+}
+
+
+@pytest.mark.parametrize("name", sorted(AMPLIFICATION))
+def test_amplification_of_an_oscillation(name):
+    for omega_h, radius, phase in AMPLIFICATION[name]:
+        roots, _ = amplification(name, omega_h)
+        root = roots[np.argmin(np.abs(roots - cmath.exp(1j * omega_h)))]
+        assert abs(root) == pytest.approx(radius, abs=1e-8)
+        assert abs(cmath.phase(root)) / omega_h - 1.0 == pytest.approx(phase, abs=1e-7)
+
+
+# D5_pendulum, D5b_pendulum_errors: u(5) from u = 2 at rest; its error with 50 and 200 steps
+PENDULUM = -1.684124437
+PENDULUM_ERRORS = {
+    "implicit_euler": (0.5293387137, 0.1444076033),
+    "implicit_midpoint": (8.839558298e-05, 5.569368864e-06),
+    "newmark": (0.001170587462, 7.322269746e-05),
+    "bdf2": (0.01245375375, 0.0006795824236),
+    "tr_bdf2": (0.000534656908, 3.500744427e-05),
+    "sdirk2": (0.0002464024371, 1.616140573e-05),
+    "generalized_alpha 0.8": (0.001229351145, 7.719373383e-05),
+    "generalized_alpha": (0.001588996753, 0.0001072246855),
+}
+
+
+@pytest.mark.parametrize("name", sorted(PENDULUM_ERRORS))
+def test_errors_of_a_pendulum(name):
+    model = model_of(Pendulum(MASSES[0]), NoDamping(), InclinedGravity(0.0, 0.0))
+    for steps, error in zip((50, 200), PENDULUM_ERRORS[name], strict=True):
+        run = Integration(name, model, (0.0, 2.0), (0.0, 0.0), (0.0, -math.sin(2.0)))
+        for _ in range(steps):
+            run.step(5.0 / steps)
+        assert abs(run.work.start[1] - PENDULUM) == pytest.approx(error, rel=0.01)
+
+
+def test_no_contact_is_free_flight():
+    """Every scheme moves a free mass exactly."""
+    for name in sorted(VARIANTS.keys() - {"bdf2"}):  # its first step is implicit Euler's
+        run = Integration(
+            name,
+            model_of(NoContact(), NoDamping(), InclinedGravity(10.0, 0.0)),
+            (0.0, 2.0),
+            (1.0, 3.0),
+            (0.0, -10.0),
+        )
+        for _ in range(7):
+            run.step(0.1)
+        expected = (0.7, 2.0 + 2.1 - 0.5 * 10.0 * 0.49)
+        tolerance = 1e-12 if VARIANTS[name].order > 1 else 0.4
+        assert run.work.start == pytest.approx(expected, abs=tolerance), name
+        assert run.work.velocity[0] == pytest.approx((1.0, -4.0), abs=1e-12), name
