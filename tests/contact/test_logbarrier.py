@@ -3,9 +3,11 @@
 import cmath
 import math
 
+import numpy as np
 import pytest
 
 from snapjump.contact.base import (
+    at_rest,
     RESTING_SPEED,
     bounce_rate_squared,
     contact_energy,
@@ -20,8 +22,15 @@ from snapjump.options.contact import LogBarrierOptions
 from snapjump.options.discretization import DiscreteElasticRodOptions
 from snapjump.units import Scales
 
-LAW = LogBarrier(3.0e4, 0.025, 1.0, 1.0)
-UNIT = LogBarrier(1.0, 1.0, 1.0, 1.0)
+LAW = LogBarrier(3.0e4, 0.025, 0.0, 1.0, 1.0)
+UNIT = LogBarrier(1.0, 1.0, 0.0, 1.0, 1.0)
+
+
+def force_at(law, gap):
+    """Force and stiffness at rest."""
+    return contact_force(law, gap, at_rest(gap))
+
+
 shares = pytest.mark.parametrize("share", [1e-6, 0.01, 0.3, 0.8, 0.999, 1.0])
 
 
@@ -29,12 +38,12 @@ shares = pytest.mark.parametrize("share", [1e-6, 0.01, 0.3, 0.8, 0.999, 1.0])
 def test_force_and_stiffness_are_derivatives_of_the_energy(share):
     gap = share * LAW.distance
     step = 1e-30 * gap
-    moved = complex(gap, step)
-    force, stiffness = contact_force(LAW, gap)
+    moved = np.complex128(complex(gap, step))
+    force, stiffness = force_at(LAW, gap)
     scale = LAW.stiffness * LAW.distance
     slope = contact_energy(LAW, moved).imag / step
     assert force == pytest.approx(-slope, rel=1e-10, abs=1e-13 * scale)
-    curvature = -contact_force(LAW, moved)[0].imag / step
+    curvature = -force_at(LAW, moved)[0].imag / step
     assert stiffness == pytest.approx(curvature, rel=1e-10, abs=1e-12 * LAW.stiffness)
 
 
@@ -45,15 +54,15 @@ def test_energy_is_the_paper_s():
     # The paper prints the bracket of dE/dd; what pushes upwards is its negative.
     ratio = gap / LAW.distance
     printed = (gap - LAW.distance) * (2.0 * math.log(ratio) - LAW.distance / gap + 1.0)
-    assert contact_force(LAW, gap)[0] == pytest.approx(LAW.stiffness * printed, rel=1e-12)
-    assert contact_force(LAW, gap)[0] > 0.0
+    assert force_at(LAW, gap)[0] == pytest.approx(LAW.stiffness * printed, rel=1e-12)
+    assert force_at(LAW, gap)[0] > 0.0
 
 
 def test_continuous_to_second_order_where_contact_begins():
     assert contact_reach(LAW) == LAW.distance
     for share in (1.0, 1.0 - 1e-9):
         gap = share * LAW.distance
-        force, stiffness = contact_force(LAW, gap)
+        force, stiffness = force_at(LAW, gap)
         assert abs(contact_energy(LAW, gap)) < 1e-20
         assert abs(force) < 1e-10
         assert abs(stiffness) < 1e-3
@@ -61,7 +70,7 @@ def test_continuous_to_second_order_where_contact_begins():
 
 def test_force_and_stiffness_grow_without_bound_as_the_gap_closes():
     gaps = [LAW.distance * 10.0**-k for k in range(8)]
-    forces, stiffnesses = zip(*(contact_force(LAW, g) for g in gaps), strict=True)
+    forces, stiffnesses = zip(*(force_at(LAW, g) for g in gaps), strict=True)
     assert list(forces) == sorted(forces)
     assert list(stiffnesses) == sorted(stiffnesses)
     assert forces[-1] * gaps[-1] == pytest.approx(LAW.stiffness * LAW.distance**2, rel=1e-4)
@@ -80,20 +89,20 @@ def test_force_and_stiffness_grow_without_bound_as_the_gap_closes():
 )
 def test_lowest_point_of_a_bounce(speed, lowest, force, frequency):
     assert contact_energy(UNIT, lowest) == pytest.approx(0.5 * speed**2, rel=1e-7)
-    pushed, stiffness = contact_force(UNIT, lowest)
+    pushed, stiffness = force_at(UNIT, lowest)
     assert pushed == pytest.approx(force, rel=1e-8)
     assert math.sqrt(stiffness) == pytest.approx(frequency, rel=1e-8)
 
 
 def test_lowest_point_of_a_bounce_in_si_units():
     # C2_barrier_dim: m = 4 g, v = 1 m/s, and a beam node at 10 m/s
-    law = LogBarrier(1e4, 5e-4, 1.0, 1.0)
+    law = LogBarrier(1e4, 5e-4, 0.0, 1.0, 1.0)
     for mass, speed, lowest, force, frequency in (
         (0.004, 1.0, 0.0001226955281, 22.20411361, 7836.888746),
         (7.575757576e-07, 10.0, 0.0003816042592, 1.007199562, 157436.2187),
     ):
         assert contact_energy(law, lowest) == pytest.approx(0.5 * mass * speed**2, rel=1e-7)
-        pushed, stiffness = contact_force(law, lowest)
+        pushed, stiffness = force_at(law, lowest)
         assert pushed == pytest.approx(force, rel=1e-8)
         assert math.sqrt(stiffness / mass) == pytest.approx(frequency, rel=1e-8)
 
@@ -108,17 +117,17 @@ def test_lowest_point_of_a_bounce_in_si_units():
     ],
 )
 def test_gap_at_rest(mass, gap, frequency):
-    force, stiffness = contact_force(LogBarrier(1e4, 5e-4, 1.0, 1.0), gap)
+    force, stiffness = force_at(LogBarrier(1e4, 5e-4, 0.0, 1.0, 1.0), gap)
     assert force == pytest.approx(10.0 * mass, rel=1e-7)
     assert math.sqrt(stiffness / mass) == pytest.approx(frequency, rel=1e-7)
 
 
 def test_steps_resolve_bounces_but_not_rest():
-    fast = bounce_rate_squared(8.0, 2.0, 10.0 * RESTING_SPEED)
+    fast = bounce_rate_squared(LAW, 8.0, 2.0, 10.0 * RESTING_SPEED)
     assert fast == 4.0
-    assert bounce_rate_squared(8.0, 2.0, -10.0 * RESTING_SPEED) == fast
-    assert bounce_rate_squared(8.0, 2.0, 0.1 * RESTING_SPEED) == pytest.approx(0.04)
-    assert bounce_rate_squared(8.0, 2.0, 0.0) == 0.0
+    assert bounce_rate_squared(LAW, 8.0, 2.0, -10.0 * RESTING_SPEED) == fast
+    assert bounce_rate_squared(LAW, 8.0, 2.0, 0.1 * RESTING_SPEED) == pytest.approx(0.04)
+    assert bounce_rate_squared(LAW, 8.0, 2.0, 0.0) == 0.0
 
 
 def test_weights_by_length_do_not_depend_on_the_mesh():
@@ -140,6 +149,6 @@ def test_no_contact_exerts_nothing():
     assert has_contact(LAW)
     assert not has_contact(NoContact())
     assert contact_reach(NoContact()) == 0.0
-    assert contact_force(NoContact(), 0.3) == (0.0, 0.0)
+    assert force_at(NoContact(), 0.3) == (0.0, 0.0)
     assert contact_energy(NoContact(), 0.3) == 0.0
     assert contact_weights(NoContact()) == (0.0, 0.0)

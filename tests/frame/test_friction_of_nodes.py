@@ -20,7 +20,7 @@ MODEL = Model(
     LooseNodes(),
     NoFrame(),
     ConstantRate(0.0, 1.0, 1.0, 0.0),
-    LogBarrier(4e3, 0.025, 7.0, 1.5),
+    LogBarrier(4e3, 0.025, 0.0, 7.0, 1.5),
     ImplicitFriction(0.4, 0.25),
     NoDamping(),
     InclinedGravity(20.0, 6.0),

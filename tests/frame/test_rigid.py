@@ -31,7 +31,7 @@ from snapjump.parameters.robot import Robot
 
 ELEMENTS = 9
 FRAME = RigidFrame(0.4, -0.15, -0.25, 0.25, 15.0, 1.3)
-BARRIER = LogBarrier(4e3, 0.025, 7.0, 1.5)
+BARRIER = LogBarrier(4e3, 0.025, 0.0, 7.0, 1.5)
 CLAMP = ConstantRate(0.35, 1.5, 0.6, 0.1)
 HELD = ConstantRate(0.35, 1.5, 0.0, 0.1)
 STILL = Motion(0.0, 0.0, 0.0, 0.0)
@@ -262,9 +262,9 @@ def test_clamps_give_the_power_that_the_energy_gains(clamp):
 
     gain = complex_step(energy, [0.0])[0] * CLAMP.rate
     _, work = assembled(model, STILL, masses, state)
-    friction, damping, clamps_power = powers(model, masses, work, 0.0, state, 0.0 * state)
-    assert clamps_power == pytest.approx(gain, rel=1e-9)
-    assert friction == damping == 0.0
+    found = powers(model, STILL, masses, work, state, 0.0 * state)
+    assert found.clamps == pytest.approx(gain, rel=1e-9)
+    assert found.friction == found.damping == found.contact == 0.0
 
 
 def test_inertia_and_weight_of_the_frame():

@@ -1,0 +1,131 @@
+"""What every contact law promises: consistent derivatives, and no pull."""
+
+import numpy as np
+import pytest
+
+from snapjump.contact.base import (
+    Approach,
+    acts,
+    at_rest,
+    clearance,
+    contact_energy,
+    contact_force,
+    contact_loss,
+    contact_reach,
+    force_if_acting,
+    keeps_open,
+)
+from snapjump.contact.signorini import SKIN
+from snapjump.families import FAMILIES
+from snapjump.options.contact import damping_number
+from snapjump.parameters.robot import Robot
+
+OPTIONS = {name: cls for name, cls in FAMILIES["contact"].items() if name != "none"}
+SCALES = Robot().scales
+VARIANTS = {
+    **{name: cls() for name, cls in OPTIONS.items()},
+    "logbarrier damped": OPTIONS["logbarrier"](damping_s=1e-6),
+    "hunt_crossley elastic": OPTIONS["hunt_crossley"](restitution=1.0),
+}
+laws = pytest.mark.parametrize("name", sorted(VARIANTS))
+STEP = 1e-30
+
+
+def law_and_gaps(name):
+    law = VARIANTS[name].member(SCALES)
+    if keeps_open(law):
+        return law, contact_reach(law) * np.array([0.01, 0.3, 0.7, 0.95])
+    return law, contact_reach(law) - np.array([1e-6, 1e-4, 2e-3])
+
+
+@laws
+def test_stiffness_is_the_force_s_total_derivative(name):
+    """By complex steps: the gap moves, and the speed with it at the stage's rate."""
+    law, gaps = law_and_gaps(name)
+    rate = 400.0
+    for gap in gaps:
+        for speed in (0.0, -0.7, 0.4):
+            begun = gap - speed / rate
+
+            def force(moved, gap=gap, speed=speed, begun=begun):
+                now = speed + rate * (moved - gap)
+                return contact_force(law, moved, Approach(now, rate, begun, speed, 0.3))
+
+            moved = np.complex128(complex(gap, STEP))
+            _, stiffness = force(np.complex128(gap))
+            slope = -np.imag(force(moved)[0]) / STEP
+            assert np.real(stiffness) == pytest.approx(slope, rel=1e-9, abs=1e-9)
+
+
+@laws
+def test_force_at_rest_is_the_gradient_of_the_energy(name):
+    law, gaps = law_and_gaps(name)
+    if name == "signorini":
+        assert contact_energy(law, gaps[0]) == 0.0
+        return
+    for gap in gaps:
+        moved = np.complex128(complex(gap, STEP))
+        slope = -np.imag(contact_energy(law, moved)) / STEP
+        assert contact_force(law, gap, at_rest(gap))[0] == pytest.approx(slope, rel=1e-9)
+
+
+@laws
+def test_no_law_pulls_and_none_gives_energy(name):
+    law, gaps = law_and_gaps(name)
+    for gap in gaps:
+        for speed in (-2000.0, -3.0, 0.0, 3.0, 2000.0):
+            approach = Approach(speed, 400.0, gap + 1e-9, speed, 0.3)
+            active, force, stiffness = force_if_acting(law, gap, approach)
+            assert force >= 0.0
+            assert np.isfinite([force, stiffness]).all()
+            # An impact law takes energy at the end of a step, by the change of the speed in it.
+            if active and name != "signorini":
+                assert contact_loss(law, gap, approach) >= -1e-12 * force * abs(speed)
+
+
+@laws
+def test_nothing_acts_out_of_reach(name):
+    law, _ = law_and_gaps(name)
+    gap = contact_reach(law) + 1e-9
+    active, force, stiffness = force_if_acting(law, gap, at_rest(gap))
+    assert not active and force == stiffness == 0.0
+    assert clearance(law) >= contact_reach(law)
+    assert not acts(law, 0.1, Approach(-1.0, 400.0, 0.1025, -1.0, 0.0))
+
+
+def test_energy_taken_by_damping_is_force_times_speed():
+    law = VARIANTS["logbarrier damped"].member(SCALES)
+    gap = 0.5 * contact_reach(law)
+    elastic, stiffness = contact_force(law, gap, at_rest(gap))
+    speed = -0.2
+    lost = contact_loss(law, gap, Approach(speed, 0.0, gap, speed, 0.0))
+    assert lost == pytest.approx(law.relaxation_time * stiffness * speed**2, rel=1e-9)
+
+
+def test_damping_number_of_hunt_and_crossley():
+    """The relation that the impact of one mass integrates to, and its limit for little damping."""
+    for restitution in (0.05, 0.3, 0.5, 0.8, 0.99):
+        u = damping_number(restitution)
+        assert 0.0 < u < 1.0 / restitution
+        left = (1.0 + restitution) * u
+        assert left == pytest.approx(np.log((1.0 + u) / (1.0 - restitution * u)), rel=1e-9)
+    assert damping_number(0.999) == pytest.approx(1.5 * 0.001, rel=5e-3)
+    assert damping_number(1.0) == 0.0
+
+
+def test_signorini_s_target():
+    """Newton's impact law where the gap would close, the ground elsewhere."""
+    law = OPTIONS["signorini"](restitution=0.5).member(SCALES)
+    rate = 1e4
+
+    def target(begun, speed):
+        """The gap at which the force vanishes."""
+        inertia = 1.0
+        gap = -0.1
+        force, stiffness = contact_force(law, gap, Approach(speed, rate, begun, speed, inertia))
+        return gap + force / stiffness
+
+    assert target(0.3, -1.0) == pytest.approx(SKIN)  # far away
+    assert target(1e-5, -1.0) == pytest.approx(1e-5 + 0.5 * 1.0 / rate)  # strikes, rebounds
+    assert target(1e-5, 1.0) == pytest.approx(SKIN)  # leaves
+    assert target(SKIN, 0.0) == pytest.approx(SKIN)  # rests
