@@ -1,0 +1,134 @@
+"""Every pair of members of different families runs through a tiny jump, or is refused by name."""
+
+from dataclasses import replace
+from functools import cache
+from itertools import combinations, product
+
+import numpy as np
+import pytest
+from plain_march import without_compiling
+
+from snapjump.batch import simulate_batch
+from snapjump.checks import ParameterError
+from snapjump.composition import Simulation, with_tier
+from snapjump.families import FAMILIES
+
+SWEPT = ("integrator", "contact", "friction", "discretization", "damping", "frame", "stepping")
+Choice = dict[str, str]
+Pair = frozenset[tuple[str, str]]
+
+# Members that make the tiny jump tinier, or that a jump of this kind needs.
+NUMBERS = {
+    ("discretization", "der"): {"elements": 10},
+    ("discretization", "corotational"): {"elements": 10},
+    ("discretization", "geometrically_exact"): {"elements": 10},
+    ("stepping", "adaptive"): {"tolerance": 1e-4, "contact_steps": 8.0},
+    ("stepping", "fixed"): {"step_s": 4e-5},
+    ("frame", "elastic"): {"elements": 14},
+    # Springs of the ground so soft that steps as long as these resolve them.
+    ("contact", "penalty"): {"stiffness_N_m": 1e4},
+    ("contact", "hunt_crossley"): {"stiffness_N_m": 1e4},
+    # An explicit scheme cannot bear more at this mesh.
+    ("damping", "kelvin_voigt"): {"relaxation_time_s": 1e-6},
+}
+DEFAULT = {"integrator": "implicit_euler"}
+
+
+def part(family: str, name: str) -> object:
+    return FAMILIES[family][name](**NUMBERS.get((family, name), {}))
+
+
+@cache
+def base() -> Simulation:
+    tier = with_tier("draft", discretization=part("discretization", "der"))
+    return replace(tier, sim=replace(tier.sim, start_fraction=0.9))
+
+
+def composed(choice: Choice) -> Simulation:
+    """The tiny jump with these members; raises ParameterError."""
+    return replace(base(), **{family: part(family, name) for family, name in choice.items()})
+
+
+@cache
+def refused(pair: Pair) -> str:
+    """Why the default composition with this pair is refused; nothing if it is not."""
+    choices = [dict(pair)]
+    if "integrator" not in choices[0]:
+        choices.append({**DEFAULT, **choices[0]})
+    reasons = []
+    for choice in choices:
+        try:
+            composed(choice)
+            return ""
+        except ParameterError as error:
+            reasons.append(str(error))
+    return reasons[-1]
+
+
+def all_pairs() -> list[Pair]:
+    return [
+        frozenset({(first, a), (second, b)})
+        for first, second in combinations(SWEPT, 2)
+        for a, b in product(FAMILIES[first], FAMILIES[second])
+    ]
+
+
+def covering() -> list[Choice]:
+    """Few compositions that hold every pair that is not refused (greedily)."""
+    missing = {pair for pair in all_pairs() if not refused(pair)}
+    found = []
+    while missing:
+        choice = dict(min(missing, key=sorted))
+        for family in sorted(SWEPT, key=lambda f: -len(FAMILIES[f])):
+            if family in choice:
+                continue
+
+            def gain(name: str, family: str = family, choice: Choice = choice) -> int:
+                pairs = {frozenset({(family, name), item}) for item in choice.items()}
+                if any(refused(pair) for pair in pairs):
+                    return -1
+                return len(pairs & missing)
+
+            choice[family] = max(FAMILIES[family], key=gain)
+        found.append(choice)
+        missing -= {frozenset(pair) for pair in combinations(choice.items(), 2)}
+    return found
+
+
+CHOICES = covering()
+
+
+def test_what_cannot_be_combined_is_refused_with_a_reason() -> None:
+    reasons = {pair: refused(pair) for pair in all_pairs() if refused(pair)}
+    for pair, reason in reasons.items():
+        named = [name for _, name in pair] + [family for family, _ in pair]
+        assert any(word in reason for word in named), (pair, reason)
+        assert "\n" not in reason
+    single = {name for pair in reasons for family, name in pair}
+    # A jump needs a ground and a frame that moves.
+    assert {"none", "fixed", "signorini"} <= single
+    assert refused(frozenset({("contact", "signorini"), ("friction", "lagged")}))
+    assert refused(frozenset({("contact", "signorini"), ("integrator", "bdf2")}))
+    assert not refused(frozenset({("contact", "penalty"), ("friction", "lagged")}))
+    # Nearly everything goes with everything.
+    free = [p for p in all_pairs() if not {"fixed", "none"} & {n for f, n in p if f != "damping"}]
+    assert sum(bool(refused(p)) for p in free) < 0.15 * len(free)
+
+
+@pytest.mark.parametrize("choice", CHOICES, ids=lambda c: "-".join(c[f] for f in SWEPT))
+def test_every_pair_of_members_jumps(choice: Choice, monkeypatch: pytest.MonkeyPatch) -> None:
+    without_compiling(monkeypatch)
+    batch = simulate_batch([composed(choice)], lanes=1)
+    check(batch)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("choice", CHOICES, ids=lambda c: "-".join(c[f] for f in SWEPT))
+def test_every_pair_of_members_jumps_compiled(choice: Choice) -> None:
+    check(simulate_batch([composed(choice)] * 2, lanes=8))
+
+
+def check(batch: object) -> None:
+    assert set(batch.status) == {"ok"}, batch.status  # type: ignore[attr-defined]
+    assert np.all(np.abs(batch.y_bar - 15.0) < 6.0), batch.y_bar  # type: ignore[attr-defined]
+    assert np.all(np.abs(batch.x_bar) < 12.0), batch.x_bar  # type: ignore[attr-defined]
