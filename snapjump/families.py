@@ -6,7 +6,11 @@ from snapjump.integrator.tr_bdf2 import TrBdf2
 from snapjump.options.backend import LanesBackend, ScalarBackend
 from snapjump.options.contact import LogBarrierOptions, NoContactOptions
 from snapjump.options.damping import KelvinVoigtOptions, MassProportionalOptions, NoDampingOptions
-from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.options.discretization import (
+    CorotationalOptions,
+    DiscreteElasticRodOptions,
+    GeometricallyExactOptions,
+)
 from snapjump.options.frame import FixedFrameOptions, RigidFrameOptions
 from snapjump.options.friction import (
     ImplicitFrictionOptions,
@@ -33,7 +37,11 @@ FAMILIES: dict[str, dict[str, type]] = {
         "bounce": BounceScene,
         "slide": SlideScene,
     },
-    "discretization": {"der": DiscreteElasticRodOptions},
+    "discretization": {
+        "der": DiscreteElasticRodOptions,
+        "corotational": CorotationalOptions,
+        "geometrically_exact": GeometricallyExactOptions,
+    },
     "frame": {"rigid": RigidFrameOptions, "fixed": FixedFrameOptions},
     "contact": {"logbarrier": LogBarrierOptions, "none": NoContactOptions},
     "friction": {

@@ -40,7 +40,8 @@ def family_function(declaration: Function) -> Any:
         """Register the decorated function as the version for members of class ``cls``."""
 
         def register(function: Function) -> Function:
-            versions[cls] = kernel(function)
+            shared = function in versions.values()  # by several members
+            versions[cls] = function if shared else kernel(function)
             return function
 
         return register

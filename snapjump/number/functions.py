@@ -172,6 +172,51 @@ def cos(x: Any) -> Any:
     return where((quarters == 1.0) | (absolute(quarters) == 2.0), -value, value)
 
 
+# The polynomial of the arctangent on [-7/16, 7/16] from fdlibm.
+ARCTANGENT = (
+    3.33333333333329318027e-01,
+    -1.99999999998764832476e-01,
+    1.42857142725034663711e-01,
+    -1.11111104054623557880e-01,
+    9.09088713343650656196e-02,
+    -7.69187620504482999495e-02,
+    6.66107313738753120669e-02,
+    -5.83357013379057348645e-02,
+    4.97687799461593236017e-02,
+    -3.65315727442169155270e-02,
+    1.62858201153657823623e-02,
+)
+
+
+@kernel
+def arctan(t: Any) -> Any:
+    """Angle (rad, from -pi/2 to pi/2) whose tangent is t, for |t| < 1e150.
+
+    Beyond 7/16 the angle is halved twice, tan(a/2) = t / (1 + sqrt(1 + t^2)); that is left out
+    where no lane needs it.
+    """
+    beyond = absolute(t) > 0.4375
+    r = t
+    scale = 1.0 + 0.0 * t
+    if any_true(beyond):
+        half = t / (1.0 + sqrt(fma(t, t, 1.0)))
+        quarter = half / (1.0 + sqrt(fma(half, half, 1.0)))
+        r = where(beyond, quarter, t)
+        scale = where(beyond, 4.0, scale)
+    z = r * r
+    p = fma(z, ARCTANGENT[10], ARCTANGENT[9])
+    p = fma(z, p, ARCTANGENT[8])
+    p = fma(z, p, ARCTANGENT[7])
+    p = fma(z, p, ARCTANGENT[6])
+    p = fma(z, p, ARCTANGENT[5])
+    p = fma(z, p, ARCTANGENT[4])
+    p = fma(z, p, ARCTANGENT[3])
+    p = fma(z, p, ARCTANGENT[2])
+    p = fma(z, p, ARCTANGENT[1])
+    p = fma(z, p, ARCTANGENT[0])
+    return scale * fma(-(z * r), p, r)
+
+
 def minimum(a: Any, b: Any) -> Any:
     """The smaller number, lane by lane; ``b`` where ``a`` is NaN."""
     return where(a < b, a, b)

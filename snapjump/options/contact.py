@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from snapjump.checks import check_choice, check_number
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.contact.none import NoContact
-from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.options.discretization import DiscretizationOptions
 from snapjump.units import Scales
 
 WEIGHTINGS = ("per_length", "per_node")
@@ -29,7 +29,7 @@ class LogBarrierOptions:
         check_number("contact.distance_m", self.distance_m, 0.0, above=True, unit="m")
         check_choice("contact.weighting", self.weighting, WEIGHTINGS)
 
-    def member(self, scales: Scales, discretization: DiscreteElasticRodOptions) -> LogBarrier:
+    def member(self, scales: Scales, discretization: DiscretizationOptions) -> LogBarrier:
         """The dimensionless law."""
         by_length = PAPER_ELEMENTS / discretization.elements
         return LogBarrier(
@@ -44,6 +44,6 @@ class LogBarrierOptions:
 class NoContactOptions:
     """No ground: every contact term is left out of the compiled program."""
 
-    def member(self, scales: Scales, discretization: DiscreteElasticRodOptions) -> NoContact:
+    def member(self, scales: Scales, discretization: DiscretizationOptions) -> NoContact:
         """The empty law."""
         return NoContact()

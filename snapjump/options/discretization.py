@@ -5,11 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.checks import check_choice, check_integer
+from snapjump.checks import check_choice, check_integer, check_number
+from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
+from snapjump.discretization.geometrically_exact import GeometricallyExact
 from snapjump.parameters.robot import Robot
 
 CLAMPS = ("half_element", "two_nodes")
+SHEAR_FACTOR = 5.0 / 6.0  # of a rectangle
 
 
 @dataclass(frozen=True)
@@ -53,3 +56,62 @@ class DiscreteElasticRodOptions:
         masses = np.full(self.moving_elements + 1, 1.0 / self.elements)
         masses[[0, -1]] = 0.0
         return masses
+
+
+@dataclass(frozen=True)
+class BeamElementOptions:
+    """What elements with a rotation at every node have in common: clamps hold it, to second
+    order."""
+
+    elements: int = 104
+
+    def __post_init__(self) -> None:
+        check_integer("discretization.elements", self.elements, 8, 100_000)
+
+    @property
+    def moving_elements(self) -> int:
+        """Elements of the chain between the clamps: all of them."""
+        return self.elements
+
+    @property
+    def clamped_mass_bar(self) -> float:
+        """Mass of the node that moves with one clamp (in rho A L)."""
+        return 0.5 / self.elements
+
+    def masses(self) -> NDArray[np.float64]:
+        """Lumped masses of the chain's nodes, zero where clamped at both ends (in rho A L)."""
+        masses = np.full(self.elements + 1, 1.0 / self.elements)
+        masses[[0, -1]] = 0.0
+        return masses
+
+
+@dataclass(frozen=True)
+class CorotationalOptions(BeamElementOptions):
+    """Co-rotational Euler-Bernoulli beam elements: second order, x, y and rotation at a node."""
+
+    def member(self, robot: Robot) -> Corotational:
+        """The dimensionless beam."""
+        return Corotational(1.0 / self.elements, robot.stretching_stiffness_bar)
+
+
+@dataclass(frozen=True)
+class GeometricallyExactOptions(BeamElementOptions):
+    """Geometrically exact beam elements with shear: second order, x, y and rotation at a node.
+
+    ``poisson_ratio`` gives the shear stiffness, 5/6 EA / (2 (1 + nu)).
+    """
+
+    poisson_ratio: float = 0.3
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_number("discretization.poisson_ratio", self.poisson_ratio, -0.99, 0.5)
+
+    def member(self, robot: Robot) -> GeometricallyExact:
+        """The dimensionless beam."""
+        stretching = robot.stretching_stiffness_bar
+        shearing = SHEAR_FACTOR * stretching / (2.0 * (1.0 + self.poisson_ratio))
+        return GeometricallyExact(1.0 / self.elements, stretching, shearing)
+
+
+DiscretizationOptions = DiscreteElasticRodOptions | CorotationalOptions | GeometricallyExactOptions

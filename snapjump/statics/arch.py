@@ -19,7 +19,7 @@ from snapjump.frame.base import end_tangents
 from snapjump.frame.fixed import FixedFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.none import NoLoad
-from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.options.discretization import DiscretizationOptions
 from snapjump.parameters.robot import Robot
 from snapjump.statics.chain_state import chain_state
 from snapjump.statics.elastica import buckled_arch, resampled
@@ -60,7 +60,7 @@ class Equilibrium:
 class StaticArch:
     """The beam in a fixed frame. Raises ArithmeticError where Newton's method fails."""
 
-    def __init__(self, robot: Robot, discretization: DiscreteElasticRodOptions, epsilon: float):
+    def __init__(self, robot: Robot, discretization: DiscretizationOptions, epsilon: float):
         self.epsilon = epsilon
         self.discretization = discretization
         self.rod = discretization.member(robot)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.options.discretization import DiscretizationOptions
 from snapjump.parameters.robot import Robot
 from snapjump.statics.arch import Equilibrium, StaticArch
 from snapjump.statics.branch import Branch, Point
@@ -82,7 +82,7 @@ def refine(branch: Branch, stable: Point, unstable: Point) -> Point:
 
 
 def find_snap(
-    robot: Robot, discretization: DiscreteElasticRodOptions, epsilon: float, delta_alpha: float
+    robot: Robot, discretization: DiscretizationOptions, epsilon: float, delta_alpha: float
 ) -> Snap:
     """Where the arch with the right clamp lagging by ``delta_alpha`` snaps under slow loading.
 

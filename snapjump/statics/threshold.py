@@ -13,7 +13,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.polynomial import Polynomial
 
-from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.options.discretization import DiscretizationOptions
 from snapjump.parameters.robot import Robot
 from snapjump.statics.arch import StaticArch
 
@@ -32,7 +32,7 @@ class Threshold:
 
 @lru_cache(maxsize=65536)
 def symmetric_threshold(
-    robot: Robot, discretization: DiscreteElasticRodOptions, epsilon: float
+    robot: Robot, discretization: DiscretizationOptions, epsilon: float
 ) -> Threshold:
     """Threshold of the arch whose clamps turn alike; computed once for each argument.
 

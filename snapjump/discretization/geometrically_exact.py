@@ -1,0 +1,73 @@
+"""Geometrically exact beam elements with shear (Simo and Reissner), two nodes, one point.
+
+With axes that turn by the mean rotation theta_m: a = e along them, b = e across them, strains
+Gamma_1 = a/l - 1 and Gamma_2 = b/l, energy l (EA Gamma_1^2 + GA_s Gamma_2^2) / 2, and bending as
+in all elements. One point of integration (reduced) keeps shear from locking.
+"""
+
+from typing import Any, NamedTuple
+
+from snapjump.damping.base import viscous_stiffening, viscous_strain
+from snapjump.discretization.beam_chain import chain_of_beam_elements
+from snapjump.discretization.beam_elements import (
+    Span,
+    Straining,
+    strain_element,
+    straining_energy,
+)
+from snapjump.number.functions import cos, fma, sin
+
+
+@chain_of_beam_elements
+class GeometricallyExact(NamedTuple):
+    """Element length l, EA and GA_s (with EI = L = 1)."""
+
+    element_length: float
+    stretching_stiffness: float
+    shear_stiffness: float
+
+
+@straining_energy.member(GeometricallyExact)
+def _straining_energy(beam: GeometricallyExact, ex: Any, ey: Any, turn: Any) -> Any:
+    c = cos(turn)
+    s = sin(turn)
+    stretch = c * ex + s * ey - beam.element_length
+    shear = c * ey - s * ex
+    twice = beam.stretching_stiffness * stretch * stretch + beam.shear_stiffness * shear * shear
+    return 0.5 * twice / beam.element_length
+
+
+@strain_element.member(GeometricallyExact)
+def _strain_element(beam: GeometricallyExact, damping: Any, span: Span) -> Straining:
+    c = cos(span.turn)
+    s = sin(span.turn)
+    a = fma(c, span.ex, s * span.ey)
+    b = fma(c, span.ey, -s * span.ex)
+    a_rate = c * span.vx + s * span.vy + b * span.turn_rate
+    b_rate = c * span.vy - s * span.vx - a * span.turn_rate
+
+    density = 1.0 / beam.element_length
+    stretching = beam.stretching_stiffness * density
+    shearing = beam.shear_stiffness * density
+    force = stretching * viscous_strain(damping, a - beam.element_length, a_rate)
+    shear = shearing * viscous_strain(damping, b, b_rate)
+    stiffening = viscous_stiffening(damping, span.rate_factor)
+    stretching = stretching * stiffening
+    shearing = shearing * stiffening
+
+    # da/dtheta_m = b and db/dtheta_m = -a; their derivatives by e are (-s, c) and -(c, s).
+    force_x = c * force - s * shear
+    force_y = s * force + c * shear
+    along = stretching * b - shear
+    across = shearing * a - force
+    return Straining(
+        force_x,
+        force_y,
+        b * force - a * shear,
+        fma(stretching * c, c, shearing * s * s),
+        (stretching - shearing) * c * s,
+        fma(stretching * s, s, shearing * c * c),
+        c * along + s * across,
+        s * along - c * across,
+        fma(stretching * b, b, shearing * a * a) - (a * force + b * shear),
+    )
