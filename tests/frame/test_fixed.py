@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 
 from snapjump.clamp.base import ClampAngles
+from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.frame.base import end_tangents, frame_dofs, place_ends
 from snapjump.frame.cantilever import CantileverFrame
@@ -38,3 +39,16 @@ def test_cantilever_holds_the_left_end_only():
     assert (state[2:] == 9.0).all()
     tangents = end_tangents(frame, TipLoad(1.0, 2.0, 3.0), ANGLES, state, 0.0)
     assert (tangents.right_free, tangents.right_moment) == (1.0, 3.0)
+
+
+def test_clamps_hold_the_rotation_of_nodes_that_turn():
+    """The third coordinate is the rotation times the element's length."""
+    state = np.full(12, 9.0)
+    place_ends(FixedFrame(0.4, 0.7), Corotational(0.05, 1e4), ANGLES, state)
+    np.testing.assert_allclose(state[:3], [-0.4, 0.7, -0.05 * 0.3])
+    np.testing.assert_allclose(state[-3:], [0.4, 0.7, 0.05 * 0.2])
+    assert (state[3:-3] == 9.0).all()
+    state[:] = 9.0
+    place_ends(CantileverFrame(), Corotational(0.05, 1e4), ANGLES, state)
+    np.testing.assert_allclose(state[:3], [0.0, 0.0, -0.05 * 0.3])
+    assert (state[3:] == 9.0).all()

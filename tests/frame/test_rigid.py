@@ -14,7 +14,7 @@ from snapjump.contact.none import NoContact
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.mass_proportional import MassProportional
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.base import clamp_offset, internal_energy
+from snapjump.discretization.base import clamp_offset, internal_energy, node_dofs, turn_length
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.model import Model
@@ -26,7 +26,11 @@ from snapjump.friction.lagged import LaggedFriction
 from snapjump.friction.none import NoFriction
 from snapjump.load.gravity import Gravity
 from snapjump.load.none import NoLoad
-from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.options.discretization import (
+    CorotationalOptions,
+    DiscreteElasticRodOptions,
+    GeometricallyExactOptions,
+)
 from snapjump.parameters.robot import Robot
 
 ELEMENTS = 9
@@ -40,7 +44,14 @@ DOFS = 3
 
 NO_CONTACT, NO_FRICTION, NO_DAMPING, NO_LOAD = NoContact(), NoFriction(), NoDamping(), NoLoad()
 
-clamps = pytest.mark.parametrize("clamp", ["half_element", "two_nodes"])
+RODS = {
+    "half_element": DiscreteElasticRodOptions(ELEMENTS, "half_element"),
+    "two_nodes": DiscreteElasticRodOptions(ELEMENTS, "two_nodes"),
+    "corotational": CorotationalOptions(ELEMENTS),
+    "geometrically_exact": GeometricallyExactOptions(ELEMENTS),
+}
+
+clamps = pytest.mark.parametrize("clamp", RODS)
 
 
 def make_model(
@@ -52,7 +63,7 @@ def make_model(
     programme: ConstantRate = CLAMP,
     stretching: float | None = None,
 ) -> Model:
-    rod = DiscreteElasticRodOptions(ELEMENTS, clamp).member(Robot())
+    rod = RODS[clamp].member(Robot())
     if stretching is not None:
         rod = rod._replace(stretching_stiffness=stretching)
     return Model(rod, FRAME, programme, contact, friction, damping, load)
@@ -72,7 +83,7 @@ def angles_at(model: Model, time: float = 0.0) -> Any:
 def full_state(model: Model, free: Any, angles: Any) -> Any:
     """State with the slave nodes in place; ``free`` are the frame's and the free nodes'."""
     free = np.asarray(free)
-    zero = np.zeros(2, free.dtype)
+    zero = np.zeros(node_dofs(model.discretization), free.dtype)
     state = np.concatenate([free[:3], zero, free[3:], zero])
     place_ends(model.frame, model.discretization, angles, state)
     return state
@@ -89,11 +100,21 @@ def arch(model: Model, height: float = 0.6, turn: float = 0.1, seed: int = 0) ->
     nodes_xy = np.stack([x, y], axis=1)[1:-1] + rng.uniform(-1e-3, 1e-3, (nodes - 2, 2))
     c, si = np.cos(turn), np.sin(turn)
     turned = nodes_xy @ np.array([[c, si], [-si, c]]) + [0.05, height]
+    if node_dofs(model.discretization) == 3:
+        directions = turn + np.linspace(0.4, -0.4, nodes)[1:-1] + rng.uniform(-0.1, 0.1, nodes - 2)
+        turned = np.column_stack([turned, turn_length(model.discretization) * directions])
     return np.concatenate([[0.05, height, turn], turned.ravel()])
 
 
-def free_part(values: Any) -> Any:
-    return np.concatenate([values[:3], values[5:-2]])
+def free_part(model: Model, values: Any) -> Any:
+    dofs = node_dofs(model.discretization)
+    return np.concatenate([values[:3], values[3 + dofs : -dofs]])
+
+
+def push_into_barrier(model: Model, free: Any) -> None:
+    """Put three nodes of the beam close to the ground."""
+    dofs = node_dofs(model.discretization)
+    free[4 + 2 * dofs : 4 + 5 * dofs : dofs] = [0.011, 0.013, 0.012]
 
 
 def check_tangent(model: Model, motion: Motion, free: Any, origin: Any = None) -> None:
@@ -105,10 +126,11 @@ def check_tangent(model: Model, motion: Motion, free: Any, origin: Any = None) -
     def residual(z):
         state = full_state(model, z, angles)
         _, work = assembled(model, motion, masses, state, origin=origin)
-        return free_part(residual_of(work, DOFS))
+        return free_part(model, residual_of(work, DOFS))
 
     _, work = assembled(model, motion, masses, full_state(model, free, angles), origin=origin)
-    keep = np.r_[0:3, 5 : 3 + 2 * len(masses) - 2]
+    dofs = node_dofs(model.discretization)
+    keep = np.r_[0:3, 3 + dofs : 3 + dofs * (len(masses) - 1)]
     matrix = dense(work, DOFS)[np.ix_(keep, keep)]
     expected = complex_step(residual, free)
     # Rows of the frame and of the nodes have scales of their own.
@@ -121,23 +143,24 @@ def test_residual_is_the_gradient_of_the_whole_energy(clamp):
     """Elastic, gravitational and barrier energy, with corners and nodes in the barrier."""
     model = make_model(clamp, BARRIER, load=Gravity(20.0))
     free = arch(model, height=0.27, turn=0.005)
-    free[8:14:2] = [0.011, 0.013, 0.012]  # pushes three nodes into the barrier
+    push_into_barrier(model, free)
     masses, angles = masses_of(model), angles_at(model)
 
     def potential(z):
         state = full_state(model, z, angles)
         tangents = end_tangents(FRAME, model.load, angles, state, 0.0)
         energy = internal_energy(model.discretization, state[3:], tangents)
-        energy = energy + 20.0 * (FRAME.mass * state[1] + masses @ state[4::2])
+        heights = state[4 :: node_dofs(model.discretization)]
+        energy = energy + 20.0 * (FRAME.mass * state[1] + masses @ heights)
         points = [(corner_point(FRAME, k, state, 0 * state)[1], 1.5) for k in range(4)]
-        points += [(y, 7.0) for y in state[6:-2:2]]
+        points += [(y, 7.0) for y in heights[1:-1]]
         near = [(gap, weight) for gap, weight in points if gap.real < BARRIER.distance]
         assert len(near) >= 4
         return energy + sum(weight * contact_energy(BARRIER, gap) for gap, weight in near)
 
     figures, work = assembled(model, STILL, masses, full_state(model, free, angles))
     expected = complex_step(potential, free)
-    actual = free_part(residual_of(work, DOFS))
+    actual = free_part(model, residual_of(work, DOFS))
     np.testing.assert_allclose(actual, expected, rtol=1e-8, atol=1e-8 * np.abs(expected).max())
     assert figures.smallest_gap == pytest.approx(0.011)
 
@@ -160,7 +183,7 @@ def test_tangent_with_material_damping_about_rest(clamp):
 def test_tangent_with_corners_and_nodes_in_the_barrier(clamp):
     model = make_model(clamp, BARRIER, load=Gravity(20.0))
     free = arch(model, height=0.27, turn=0.02)
-    free[8:14:2] = [0.011, 0.013, 0.012]
+    push_into_barrier(model, free)
     check_tangent(model, MOVING, free)
 
 
@@ -235,11 +258,13 @@ def test_internal_forces_have_no_resultant(clamp, damping):
     drift = (state - origin) * MOVING.rate_factor  # as fast as now: no acceleration
     _, work = assembled(model, MOVING, masses_of(model), state, origin=origin, drift=drift)
     force = residual_of(work, DOFS)
-    nodes, places = force[3:].reshape(-1, 2), state[3:].reshape(-1, 2)
+    dofs = node_dofs(model.discretization)
+    nodes, places = force[3:].reshape(-1, dofs), state[3:].reshape(-1, dofs)
     scale = np.abs(force).max()
-    resultant = force[:2] + nodes.sum(axis=0)
+    resultant = force[:2] + nodes[:, :2].sum(axis=0)
     moment = force[2] + state[0] * force[1] - state[1] * force[0]
     moment += np.sum(places[:, 0] * nodes[:, 1] - places[:, 1] * nodes[:, 0])
+    moment += turn_length(model.discretization) * nodes[:, 2:].sum()
     assert scale > 1.0
     assert np.abs(resultant).max() < 1e-11 * scale * len(nodes)
     assert abs(moment) < 1e-11 * scale * len(nodes)
@@ -288,15 +313,18 @@ def test_ends_are_where_the_frame_holds_them(clamp):
     angles = angles_at(model)
     state = full_state(model, arch(model, turn=0.4), angles)
     offset = clamp_offset(model.discretization)
+    dofs = node_dofs(model.discretization)
     for node, side, direction in (
-        (state[3:5], -1.0, 0.4 - angles.left),
-        (state[-2:], 1.0, 0.4 + angles.right),
+        (state[3 : 3 + dofs], -1.0, 0.4 - angles.left),
+        (state[-dofs:], 1.0, 0.4 + angles.right),
     ):
         body = np.array([side * FRAME.half_span, FRAME.mount_y])
         c, s = np.cos(0.4), np.sin(0.4)
         mount = state[:2] + [c * body[0] - s * body[1], s * body[0] + c * body[1]]
         expected = mount - side * offset * np.array([np.cos(direction), np.sin(direction)])
-        np.testing.assert_allclose(node, expected, atol=1e-14)
+        np.testing.assert_allclose(node[:2], expected, atol=1e-14)
+        if dofs == 3:
+            assert node[2] == pytest.approx(turn_length(model.discretization) * direction)
 
 
 @pytest.mark.parametrize("turn", [-3.0, -0.2, 0.0, 1.5])
@@ -331,12 +359,14 @@ def test_corner_velocity_is_the_derivative_of_its_place():
     assert corners == {(x, y) for x in (-0.4, 0.4) for y in (-0.25, 0.25)}
 
 
-def test_centre_of_mass_weighs_frame_and_beam():
-    model = make_model()
+@clamps
+def test_centre_of_mass_weighs_frame_and_beam(clamp):
+    model = make_model(clamp)
+    dofs = node_dofs(model.discretization)
     masses = masses_of(model)
     state = full_state(model, arch(model), angles_at(model))
     x, y, vx, vy = centre_of_mass(model, masses, state, 2.0 * state)
     total = FRAME.mass + masses.sum()
-    assert x == pytest.approx((FRAME.mass * state[0] + masses @ state[3::2]) / total, rel=1e-14)
-    assert y == pytest.approx((FRAME.mass * state[1] + masses @ state[4::2]) / total, rel=1e-14)
+    assert x == pytest.approx((FRAME.mass * state[0] + masses @ state[3::dofs]) / total, rel=1e-14)
+    assert y == pytest.approx((FRAME.mass * state[1] + masses @ state[4::dofs]) / total, rel=1e-14)
     assert (vx, vy) == pytest.approx((2.0 * x, 2.0 * y))

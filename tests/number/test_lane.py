@@ -11,6 +11,7 @@ from numba import njit
 from snapjump.number.functions import (
     absolute,
     any_true,
+    arctan,
     cos,
     exp,
     fma,
@@ -28,7 +29,7 @@ from snapjump.number.memory import aligned_zeros
 OPERATIONS = (
     "add sub mul div neg iadd isub imul idiv int_add number_sub number_div power_sum "
     "sqrt log exp sin cos absolute fma fma_number minimum maximum where where_number "
-    "lt le gt ge eq ne and or not less_than_number sum_from_number"
+    "lt le gt ge eq ne and or not less_than_number sum_from_number arctan"
 ).split()
 WIDTHS = (1, 2, 4, 8)
 
@@ -82,6 +83,7 @@ def evaluate(a: Any, b: Any, c: Any, out: Any, any_out: Any, lanes: Any) -> None
         for _ in range(3):
             total = total + p
         r[35, i] = total
+        r[36, i] = arctan(p)
         any_out[i] = any_true(p < q)
 
 
@@ -188,6 +190,19 @@ def test_sine_and_cosine_are_accurate_for_angles(computed, name):
     wanted = getattr(np, name)(angles[sane])
     np.testing.assert_allclose(actual[sane], wanted, rtol=4e-16, atol=1e-16)
     assert np.isnan(actual[~np.isfinite(angles)]).all()
+
+
+def test_arctangent_is_accurate(computed):
+    tangents = inputs()[0]
+    actual = computed[1][0][OPERATIONS.index("arctan")]
+    sane = np.abs(tangents) < 1e150
+    wanted = np.arctan(tangents[sane])
+    np.testing.assert_allclose(actual[sane], wanted, rtol=0.0, atol=1e-15)
+    for t in (*np.linspace(-5.0, 5.0, 2001), *np.logspace(-12, 12, 200)):
+        assert arctan(float(t)) == pytest.approx(math.atan(t), rel=1e-15)
+    for t in (0.3, 3.0):
+        slope = arctan(np.complex128(complex(t, 1e-30))).imag / 1e-30
+        assert slope == pytest.approx(1.0 / (1.0 + t * t), rel=1e-14)
 
 
 def test_fma_rounds_once(computed):

@@ -19,13 +19,20 @@ from snapjump.simulation import simulate
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.critical import Snap, find_snap
 
-DER = FAMILIES["discretization"]["der"]
+DISCRETIZATIONS = FAMILIES["discretization"]
+DER = DISCRETIZATIONS["der"]
 REFERENCES = json.loads((Path(__file__).parent / "references.json").read_text())
 
 
 def slender(ratio: float) -> Robot:
     """A robot with b/L = ratio, hence EI/(EA L^2) = ratio^2 / 12."""
     return Robot(thickness_m=0.02 * ratio)
+
+
+def discretized(name: str, elements: int, clamp: str = "half_element") -> Any:
+    """Options of a discretization by name; only ``der`` has a choice of clamps."""
+    chosen = {"clamp": clamp} if name == "der" else {}
+    return DISCRETIZATIONS[name](elements=elements, **chosen)
 
 
 @pytest.fixture(scope="session")
@@ -50,8 +57,14 @@ def richardson() -> Callable[..., Any]:
 def arch() -> Callable[..., StaticArch]:
     """An arch of a robot with b/L = ratio; small ratios stand for inextensible beams."""
 
-    def make(epsilon: float, elements: int, ratio: float = 1e-4, clamp: str = "half_element"):
-        return StaticArch(slender(ratio), DER(elements=elements, clamp=clamp), epsilon)
+    def make(
+        epsilon: float,
+        elements: int,
+        ratio: float = 1e-4,
+        clamp: str = "half_element",
+        name: str = "der",
+    ):
+        return StaticArch(slender(ratio), discretized(name, elements, clamp), epsilon)
 
     return make
 
@@ -67,8 +80,10 @@ def snap() -> Callable[..., Snap]:
         delta_alpha: float = 0.0,
         ratio: float = 1e-4,
         clamp: str = "half_element",
+        name: str = "der",
     ) -> Snap:
-        return find_snap(slender(ratio), DER(elements=elements, clamp=clamp), epsilon, delta_alpha)
+        options = discretized(name, elements, clamp)
+        return find_snap(slender(ratio), options, epsilon, delta_alpha)
 
     return find
 
@@ -83,13 +98,14 @@ def beam() -> Callable[..., Simulation]:
         integrator: str = "tr_bdf2",
         design: Design | None = None,
         robot: Robot | None = None,
+        name: str = "der",
         **scene: float,
     ) -> Simulation:
         return Simulation(
             sim=FAMILIES["sim"]["snap"](**scene),
             robot=robot or Robot(),
             design=design or Design(),
-            discretization=DER(elements=elements),
+            discretization=discretized(name, elements),
             frame=FAMILIES["frame"]["fixed"](),
             contact=FAMILIES["contact"]["none"](),
             friction=FAMILIES["friction"]["none"](),

@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
+from snapjump.discretization.geometrically_exact import GeometricallyExact
 from snapjump.scenes.cantilever import bend_cantilever
 
 MOMENT = 2.0 * np.pi
@@ -41,3 +43,17 @@ def test_second_order_towards_the_circle():
     gaps = [np.linalg.norm(rolled(n)[0][-1]) for n in (80, 160)]
     assert gaps[1] < 2e-3
     assert np.log2(gaps[0] / gaps[1]) == pytest.approx(2.0, abs=0.15)
+
+
+@pytest.mark.parametrize(
+    "beam", [Corotational(0.05, STRETCHING), GeometricallyExact(0.05, STRETCHING, 3e4)]
+)
+def test_elements_with_rotations_close_at_once(beam):
+    """Bending is constant, which both represent exactly: a regular polygon, whole turn and all."""
+    nodes, energy, _ = bend_cantilever(beam, 20, 0.0, 0.0, MOMENT)
+    assert np.linalg.norm(nodes[-1]) < 1e-12
+    assert energy == pytest.approx(0.5 * MOMENT**2, rel=1e-12)
+    edges = np.diff(nodes, axis=0)
+    turns = np.diff(np.unwrap(np.arctan2(edges[:, 1], edges[:, 0])))
+    assert np.allclose(turns, 2.0 * np.pi / 20, rtol=1e-10, atol=0.0)
+    assert np.allclose(np.hypot(*edges.T), 0.05, rtol=1e-10, atol=0.0)

@@ -1,0 +1,74 @@
+"""Elements with rotations in lanes: a Newton iteration of each robot as if it were alone."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from numba import njit
+
+from snapjump.clamp.constant_rate import ConstantRate
+from snapjump.contact.logbarrier import LogBarrier
+from snapjump.damping.kelvin_voigt import KelvinVoigt
+from snapjump.engine.assemble import Motion
+from snapjump.engine.clock import ROWS
+from snapjump.engine.model import Model, numbers_of, with_numbers
+from snapjump.engine.newton import solve_linearised
+from snapjump.engine.view import view_work
+from snapjump.engine.work import make_work
+from snapjump.families import FAMILIES
+from snapjump.frame.rigid import RigidFrame
+from snapjump.friction.implicit import ImplicitFriction
+from snapjump.load.gravity import Gravity
+from snapjump.parameters.robot import Robot
+
+ELEMENTS = 16
+WIDTH = 8
+
+
+@njit(cache=True, error_model="numpy")
+def solve(template: Any, masses: Any, memory: Any, lanes: Any) -> None:
+    work = view_work(memory, lanes)
+    model = with_numbers(template, work.numbers)
+    zero = 0.0 * work.state[0]
+    solution = solve_linearised(model, Motion(zero + 0.2, zero + 50.0, zero), masses, work)
+    work.clock[0] = solution.residual
+    work.clock[1] = solution.correction
+    work.clock[2] = solution.negative_pivots
+
+
+@pytest.mark.parametrize("name", ["corotational", "geometrically_exact"])
+def test_lanes_and_scalars_agree_to_the_last_bit(name):
+    options = FAMILIES["discretization"][name](ELEMENTS)
+    model = Model(
+        options.member(Robot()),
+        RigidFrame(0.4, -0.15, -0.25, 0.25, 15.0, 1.3),
+        ConstantRate(0.35, 1.5, 0.6, 0.1),
+        LogBarrier(4e3, 0.025, 7.0, 1.5),
+        ImplicitFriction(0.4, 0.25),
+        KelvinVoigt(1e-3),
+        Gravity(20.0),
+    )
+    numbers = numbers_of(model)
+    rng = np.random.default_rng(0)
+    # Kinks up to a radian and more, turned by up to a few whole turns.
+    states = rng.normal(0.0, 0.02, (WIDTH, 3 + 3 * (ELEMENTS + 1)))
+    # Feet and nodes lie in the barrier and above it.
+    states[:, 1] = rng.uniform(0.26, 0.27, WIDTH)
+    states[:, 2] = rng.uniform(-0.01, 0.01, WIDTH)
+    states[:, 3::3] += np.linspace(-0.5, 0.5, ELEMENTS + 1)
+    states[:, 4::3] = rng.uniform(0.01, 0.05, (WIDTH, ELEMENTS + 1))
+    states[:, 5::3] += 2.0 * np.pi / ELEMENTS * np.arange(WIDTH)[:, None]
+
+    def solved(chosen: Any) -> Any:
+        memory = make_work(ELEMENTS + 1, 3, 2, ROWS, len(numbers), len(chosen), 3)
+        memory.numbers[...] = numbers[:, None]
+        memory.state[...] = chosen.T
+        memory.origin[...] = 0.999 * chosen.T
+        solve(model, options.masses(), memory, (0,) * len(chosen))
+        parts = (memory.system.residual, memory.system.frame_residual, memory.clock[:3])
+        return np.concatenate(parts).T
+
+    together = solved(states)
+    assert np.isfinite(together).all()
+    for lane in range(WIDTH):
+        assert np.array_equal(together[lane], solved(states[lane : lane + 1])[0])
