@@ -73,6 +73,12 @@ def all_pairs() -> list[Pair]:
     ]
 
 
+def gain(family: str, name: str, choice: Choice, missing: set[Pair]) -> int:
+    """Missing pairs that a member would add to a choice; -1 where it is refused."""
+    pairs = {frozenset({(family, name), item}) for item in choice.items()}
+    return -1 if any(refused(pair) for pair in pairs) else len(pairs & missing)
+
+
 def covering() -> list[Choice]:
     """Few compositions that hold every pair that is not refused (greedily)."""
     missing = {pair for pair in all_pairs() if not refused(pair)}
@@ -83,13 +89,9 @@ def covering() -> list[Choice]:
             if family in choice:
                 continue
 
-            def gain(name: str, family: str = family, choice: Choice = choice) -> int:
-                pairs = {frozenset({(family, name), item}) for item in choice.items()}
-                if any(refused(pair) for pair in pairs):
-                    return -1
-                return len(pairs & missing)
-
-            choice[family] = max(FAMILIES[family], key=gain)
+            choice[family] = max(
+                FAMILIES[family], key=lambda n, f=family, c=choice, m=missing: gain(f, n, c, m)
+            )
         found.append(choice)
         missing -= {frozenset(pair) for pair in combinations(choice.items(), 2)}
     return found

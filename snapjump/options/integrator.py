@@ -70,9 +70,10 @@ class Dirk:
             error[0], error[-1] = -ACCELERATION_ERROR, ACCELERATION_ERROR
             weights = np.array(self.weights)
             return QuadratureTableau(gamma, lower, nodes, weights, tuple(error.tolist()), 3.0)
-        comparison = self.embedded
         order = float(self.order)
-        if comparison is None:
+        if self.embedded is not None:
+            comparison = np.array(self.embedded)
+        else:
             powers = np.arange(len(nodes))
             moments = 1.0 / (powers + 1.0)
             comparison = np.linalg.solve(nodes[None, :] ** powers[:, None], moments)

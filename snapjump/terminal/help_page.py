@@ -5,6 +5,8 @@ from pathlib import Path
 
 import yaml
 
+# Runge-Kutta methods, whose configurations belong to the library.
+TABLEAUX = Path(__file__).resolve().parent.parent / "tableaux"
 GROUPS = {
     "task": "what to do",
     "sim": "the scene",
@@ -49,7 +51,7 @@ def help_page(conf: Path) -> str:
     chosen = {key: value for entry in config["defaults"] if isinstance(entry, dict)
               for key, value in entry.items()}  # fmt: skip
     names = [*GROUPS, *sorted({path.name for path in conf.iterdir() if path.is_dir()} - {*GROUPS})]
-    groups = [_group(conf / name, str(chosen.get(name))) for name in names]
+    groups = [_group([conf / name, TABLEAUX / name], str(chosen.get(name))) for name in names]
     return "\n\n".join(
         [INTRODUCTION, "Groups (* is the default)\n" + "\n".join(groups), _keys(conf), FLAGS]
     )
@@ -63,9 +65,11 @@ def describe(member: Path) -> str:
     return ""
 
 
-def _group(folder: Path, default: str) -> str:
-    lines = [f"  {folder.name}: {GROUPS.get(folder.name, '')}".rstrip(": ")]
-    for member in sorted(folder.glob("*.yaml")):
+def _group(folders: list[Path], default: str) -> str:
+    name = folders[0].name
+    lines = [f"  {name}: {GROUPS.get(name, '')}".rstrip(": ")]
+    members = [member for folder in folders for member in folder.glob("*.yaml")]
+    for member in sorted(members, key=lambda path: path.stem):
         star = "*" if member.stem == default else " "
         lines.append(f"   {star} {member.stem:<18}{describe(member)}")
     return "\n".join(lines)

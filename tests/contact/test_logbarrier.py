@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from snapjump.contact.base import (
-    at_rest,
     RESTING_SPEED,
+    at_rest,
     bounce_rate_squared,
     contact_energy,
     contact_force,

@@ -30,8 +30,8 @@ from snapjump.load.tip import TipLoad
 
 ELEMENTS = 9
 LENGTH = 1.0 / ELEMENTS
-STILL = Motion(0.0, 0.0, 0.0)
-MOVING = Motion(0.4, 30.0, 0.0)
+STILL = Motion(0.0, 0.0, 0.0, 0.0)
+MOVING = Motion(0.4, 30.0, 30.0, 0.0)
 RELAXATION = 2e-3
 ELASTIC = NoDamping()
 CLAMP = ConstantRate(0.3, 1.5, 0.7, 0.1)

@@ -30,7 +30,8 @@ def solve(template: Any, masses: Any, memory: Any, lanes: Any) -> None:
     work = view_work(memory, lanes)
     model = with_numbers(template, work.numbers)
     zero = 0.0 * work.state[0]
-    solution = solve_linearised(model, Motion(zero + 0.2, zero + 50.0, zero), masses, work)
+    motion = Motion(zero + 0.2, zero + 50.0, zero + 50.0, zero)
+    solution = solve_linearised(model, motion, masses, work)
     work.clock[0] = solution.residual
     work.clock[1] = solution.correction
     work.clock[2] = solution.negative_pivots
@@ -43,7 +44,7 @@ def test_lanes_and_scalars_agree_to_the_last_bit(name):
         options.member(Robot()),
         RigidFrame(0.4, -0.15, -0.25, 0.25, 15.0, 1.3),
         ConstantRate(0.35, 1.5, 0.6, 0.1),
-        LogBarrier(4e3, 0.025, 7.0, 1.5),
+        LogBarrier(4e3, 0.025, 0.0, 7.0, 1.5),
         ImplicitFriction(0.4, 0.25),
         KelvinVoigt(1e-3),
         Gravity(20.0),

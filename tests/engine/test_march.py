@@ -32,7 +32,7 @@ def go_on(march, passes, of_a_stage=25.0, of_a_march=2e6, **stepping):
     return loop.march(
         march.models[0],
         march.masses,
-        march.tableau,
+        march.scheme,
         march.stepping._replace(**stepping),
         march.ending,
         Limits(of_a_stage, of_a_march),

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicHermiteSpline
 
-from snapjump.contact.base import contact_force
-from snapjump.scenes.mass import march_mass, mass_model, resting_gap_bar
+from snapjump.contact.base import at_rest, contact_force
+from snapjump.scenes.jump_start import resting_gap
+from snapjump.scenes.mass import march_mass, mass_model
 
 STIFFNESS_N_M = 1e4
 REACH_M = 5e-4
@@ -29,7 +30,8 @@ def flight(arrays) -> tuple[float, float]:
 
 
 def peak_force_N(model, scales, gap_m: float) -> float:
-    force, _ = contact_force(model.contact, gap_m / scales.length_m)
+    gap = gap_m / scales.length_m
+    force, _ = contact_force(model.contact, gap, at_rest(gap))
     return float(force) * scales.force_N
 
 
@@ -111,7 +113,8 @@ def test_rest(single_mass, run, reference):
         simulation = single_mass("slide", 1e-5, mass_kg=row["m"], speed_m_s=0.0, duration_s=1e-3)
         scales = simulation.robot.scales
         model = mass_model(simulation, row["g"], 0.0)
-        gap = resting_gap_bar(model, row["m"] / scales.mass_kg) * scales.length_m
+        weight = row["m"] / scales.mass_kg * model.load.normal
+        gap = resting_gap(model.contact, weight, 1.0) * scales.length_m
         assert gap == pytest.approx(row["gap"], rel=1e-8)
         heights = run(simulation).arrays["node_y_m"]
         assert np.allclose(heights, row["gap"], rtol=1e-8, atol=0.0)

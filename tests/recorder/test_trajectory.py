@@ -19,7 +19,7 @@ from snapjump.recorder import trajectory
 from snapjump.recorder.base import record_stage, record_start, record_step
 from snapjump.recorder.none import NoRecorder
 
-TABLEAU = FAMILIES["integrator"]["tr_bdf2"]().tableau()
+TABLEAU = FAMILIES["integrator"]["tr_bdf2"]().scheme()
 CLAMP = ConstantRate(0.0, 1.0, 1.0, 0.0)
 MODEL = Model(LooseNodes(), NoFrame(), CLAMP, NoContact(), NoFriction(), NoDamping(), NoLoad())
 MASSES = np.array([2.0])
@@ -36,7 +36,7 @@ def march(recorder, steps, accepted=lambda k: True):
         for stage in range(1, stages):
             work.clock[STAGE] = stage
             time = work.clock[TIME] + TABLEAU.nodes[stage] * step
-            now = Motion(time, 1.0 / (TABLEAU.gamma * step), 0.0)
+            now = Motion(time, *([1.0 / (TABLEAU.gamma * step)] * 2), 0.0)
             record_stage(recorder, MODEL, MASSES, now, TABLEAU, work, True)
         if accepted(k):
             work.clock[TIME] += step
@@ -50,7 +50,9 @@ def march(recorder, steps, accepted=lambda k: True):
 @pytest.fixture(autouse=True)
 def known_powers(monkeypatch):
     monkeypatch.setattr(
-        trajectory, "powers", lambda model, masses, work, time, q, v: (1.0, 2.0 * time, -time)
+        trajectory,
+        "powers",
+        lambda model, motion, *others: (1.0, 2.0 * motion.time, -motion.time, 3.0),
     )
 
 
@@ -60,7 +62,7 @@ def test_works_are_integrals_of_the_powers():
     count = recorder.filled[0]
     t = np.array(times)
     np.testing.assert_allclose(recorder.times[:count], t, atol=1e-15)
-    expected = np.stack([t, t**2, -0.5 * t**2], axis=1)
+    expected = np.stack([t, t**2, -0.5 * t**2, 3.0 * t], axis=1)
     np.testing.assert_allclose(recorder.works[:count], expected, atol=1e-14)
     np.testing.assert_allclose(recorder.states[:count, 0], t, atol=1e-15)
     assert recorder.velocities[:count, 0].tolist() == [0.0, 10.0, 11.0, 12.0, 13.0]
@@ -70,7 +72,7 @@ def test_refused_steps_leave_no_trace():
     recorder = trajectory.make_recorder(2, 2.0, 0.01)
     march(recorder, [0.1, 0.7, 0.2], accepted=lambda k: k != 1)
     assert recorder.filled[0] == 3
-    np.testing.assert_allclose(recorder.totals, [0.3, 0.09, -0.045], atol=1e-15)
+    np.testing.assert_allclose(recorder.totals, [0.3, 0.09, -0.045, 0.9], atol=1e-15)
 
 
 def test_samples_keep_their_distance_and_never_overflow():
