@@ -1,9 +1,8 @@
 """Diagonally implicit Runge-Kutta methods, given by a Butcher tableau.
 
 Stage 0 is the (explicit) beginning of the step; stages 1 ... S are implicit with one diagonal
-coefficient gamma. Most end in their last stage (stiffly accurate): whatever a stage guards, the
-end of the step guards too. The others (:class:`QuadratureTableau`) add up the stages' velocities
-and accelerations once more.
+coefficient gamma. They end in their last stage (stiffly accurate): whatever a stage guards, the
+end of the step guards too. For others see :mod:`snapjump.integrator.quadrature_dirk`.
 """
 
 from typing import Any, NamedTuple
@@ -37,20 +36,6 @@ class Tableau(NamedTuple):
     gamma: diagonal coefficient; matrix (S + 1, S + 1) strictly lower part by which earlier stages
     enter; nodes (S + 1); weights (S + 1); error (S + 1): weights minus those of a comparison
     method, a tuple, so that kernels know the number of stages while they are compiled.
-    """
-
-    gamma: float
-    matrix: NDArray[np.float64]
-    nodes: NDArray[np.float64]
-    weights: NDArray[np.float64]
-    error: tuple[float, ...]
-    error_order: float
-
-
-class QuadratureTableau(NamedTuple):
-    """The same for a method whose end is not a stage and whose stage 0 has no weight.
-
-    ``error`` weighs accelerations times the step, that of stage 0 being the last one before.
     """
 
     gamma: float
@@ -163,7 +148,8 @@ def _quadrature_weight(tableau: Any, stage: Any) -> Any:
     return tableau.weights[stage]
 
 
-for kind in (Tableau, QuadratureTableau):
+def register(kind: type) -> None:
+    """Make a class of tableaux a member, but for how its steps end."""
     slots.member(kind)(_slots)
     stage_count.member(kind)(_stage_count)
     is_explicit.member(kind)(_is_explicit)
@@ -177,6 +163,9 @@ for kind in (Tableau, QuadratureTableau):
     quadrature_weight.member(kind)(_quadrature_weight)
 
 
+register(Tableau)
+
+
 @ends_in_a_stage.member(Tableau)
 def _ends_in_a_stage(tableau: Tableau) -> bool:
     return True
@@ -185,22 +174,3 @@ def _ends_in_a_stage(tableau: Tableau) -> bool:
 @end_step.member(Tableau)
 def _end_step(tableau: Tableau, work: Any, step: Any, mask: Any) -> None:
     pass
-
-
-@ends_in_a_stage.member(QuadratureTableau)
-def _ends_after_its_stages(tableau: QuadratureTableau) -> bool:
-    return False
-
-
-@end_step.member(QuadratureTableau)
-def _add_up_stages(tableau: QuadratureTableau, work: Any, step: Any, mask: Any) -> None:
-    last = len(tableau.error) - 1
-    for i in range(work.state.shape[0]):
-        position = work.start[i]
-        velocity = work.velocity[0, i]
-        for k in range(1, last + 1):
-            weight = step * tableau.weights[k]
-            position = position + weight * work.velocity[k, i]
-            velocity = velocity + weight * work.acceleration[k, i]
-        work.state[i] = where(mask, position, work.state[i])
-        work.velocity[last, i] = where(mask, velocity, work.velocity[last, i])

@@ -10,8 +10,9 @@ import yaml
 from snapjump.checks import ParameterError, check_integer, check_number
 from snapjump.integrator.bdf2 import Bdf2
 from snapjump.integrator.central_difference import CentralDifference
-from snapjump.integrator.dirk import QuadratureTableau, Tableau
+from snapjump.integrator.dirk import Tableau
 from snapjump.integrator.generalized_alpha import GeneralizedAlpha
+from snapjump.integrator.quadrature_dirk import QuadratureTableau
 
 Rows = tuple[tuple[float, ...], ...]
 ACCELERATION_ERROR = 1.0 / 12.0  # of h^2 (a_1 - a_0), the error of the trapezoidal rule

@@ -1,0 +1,49 @@
+"""Runge-Kutta methods whose end is not a stage: the stages' velocities are added up once more.
+
+Contact guards the stages only, so that the end of every step is checked by itself.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.integrator.base import end_step, ends_in_a_stage
+from snapjump.integrator.dirk import register
+from snapjump.number.functions import where
+
+
+class QuadratureTableau(NamedTuple):
+    """A :class:`~snapjump.integrator.dirk.Tableau` whose stage 0 has no weight.
+
+    ``error`` weighs accelerations times the step, that of stage 0 being the last one before.
+    """
+
+    gamma: float
+    matrix: NDArray[np.float64]
+    nodes: NDArray[np.float64]
+    weights: NDArray[np.float64]
+    error: tuple[float, ...]
+    error_order: float
+
+
+register(QuadratureTableau)
+
+
+@ends_in_a_stage.member(QuadratureTableau)
+def _ends_after_its_stages(tableau: QuadratureTableau) -> bool:
+    return False
+
+
+@end_step.member(QuadratureTableau)
+def _add_up_stages(tableau: QuadratureTableau, work: Any, step: Any, mask: Any) -> None:
+    last = len(tableau.error) - 1
+    for i in range(work.state.shape[0]):
+        position = work.start[i]
+        velocity = work.velocity[0, i]
+        for k in range(1, last + 1):
+            weight = step * tableau.weights[k]
+            position = position + weight * work.velocity[k, i]
+            velocity = velocity + weight * work.acceleration[k, i]
+        work.state[i] = where(mask, position, work.state[i])
+        work.velocity[last, i] = where(mask, velocity, work.velocity[last, i])
