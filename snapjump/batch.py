@@ -13,7 +13,7 @@ from snapjump.engine.status import NAMES, NO_JUMP, OK
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.scenes.jump_start import jump_model, resting_guess
-from snapjump.scenes.runner import March
+from snapjump.scenes.runner import MOST_ITERATIONS, March
 
 Array = NDArray[np.float64]
 
@@ -32,6 +32,7 @@ class Batch:
     newton_iterations: Array
     steps: Array
     kernel_seconds: float
+    outcome: Array
 
 
 def variants(
@@ -48,7 +49,9 @@ def variants(
     ]
 
 
-def simulate_batch(simulations: Sequence[Simulation], lanes: int = 8) -> Batch:
+def simulate_batch(
+    simulations: Sequence[Simulation], lanes: int = 8, most_iterations: float = MOST_ITERATIONS
+) -> Batch:
     """Simulate jumps that differ in design and environment only, ``lanes`` at a time."""
     base = simulations[0]
     models = [jump_model(s) for s in simulations]
@@ -60,6 +63,7 @@ def simulate_batch(simulations: Sequence[Simulation], lanes: int = 8) -> Batch:
         simulation=base,
         ending=FlightEnding(base.sim.time_limit_s / base.robot.scales.time_s),
         lanes=lanes,
+        most_iterations=most_iterations,
     )
     march.find_starts()
     outcome = march.run()
@@ -76,4 +80,5 @@ def simulate_batch(simulations: Sequence[Simulation], lanes: int = 8) -> Batch:
         newton_iterations=outcome[:, c.ITERATIONS],
         steps=outcome[:, c.STEPS],
         kernel_seconds=march.kernel_seconds,
+        outcome=outcome,
     )

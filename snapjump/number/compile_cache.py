@@ -20,6 +20,7 @@ KERNEL_PACKAGES = (
     "engine",
     "frame",
     "friction",
+    "integrator",
     "linear_solver",
     "load",
     "number",
