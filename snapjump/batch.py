@@ -10,6 +10,7 @@ from snapjump.composition import Simulation
 from snapjump.ending.flight import FlightEnding
 from snapjump.engine import clock as c
 from snapjump.engine.status import NAMES, NO_JUMP, OK
+from snapjump.error_estimate import ErrorEstimate, error_estimate
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.scenes.jump_start import jump_model, resting_guess
@@ -23,7 +24,9 @@ class Batch:
     """Outcomes of R jumps.
 
     x_bar, y_bar (R): apex in L, NaN for failures; status (R): names; newton_iterations, steps
-    (R); kernel_seconds: for all of them.
+    (R); kernel_seconds: for all of them; min_gap_m (R): smallest at the end of a step, NaN if
+    none was done; error_sum_bar (R): estimates of all steps added up, in L;
+    coarsest_contact_step (R): largest step times contact frequency; estimate: of the errors.
     """
 
     x_bar: Array
@@ -32,7 +35,10 @@ class Batch:
     newton_iterations: Array
     steps: Array
     kernel_seconds: float
-    outcome: Array
+    min_gap_m: Array
+    error_sum_bar: Array
+    coarsest_contact_step: Array
+    estimate: ErrorEstimate
 
 
 def variants(
@@ -73,6 +79,7 @@ def simulate_batch(
     known = np.isin(status, (OK, NO_JUMP))
     x = outcome[:, c.COM_X] + outcome[:, c.COM_VX] * rise / fall
     y = outcome[:, c.COM_Y] + 0.5 * rise**2 / fall
+    stepped = outcome[:, c.STEPS] > 0.0
     return Batch(
         x_bar=np.where(known, x, np.nan),
         y_bar=np.where(known, y, np.nan),
@@ -80,5 +87,8 @@ def simulate_batch(
         newton_iterations=outcome[:, c.ITERATIONS],
         steps=outcome[:, c.STEPS],
         kernel_seconds=march.kernel_seconds,
-        outcome=outcome,
+        min_gap_m=np.where(stepped, outcome[:, c.SMALLEST_GAP] * base.robot.scales.length_m, np.nan),
+        error_sum_bar=outcome[:, c.ERROR_SUM],
+        coarsest_contact_step=outcome[:, c.COARSEST],
+        estimate=error_estimate(base, outcome[:, c.ERROR_SUM]),
     )
