@@ -79,7 +79,8 @@ def simulate_batch(
     known = np.isin(status, (OK, NO_JUMP))
     x = outcome[:, c.COM_X] + outcome[:, c.COM_VX] * rise / fall
     y = outcome[:, c.COM_Y] + 0.5 * rise**2 / fall
-    stepped = outcome[:, c.STEPS] > 0.0
+    beam_over_frame = np.array([1.0 / m.frame.mass for m in models])
+    gap = outcome[:, c.SMALLEST_GAP] * base.robot.scales.length_m
     return Batch(
         x_bar=np.where(known, x, np.nan),
         y_bar=np.where(known, y, np.nan),
@@ -87,8 +88,8 @@ def simulate_batch(
         newton_iterations=outcome[:, c.ITERATIONS],
         steps=outcome[:, c.STEPS],
         kernel_seconds=march.kernel_seconds,
-        min_gap_m=np.where(stepped, outcome[:, c.SMALLEST_GAP] * base.robot.scales.length_m, np.nan),
+        min_gap_m=np.where(outcome[:, c.STEPS] > 0.0, gap, np.nan),
         error_sum_bar=outcome[:, c.ERROR_SUM],
         coarsest_contact_step=outcome[:, c.COARSEST],
-        estimate=error_estimate(base, outcome[:, c.ERROR_SUM]),
+        estimate=error_estimate(base, outcome[:, c.ERROR_SUM], beam_over_frame),
     )

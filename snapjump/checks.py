@@ -22,7 +22,7 @@ def shown(value: Any) -> str:
         text = " ".join(repr(value).split())
     except ValueError:  # an integer with thousands of digits
         text = f"a huge {type(value).__name__}"
-    return text if len(text) <= LONGEST else f"{text[:LONGEST - 20]} ... {text[-15:]}"
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 20]} ... {text[-15:]}"
 
 
 def is_finite_number(value: Any) -> bool:

@@ -10,7 +10,6 @@ from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.parameters.robot import Robot
 
-
 LAWS = ("logbarrier", "penalty", "hunt_crossley", "signorini")
 SMALLEST_EXPLICIT_STEP_S = 5.0e-9
 

@@ -36,6 +36,9 @@ BASE_ELEMENTS = 104.0
 MESH_X, MESH_Y = (0.12, 2.6), (0.07, 2.4)  # percent at BASE_ELEMENTS, and order
 # Two fixed nodes for a clamp are of first order.
 TWO_NODES = (3.0, 1.0)
+# A frame that is light against its beam shakes with it: all errors grow by this share of the
+# ratio of their masses.
+LIGHT_FRAME = 0.1
 
 
 class ErrorEstimate(NamedTuple):
@@ -68,11 +71,15 @@ def mesh_percent(discretization: Any) -> tuple[float, float]:
     return x, y
 
 
-def error_estimate(simulation: Simulation, error_sum: Any) -> ErrorEstimate:
-    """The estimate of jumps whose steps' estimates add up to ``error_sum`` (L)."""
-    steps = steps_factor(simulation) * np.asarray(error_sum, dtype=float)
+def error_estimate(simulation: Simulation, error_sum: Any, beam_over_frame: Any) -> ErrorEstimate:
+    """The estimate of jumps whose steps' estimates add up to ``error_sum`` (L).
+
+    ``beam_over_frame``: mass of the beam over that of the frame, of each.
+    """
+    light = 1.0 + LIGHT_FRAME * np.asarray(beam_over_frame)
+    steps = light * steps_factor(simulation) * np.asarray(error_sum, dtype=float)
     steps = steps / (1.0 + steps / LEVEL)
     mesh_x, mesh_y = mesh_percent(simulation.discretization)
-    x, y = steps + mesh_x, STEPS_Y * steps + mesh_y
+    x, y = steps + light * mesh_x, STEPS_Y * steps + light * mesh_y
     promise = TIERS[simulation.accuracy].promise_percent
     return ErrorEstimate(x, y, np.maximum(x, y) <= promise)

@@ -92,4 +92,6 @@ def outside(field: Field, random: np.random.Generator) -> float | int:
         return side
     far = 10.0 ** random.uniform(-6.0, 6.0) * max(abs(side), 1e-9)
     value = side - far if side == field.low else side + far
-    return math.floor(value) if whole and side == field.low else math.ceil(value) if whole else value
+    if not whole:
+        return value
+    return math.floor(value) if side == field.low else math.ceil(value)

@@ -61,8 +61,8 @@ def draw_map(found: Map, rows: Sequence[Row], path: Path) -> None:
     places = cells(found, rows)
     with picture(path, size, f"{found.name}: {found.up.label} against {found.across.label}") as fig:
         boxes = [
-            ((LEFT + k * (wide + BETWEEN)) / size[0], FOOT / size[1], wide / size[0], high / size[1])
-            for k in (0, 1)
+            (left / size[0], FOOT / size[1], wide / size[0], high / size[1])
+            for left in (LEFT, LEFT + wide + BETWEEN)
         ]
         status, error = (fig.add_axes(box) for box in boxes)
         _status(status, found, places)

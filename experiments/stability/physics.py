@@ -46,9 +46,7 @@ def spread(values: Sequence[float]) -> float:
     return 100.0 * float(np.ptp(values) / abs(np.mean(values))) if len(values) > 1 else 0.0
 
 
-def all_are(
-    rows: Rows, name: str, expected: str, meets: Callable[[Row], bool]
-) -> Check:
+def all_are(rows: Rows, name: str, expected: str, meets: Callable[[Row], bool]) -> Check:
     """A check that every one of some rows meets."""
     good = sum(meets(row) for row in rows)
     text = f"{good} of {len(rows)}: {statuses(rows)}"

@@ -20,9 +20,7 @@ RULES = {
 }
 
 
-def with_truth(
-    rows: Sequence[Row], truth: Sequence[Row], own: bool
-) -> list[Row]:
+def with_truth(rows: Sequence[Row], truth: Sequence[Row], own: bool) -> list[Row]:
     """The rows with ``true_error_percent`` (of x and y, the larger), where the truth is known."""
     known = {key(row, own): row for row in truth if row.get("status") in KNOWN}
     found = []
@@ -42,15 +40,23 @@ def key(row: Row, own: bool) -> Key:
 
 
 def true_errors(row: Mapping[str, Any], best: Mapping[str, Any]) -> tuple[float, float]:
-    """Errors of x and y (%), those of x relative to max(|x|, 0.1 y)."""
-    scale = max(abs(best["x_bar"]), 0.1 * best["y_bar"])
-    x = 100.0 * abs(row["x_bar"] - best["x_bar"]) / scale
-    return x, 100.0 * abs(row["y_bar"] - best["y_bar"]) / best["y_bar"]
+    """Errors of x and y (%), those of x relative to max(|x|, 0.1 y).
+
+    A robot that does not jump ends within its own size: its errors are relative to L. To take a
+    jump for none, or the reverse, is infinitely wrong.
+    """
+    if row["status"] != best["status"]:
+        return math.inf, math.inf
+    x_scale, y_scale = max(abs(best["x_bar"]), 0.1 * best["y_bar"]), best["y_bar"]
+    if row["status"] == "no_jump":
+        x_scale = y_scale = 1.0
+    x = 100.0 * abs(row["x_bar"] - best["x_bar"]) / x_scale
+    return x, 100.0 * abs(row["y_bar"] - best["y_bar"]) / y_scale
 
 
 def broken(row: Row, most_iterations: float, promise_percent: float, law: str) -> list[str]:
     """The rules that a row breaks."""
-    found = []
+    found: list[str] = []
     if row["status"] == REFUSED:
         return found
     if row["newton_iterations"] > most_iterations or row["seconds"] > LONGEST_S:

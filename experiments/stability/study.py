@@ -19,7 +19,7 @@ from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
 
 TIER = "draft"
-MOST_ITERATIONS = 1e5  # of a jump of the maps
+MOST_ITERATIONS = 2e5  # of a jump of the maps
 TRUTH_ITERATIONS = 3e5
 # The truth of the maps: finer than any promise that is tested against it.
 TRUTH = {"discretization": {"elements": 104}, "stepping": TIGHT, "integrator": {"name": "tr_bdf2"}}

@@ -66,9 +66,7 @@ class Dirk:
             )
         apart = min(b - a for a, b in pairwise(sorted(nodes)))
         if self.embedded is None and apart < SMALLEST_DISTANCE:
-            raise ParameterError(
-                "integrator.embedded", None, "weights, where stages share a time"
-            )
+            raise ParameterError("integrator.embedded", None, "weights, where stages share a time")
 
     @property
     def stages(self) -> int:
@@ -88,7 +86,7 @@ class Dirk:
             error[0], error[-1] = -ACCELERATION_ERROR, ACCELERATION_ERROR
             weights = np.array(self.weights)
             return QuadratureTableau(gamma, lower, nodes, weights, tuple(error.tolist()), 3.0)
-        comparison = self.embedded
+        comparison: Any = self.embedded
         order = float(self.order)
         if comparison is None:
             powers = np.arange(len(nodes))

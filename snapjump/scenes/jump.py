@@ -94,7 +94,7 @@ def jump_summary(simulation: Simulation, model: Any, outcome: Any) -> dict[str, 
     aloft = outcome[c.TIME] - outcome[c.LAST_CONTACT]
     nothing = math.nan
     known = status in (OK, NO_JUMP)
-    estimate = error_estimate(simulation, outcome[c.ERROR_SUM])
+    estimate = error_estimate(simulation, outcome[c.ERROR_SUM], 1.0 / model.frame.mass)
     return {
         "status": NAMES[status],
         "x_bar": x if known else nothing,
