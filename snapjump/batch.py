@@ -10,10 +10,11 @@ from snapjump.composition import Simulation
 from snapjump.ending.flight import FlightEnding
 from snapjump.engine import clock as c
 from snapjump.engine.status import NAMES, NO_JUMP, OK
+from snapjump.error_estimate import ErrorEstimate, error_estimate
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.scenes.jump_start import jump_model, resting_guess
-from snapjump.scenes.runner import March
+from snapjump.scenes.runner import MOST_ITERATIONS, March
 
 Array = NDArray[np.float64]
 
@@ -23,7 +24,9 @@ class Batch:
     """Outcomes of R jumps.
 
     x_bar, y_bar (R): apex in L, NaN for failures; status (R): names; newton_iterations, steps
-    (R); kernel_seconds: for all of them.
+    (R); kernel_seconds: for all of them; min_gap_m (R): smallest at the end of a step, NaN if
+    none was done; error_sum_bar (R): estimates of all steps added up, in L;
+    coarsest_contact_step (R): largest step times contact frequency; estimate: of the errors.
     """
 
     x_bar: Array
@@ -32,6 +35,10 @@ class Batch:
     newton_iterations: Array
     steps: Array
     kernel_seconds: float
+    min_gap_m: Array
+    error_sum_bar: Array
+    coarsest_contact_step: Array
+    estimate: ErrorEstimate
 
 
 def variants(
@@ -48,7 +55,9 @@ def variants(
     ]
 
 
-def simulate_batch(simulations: Sequence[Simulation], lanes: int = 8) -> Batch:
+def simulate_batch(
+    simulations: Sequence[Simulation], lanes: int = 8, most_iterations: float = MOST_ITERATIONS
+) -> Batch:
     """Simulate jumps that differ in design and environment only, ``lanes`` at a time."""
     base = simulations[0]
     models = [jump_model(s) for s in simulations]
@@ -60,6 +69,7 @@ def simulate_batch(simulations: Sequence[Simulation], lanes: int = 8) -> Batch:
         simulation=base,
         ending=FlightEnding(base.sim.time_limit_s / base.robot.scales.time_s),
         lanes=lanes,
+        most_iterations=most_iterations,
     )
     march.find_starts()
     outcome = march.run()
@@ -69,6 +79,8 @@ def simulate_batch(simulations: Sequence[Simulation], lanes: int = 8) -> Batch:
     known = np.isin(status, (OK, NO_JUMP))
     x = outcome[:, c.COM_X] + outcome[:, c.COM_VX] * rise / fall
     y = outcome[:, c.COM_Y] + 0.5 * rise**2 / fall
+    beam_over_frame = np.array([1.0 / m.frame.mass for m in models])
+    gap = outcome[:, c.SMALLEST_GAP] * base.robot.scales.length_m
     return Batch(
         x_bar=np.where(known, x, np.nan),
         y_bar=np.where(known, y, np.nan),
@@ -76,4 +88,8 @@ def simulate_batch(simulations: Sequence[Simulation], lanes: int = 8) -> Batch:
         newton_iterations=outcome[:, c.ITERATIONS],
         steps=outcome[:, c.STEPS],
         kernel_seconds=march.kernel_seconds,
+        min_gap_m=np.where(outcome[:, c.STEPS] > 0.0, gap, np.nan),
+        error_sum_bar=outcome[:, c.ERROR_SUM],
+        coarsest_contact_step=outcome[:, c.COARSEST],
+        estimate=error_estimate(base, outcome[:, c.ERROR_SUM], beam_over_frame),
     )

@@ -1,8 +1,11 @@
 """Checks of what users pass in: one clear error that names the key, the value and the range."""
 
 import math
-from collections.abc import Sequence
+import sys
+from collections.abc import Mapping, Sequence
 from typing import Any
+
+LONGEST = 80  # characters of a value that an error shows
 
 
 class ParameterError(ValueError):
@@ -10,7 +13,23 @@ class ParameterError(ValueError):
 
     def __init__(self, key: str, value: Any, allowed: str):
         self.key, self.value, self.allowed = key, value, allowed
-        super().__init__(f"{key} = {value!r} is not allowed: {allowed}")
+        super().__init__(f"{key} = {shown(value)} is not allowed: {allowed}")
+
+
+def shown(value: Any) -> str:
+    """A value in one line, the middle of a long one left out."""
+    try:
+        text = " ".join(repr(value).split())
+    except ValueError:  # an integer with thousands of digits
+        text = f"a huge {type(value).__name__}"
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 20]} ... {text[-15:]}"
+
+
+def is_finite_number(value: Any) -> bool:
+    """Whether it is a number that a float can hold; truth values are none."""
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return False
+    return -sys.float_info.max <= value <= sys.float_info.max
 
 
 def check_number(
@@ -27,7 +46,7 @@ def check_number(
     bracket = "(" if above or low == -math.inf else "["
     closing = ")" if high == math.inf else "]"
     allowed = f"a number in {bracket}{low:g}, {high:g}{closing}{unit}"
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+    if not is_finite_number(value):
         raise ParameterError(key, value, allowed)
     if value < low or value > high or (above and value == low):
         raise ParameterError(key, value, allowed)
@@ -41,5 +60,11 @@ def check_integer(key: str, value: Any, low: int, high: int) -> None:
 
 def check_choice(key: str, value: Any, choices: Sequence[str]) -> None:
     """Require one of the given words."""
-    if value not in choices:
+    if not isinstance(value, str) or value not in choices:
         raise ParameterError(key, value, "one of " + ", ".join(choices))
+
+
+def check_group(key: str, value: Any) -> None:
+    """Require a group of values by their names."""
+    if not isinstance(value, Mapping):
+        raise ParameterError(key, value, "a group of values by their names")

@@ -5,7 +5,7 @@ from dataclasses import fields
 from typing import Any
 
 from snapjump.accuracy import TIERS
-from snapjump.checks import ParameterError, check_choice
+from snapjump.checks import ParameterError, check_choice, check_group
 from snapjump.composition import Simulation, with_tier
 from snapjump.families import FAMILIES
 from snapjump.options.integrator import dirk_member
@@ -14,6 +14,7 @@ from snapjump.parameters.environment import Environment
 from snapjump.parameters.robot import Robot
 from snapjump.results import Result
 from snapjump.scenes.jump import simulate_jump_scene
+from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.registry import SCENES
 
 Progress = Callable[[float, str], None]
@@ -37,6 +38,9 @@ def build(config: Mapping[str, Any]) -> Simulation:
     ``environment`` have fields only; ``accuracy.name`` is the tier. An integrator that is not
     known but has ``rows`` is a Runge-Kutta method of that tableau. Raises ParameterError.
     """
+    check_group("configuration", config)
+    for group in (*PLAIN, *FAMILIES, "accuracy"):
+        check_group(group, config.get(group) or {})
     parts: dict[str, Any] = {}
     for group, cls in PLAIN.items():
         parts[group] = _construct(group, cls, config.get(group) or {})
@@ -45,13 +49,24 @@ def build(config: Mapping[str, Any]) -> Simulation:
         if not values:
             continue
         name = values.pop("name", None)
-        if family == "integrator" and "rows" in values and name not in members:
-            members[name] = dirk_member(str(name), "", values)
+        if family == "integrator" and "rows" in values and is_new_name(name, members):
+            members[name] = dirk_member(name, "", values)
         check_choice(family, name, tuple(members))
         parts[family] = _construct(family, members[name], values)
     accuracy = config.get("accuracy") or {}
     parts["accuracy"] = accuracy.get("name", "standard")
     return Simulation(**parts)
+
+
+def is_new_name(name: Any, members: Mapping[str, Any]) -> bool:
+    """Whether a name could be that of another member."""
+    return isinstance(name, str) and name.isidentifier() and name not in members
+
+
+def check_scene(simulation: Simulation) -> None:
+    """What only the robot's statics tell. Raises ParameterError if the scene cannot begin."""
+    if simulation.scene_name == "jump":
+        jump_model(simulation)
 
 
 def simulate(simulation: Simulation, progress: Progress | None = None) -> Result:

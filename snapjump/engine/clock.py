@@ -27,4 +27,6 @@ COM_VY = 23
 LAST_STEP = 24  # size of the last step that stood (T), 0 before the first
 STABLE_STEP = 25  # largest stable step at the last explicit stage (T)
 SMALLEST_STABLE_STEP = 26  # so far
-ROWS = 27
+ERROR_SUM = 27  # estimates of all steps that stood, added up (L)
+COARSEST = 28  # largest step that stood, times the contact frequency in it
+ROWS = 29

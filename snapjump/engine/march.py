@@ -15,7 +15,9 @@ from snapjump.contact.base import clearance
 from snapjump.ending.base import judge, leniency, time_limit
 from snapjump.engine.clock import (
     ACTIVE,
+    COARSEST,
     ERROR,
+    ERROR_SUM,
     FAILURES,
     GAP,
     ITERATIONS,
@@ -271,6 +273,8 @@ def finish_step(
         good = good & negate(closed)
     bad = ended & negate(good)
     clock[ERROR] = error
+    clock[ERROR_SUM] = clock[ERROR_SUM] + where(good, error, 0.0)
+    clock[COARSEST] = where(good, maximum(clock[COARSEST], h * rate), clock[COARSEST])
     clock[STEPS] = clock[STEPS] + where(good, 1.0, 0.0)
     clock[REJECTED] = clock[REJECTED] + where(bad, 1.0, 0.0)
     clock[FAILURES] = where(good, 0.0, clock[FAILURES])

@@ -2,7 +2,9 @@
 
 from dataclasses import dataclass
 
-from snapjump.checks import check_choice
+from snapjump.checks import ParameterError
+
+WIDTHS = (2, 4, 8, 16)
 
 
 @dataclass(frozen=True)
@@ -17,4 +19,5 @@ class LanesBackend:
     width: int = 8
 
     def __post_init__(self) -> None:
-        check_choice("backend.width", str(self.width), ("2", "4", "8", "16"))
+        if type(self.width) is not int or self.width not in WIDTHS:
+            raise ParameterError("backend.width", self.width, "one of 2, 4, 8, 16")

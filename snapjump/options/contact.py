@@ -131,8 +131,11 @@ def damping_number(restitution: float) -> float:
         return log1p(u) - log1p(-restitution * u) - (1.0 + restitution) * u
 
     # Towards u = 0 the excess is (e^2 - 1) u^2 / 2 < 0, towards 1/e it grows without bound.
-    low = min(1e-3, 0.1 * (1.0 - restitution))
-    return float(brentq(excess, low, (1.0 - 1e-15) / restitution, xtol=1e-15))
+    low, high = min(1e-3, 0.1 * (1.0 - restitution)), (1.0 - 1e-15) / restitution
+    if excess(high) < 0.0 or excess(low) > 0.0:
+        # Rounding hides the root: it is 1/e for small e, and nothing as e comes near 1.
+        return high if excess(high) < 0.0 else 0.0
+    return float(brentq(excess, low, high, xtol=1e-15))
 
 
 @dataclass(frozen=True)

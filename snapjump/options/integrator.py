@@ -1,7 +1,8 @@
 """Options of the integrators. A Runge-Kutta method is a YAML file in ``snapjump/tableaux``."""
 
-from dataclasses import dataclass, field, make_dataclass
+from dataclasses import MISSING, dataclass, field, fields, make_dataclass
 from importlib.resources import files
+from itertools import pairwise
 from typing import Any, ClassVar
 
 import numpy as np
@@ -17,6 +18,7 @@ from snapjump.integrator.quadrature_dirk import QuadratureTableau
 Rows = tuple[tuple[float, ...], ...]
 ACCELERATION_ERROR = 1.0 / 12.0  # of h^2 (a_1 - a_0), the error of the trapezoidal rule
 ROUNDING = 1e-12
+SMALLEST_DISTANCE = 1e-6  # of nodes that carry a quadrature
 
 
 @dataclass(frozen=True)
@@ -52,6 +54,20 @@ class Dirk:
             raise ParameterError(
                 "integrator.weights", list(self.weights), "null where stage 0 enters any stage"
             )
+        self._check_nodes()
+
+    def _check_nodes(self) -> None:
+        """A last stage that ends the step, and nodes that a quadrature can be built on."""
+        if self.weights is not None:
+            return
+        nodes = [sum(row) for row in self.rows]
+        if abs(nodes[-1] - 1.0) > ROUNDING:
+            raise ParameterError(
+                "integrator.rows", list(self.rows[-1]), "a last row that adds to 1, or weights"
+            )
+        apart = min(b - a for a, b in pairwise(sorted(nodes)))
+        if self.embedded is None and apart < SMALLEST_DISTANCE:
+            raise ParameterError("integrator.embedded", None, "weights, where stages share a time")
 
     @property
     def stages(self) -> int:
@@ -115,9 +131,16 @@ def dirk_class(name: str, text: str) -> type[Dirk]:
 
 def dirk_member(name: str, comment: str, values: dict[str, Any]) -> type[Dirk]:
     """A class of options with these values as defaults. Raises ParameterError for bad ones."""
+    known = {f.name: f.default is MISSING for f in fields(Dirk)}
+    for key, value in values.items():
+        if key not in known:
+            raise ParameterError(f"integrator.{key}", value, f"a tableau has {', '.join(known)}")
+    for key, needed in known.items():
+        if needed and key not in values:
+            raise ParameterError(f"integrator.{key}", None, "a value, which a tableau needs")
     given = vars(Dirk(**values))
-    fields = [(key, Any, field(default=value)) for key, value in given.items()]
-    cls = make_dataclass(name, fields, bases=(Dirk,), frozen=True)
+    defaults = [(key, Any, field(default=value)) for key, value in given.items()]
+    cls = make_dataclass(name, defaults, bases=(Dirk,), frozen=True)
     cls.__doc__ = comment
     return cls
 

@@ -2,7 +2,20 @@
 
 from dataclasses import dataclass
 
-from snapjump.checks import check_integer, check_number
+from snapjump.checks import ParameterError, check_integer, check_number
+
+MOST_SAMPLES = 200_000
+
+
+def check_samples(duration_s: float, interval_s: float) -> None:
+    """Require no more samples than fit in memory."""
+    if duration_s > MOST_SAMPLES * interval_s:
+        raise ParameterError(
+            "sim.sample_interval_s",
+            interval_s,
+            f"at least {duration_s / MOST_SAMPLES:g} s for {duration_s:g} s, which are "
+            f"{MOST_SAMPLES} samples",
+        )
 
 
 @dataclass(frozen=True)
@@ -21,6 +34,7 @@ class JumpScene:
         check_number("sim.start_fraction", self.start_fraction, 0.0, 0.95)
         check_number("sim.time_limit_s", self.time_limit_s, 0.0, above=True, unit="s")
         check_number("sim.sample_interval_s", self.sample_interval_s, 1e-7, above=True, unit="s")
+        check_samples(self.time_limit_s, self.sample_interval_s)
 
 
 @dataclass(frozen=True)
@@ -51,6 +65,7 @@ class SnapScene:
         check_number("sim.duration_s", self.duration_s, 0.0, above=True, unit="s")
         check_number("sim.rise_time_s", self.rise_time_s, 0.0, above=True, unit="s")
         check_number("sim.sample_interval_s", self.sample_interval_s, 1e-7, above=True, unit="s")
+        check_samples(self.duration_s, self.sample_interval_s)
 
 
 @dataclass(frozen=True)
@@ -77,6 +92,7 @@ class BounceScene:
         check_number("sim.speed_m_s", self.speed_m_s, 0.0, unit="m/s")
         check_number("sim.duration_s", self.duration_s, 0.0, above=True, unit="s")
         check_number("sim.sample_interval_s", self.sample_interval_s, 0.0, above=True, unit="s")
+        check_samples(self.duration_s, self.sample_interval_s)
 
 
 @dataclass(frozen=True)
@@ -98,3 +114,4 @@ class SlideScene:
         check_number("sim.duration_s", self.duration_s, 0.0, above=True, unit="s")
         check_number("sim.incline", self.incline, 0.0, 1.0)
         check_number("sim.sample_interval_s", self.sample_interval_s, 0.0, above=True, unit="s")
+        check_samples(self.duration_s, self.sample_interval_s)

@@ -13,6 +13,9 @@ LARGEST_STEP_BAR = 0.2
 # Newton's corrections are measured at their largest, errors by their root mean square: a largest
 # correction of five tolerances is an error of about one.
 NEWTON_SHARE = 5.0
+# Beyond this tolerance Newton's corrections, left as large, would close gaps and shake what the
+# next step begins with: steps of every size fail.
+LOOSEST_NEWTON_BAR = 1e-5
 NEWTON_TOLERANCE_BAR = 1e-9
 
 
@@ -53,5 +56,5 @@ class AdaptiveStepOptions:
             first=FIRST_STEP_BAR,
             smallest=SMALLEST_STEP_BAR,
             largest=LARGEST_STEP_BAR,
-            newton_share=NEWTON_SHARE,
+            newton_share=NEWTON_SHARE * min(1.0, LOOSEST_NEWTON_BAR / self.tolerance),
         )

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from snapjump.checks import ParameterError, check_number
-from snapjump.parameters.robot import Robot
+from snapjump.parameters.robot import SMALLEST, Robot
 
 
 @dataclass(frozen=True)
@@ -23,9 +23,12 @@ class Environment:
         Raises ParameterError if that is no more than the beam's own mass, or if there is no
         gravity to define m_bar with.
         """
-        if robot.gravity_m_s2 == 0.0:
+        if robot.gravity_m_s2 < SMALLEST:
             raise ParameterError(
-                "robot.gravity_m_s2", 0.0, "positive, since m_bar = m g L^2/EI defines the mass"
+                "robot.gravity_m_s2",
+                robot.gravity_m_s2,
+                f"at least {SMALLEST:g}, since without gravity a jump has no apex, and "
+                "m_bar = m g L^2/EI defines no mass",
             )
         per_mass = robot.gravity_m_s2 * robot.length_m**2 / robot.bending_stiffness_N_m2
         lightest = robot.beam_mass_kg * per_mass

@@ -7,6 +7,9 @@ from typing import Literal
 from snapjump.checks import ParameterError, check_number
 from snapjump.units import Scales
 
+# Of every number that has to be positive: their products and powers remain numbers.
+SMALLEST, LARGEST = 1e-15, 1e20
+
 
 @dataclass(frozen=True)
 class Robot:
@@ -38,10 +41,10 @@ class Robot:
             "frame_height_m",
         ):
             unit = name.rsplit("_", 1)[1].replace("kg", "kg/m^3") if name[-1] != "3" else "kg/m^3"
-            check_number(f"robot.{name}", getattr(self, name), 0.0, above=True, unit=unit)
-        check_number("robot.gravity_m_s2", self.gravity_m_s2, 0.0, unit="m/s^2")
+            check_number(f"robot.{name}", getattr(self, name), SMALLEST, LARGEST, unit=unit)
+        check_number("robot.gravity_m_s2", self.gravity_m_s2, 0.0, LARGEST, unit="m/s^2")
         check_number(
-            "robot.rotation_rate_rad_s", self.rotation_rate_rad_s, 0.0, above=True, unit="rad/s"
+            "robot.rotation_rate_rad_s", self.rotation_rate_rad_s, SMALLEST, LARGEST, unit="rad/s"
         )
         check_number("robot.rotation_end_rad", self.rotation_end_rad, 0.0, math.pi / 2, unit="rad")
         if self.thickness_m > 0.1 * self.length_m:

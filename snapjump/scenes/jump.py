@@ -9,7 +9,8 @@ import numpy as np
 from snapjump.composition import Simulation
 from snapjump.ending.flight import FlightEnding
 from snapjump.engine import clock as c
-from snapjump.engine.status import NAMES, OK, REASONS
+from snapjump.engine.status import NAMES, NO_JUMP, OK, REASONS
+from snapjump.error_estimate import error_estimate
 from snapjump.options.backend import ScalarBackend
 from snapjump.recorder.none import NoRecorder
 from snapjump.recorder.trajectory import make_recorder
@@ -92,7 +93,8 @@ def jump_summary(simulation: Simulation, model: Any, outcome: Any) -> dict[str, 
     begun = model.clamp.start / model.clamp.rate
     aloft = outcome[c.TIME] - outcome[c.LAST_CONTACT]
     nothing = math.nan
-    known = status in (1, 2)
+    known = status in (OK, NO_JUMP)
+    estimate = error_estimate(simulation, outcome[c.ERROR_SUM], 1.0 / model.frame.mass)
     return {
         "status": NAMES[status],
         "x_bar": x if known else nothing,
@@ -113,4 +115,8 @@ def jump_summary(simulation: Simulation, model: Any, outcome: Any) -> dict[str, 
         else nothing,
         "max_residual": float(outcome[c.LARGEST_RESIDUAL]),
         "accuracy": simulation.accuracy,
+        "x_error_estimate_percent": float(estimate.x_percent) if known else nothing,
+        "y_error_estimate_percent": float(estimate.y_percent) if known else nothing,
+        "error_estimate_percent": float(estimate.percent) if known else nothing,
+        "within_tier": known and bool(estimate.within_tier),
     }

@@ -22,9 +22,23 @@ from snapjump.scenes.frame_body import rigid_frame
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.chain_state import chain_state
 from snapjump.statics.elastica import buckled_arch, resampled
-from snapjump.statics.threshold import symmetric_threshold
+from snapjump.statics.threshold import Threshold, symmetric_threshold
 
 Array = NDArray[np.float64]
+
+
+def critical(simulation: Simulation) -> Threshold:
+    """The symmetric arch's critical angle and depth. Raises ParameterError where it has none."""
+    robot, mesh = simulation.robot, simulation.discretization
+    try:
+        return symmetric_threshold(robot, mesh, simulation.design.epsilon)
+    except (ArithmeticError, ValueError) as error:  # numpy's LinAlgError is a ValueError
+        raise ParameterError(
+            "design.epsilon",
+            simulation.design.epsilon,
+            f"a pre-compression that buckles the beam of this robot and mesh "
+            f"({mesh.elements} elements), and that snaps back when its clamps turn",
+        ) from error
 
 
 def mount_height_bar(simulation: Simulation) -> float:
@@ -32,7 +46,7 @@ def mount_height_bar(simulation: Simulation) -> float:
     robot = simulation.robot
     if robot.mount_height != "optimal":
         return float(robot.mount_height) / robot.length_m
-    return symmetric_threshold(robot, simulation.discretization, simulation.design.epsilon).h1_bar
+    return critical(simulation).h1_bar
 
 
 def resting_gap(contact: Any, weight: float, points: float) -> float:
@@ -56,10 +70,7 @@ def resting_gap(contact: Any, weight: float, points: float) -> float:
 
 def start_angle_rad(simulation: Simulation) -> float:
     """Left clamp angle at which the motion starts."""
-    critical = symmetric_threshold(
-        simulation.robot, simulation.discretization, simulation.design.epsilon
-    )
-    return simulation.sim.start_fraction * critical.alpha_rad
+    return simulation.sim.start_fraction * critical(simulation).alpha_rad
 
 
 def check_mount_height(simulation: Simulation, start: float) -> None:

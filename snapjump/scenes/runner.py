@@ -39,6 +39,7 @@ class March:
     lanes: int = 1
     velocities: Array | None = None
     accelerations: Array | None = None
+    most_iterations: float = MOST_ITERATIONS
 
     def __post_init__(self) -> None:
         robots, size = self.states.shape
@@ -90,7 +91,7 @@ class March:
             self.scheme,
             self.stepping,
             self.ending,
-            Limits(ITERATIONS_PER_STAGE, MOST_ITERATIONS),
+            Limits(ITERATIONS_PER_STAGE, self.most_iterations),
             self.recorder,
             self.memory,
             self.queue,

@@ -18,6 +18,7 @@ from snapjump.parameters.robot import Robot
 from snapjump.statics.arch import StaticArch
 
 APPROACH_STEPS = 10
+MOST_DEVIATION = 0.4  # of the critical angle from its estimate
 # Shares of the angle guessed so far, in rounds that come nearer.
 ROUNDS = ((0.80, 0.84, 0.88), (0.90, 0.93, 0.95, 0.965), (0.97, 0.98, 0.987, 0.992, 0.996, 0.998))
 
@@ -65,4 +66,7 @@ def symmetric_threshold(
         degree = len(shares) - 1
         critical = float(Polynomial.fit(stability, middle, degree)(0.0))
         guess = float(Polynomial.fit(middle, angle, degree)(critical))
+        # Too shallow an arch, or too coarse a mesh for it: the branch is not one that snaps.
+        if not abs(guess - estimate) < MOST_DEVIATION * estimate:
+            raise ArithmeticError(f"no critical angle near {estimate:g} rad")
     return Threshold(guess, float(Polynomial.fit(middle, depth, degree)(critical)))

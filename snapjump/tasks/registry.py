@@ -12,6 +12,9 @@ TASKS = {
     "simulate": "snapjump.tasks.simulate:Simulate",
     "tradeoff": "experiments.tradeoff.study:Tradeoff",
     "convergence": "experiments.convergence.study:Convergence",
+    "stability": "experiments.stability.study:Stability",
+    "robustness": "experiments.robustness.study:Robustness",
+    "scenes": "experiments.scenes.study:Scenes",
 }
 STUDIES = "experiments."
 

@@ -24,11 +24,12 @@ class Simulate:
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Build the simulation, which checks every value; then that none was left out."""
-        from snapjump.simulation import build
+        from snapjump.simulation import build, check_scene
 
         self._config = config
         self._simulation = build(config)
         check_complete(config, self._simulation)
+        check_scene(self._simulation)
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         """Simulate, and leave the trajectory and the figures."""

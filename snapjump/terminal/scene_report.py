@@ -28,6 +28,7 @@ def scene_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list[
         (scene, title),
         *results,
         ("accuracy", _accuracy(config)),
+        ("warning", _warning(config, summary)),
         ("cost", _cost(summary)),
     ]
 
@@ -62,6 +63,18 @@ def _accuracy(config: Mapping[str, Any]) -> str:
     if changed:
         return f"{name}, but for {', '.join(changed)}: its error is not known"
     return f"{name}: {accuracy['known_error']}"
+
+
+def _warning(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
+    """A jump that says of itself that it is worse than its tier."""
+    estimate = summary.get("error_estimate_percent")
+    if estimate is None or summary.get("within_tier", True):
+        return ""
+    name = config["accuracy"]["name"]
+    return (
+        f"estimated error {estimate:.2g} %, more than the {TIERS[name].promise_percent:g} % that "
+        f"{name} stands for"
+    )
 
 
 def _jump_title(config: Mapping[str, Any]) -> str:

@@ -1,0 +1,1 @@
+"""Random designs far outside the paper's ranges, and random nonsense: what becomes of them."""

@@ -1,0 +1,97 @@
+"""Every value that a user can set, and values that it must not have: what invalid input is made of.
+
+The range of a number is read from the error that refuses NaN, so that a member that is added is
+covered as it is.
+"""
+
+import math
+import re
+from dataclasses import MISSING, dataclass, fields
+from typing import Any
+
+import numpy as np
+
+from snapjump.checks import ParameterError
+from snapjump.families import FAMILIES
+from snapjump.simulation import PLAIN
+
+RANGE = re.compile(r"(?:a number|an integer) in ([\[(])(\S+), (\S+)([\])])")
+NOT_NUMBERS: tuple[Any, ...] = ("much", "", "1e-5", None, [1.0], {"a": 1.0}, True, 1j, 10**400)
+NOT_WORDS: tuple[Any, ...] = ("", "no such word", None, 3, -1.0, ["optimal"], {}, True)
+NOT_ROWS: tuple[Any, ...] = (5, "rows", [], [[0.0]], [[1.0], [0.0, 1.0]], [[0.0], [0.5, -0.5]])
+NOT_WEIGHTS: tuple[Any, ...] = (5, "weights", [], [1.0], {"a": 1.0})
+NOT_FINITE = (math.nan, math.inf, -math.inf)
+
+
+@dataclass(frozen=True)
+class Field:
+    """A value of a group (of the member ``name`` of a family), its default and its range.
+
+    ``low``, ``high``: of a number, NaN for anything else; ``open_low``: ``low`` is not allowed.
+    """
+
+    group: str
+    name: str
+    key: str
+    default: Any
+    low: float = math.nan
+    high: float = math.nan
+    open_low: bool = False
+
+    @property
+    def is_number(self) -> bool:
+        return not math.isnan(self.low)
+
+
+def all_fields() -> list[Field]:
+    """Of the robot, the design, the environment and every member of every family."""
+    found = []
+    for group, cls in PLAIN.items():
+        found += _fields(group, "", cls)
+    for family, members in FAMILIES.items():
+        for name, cls in members.items():
+            found += _fields(family, name, cls)
+    return found
+
+
+def _fields(group: str, name: str, cls: Any) -> list[Field]:
+    found = []
+    for one in fields(cls):
+        default = None if one.default is MISSING else one.default
+        low, high, open_low = math.nan, math.nan, False
+        try:
+            cls(**{one.name: math.nan})
+        except ParameterError as error:
+            match = RANGE.search(error.allowed)
+            if match and not isinstance(default, str):
+                low, high = float(match[2]), float(match[3])
+                open_low = match[1] == "("
+        found.append(Field(group, name, one.name, default, low, high, open_low))
+    return found
+
+
+def wrong_type(field: Field, random: np.random.Generator) -> Any:
+    """A value of a wrong type or, for a word, another word."""
+    if field.is_number:
+        choices = NOT_NUMBERS
+    elif field.key == "rows":
+        choices = NOT_ROWS
+    elif field.key in ("weights", "embedded"):
+        choices = NOT_WEIGHTS
+    else:
+        choices = NOT_WORDS
+    return choices[random.integers(len(choices))]
+
+
+def outside(field: Field, random: np.random.Generator) -> float | int:
+    """A number just or far outside the range."""
+    whole = isinstance(field.default, int)
+    sides = [s for s in (field.low, field.high) if math.isfinite(s)]
+    side = sides[random.integers(len(sides))]
+    if side == field.low and field.open_low and random.random() < 0.3:
+        return side
+    far = 10.0 ** random.uniform(-6.0, 6.0) * max(abs(side), 1e-9)
+    value = side - far if side == field.low else side + far
+    if not whole:
+        return value
+    return math.floor(value) if side == field.low else math.ceil(value)

@@ -1,0 +1,50 @@
+"""designs.png: where random designs jump, do not, or fail, and how many iterations they take."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from snapjump.plots import palette
+from snapjump.plots.saving import picture
+from snapjump.studies.base import Row
+
+AXES = {
+    "delta_alpha_rad": "delta_alpha (rad)",
+    "epsilon": "epsilon",
+    "mass_bar": "m_bar",
+    "mu": "mu",
+}
+PLANES = (("delta_alpha_rad", "epsilon"), ("mass_bar", "mu"))
+COLOURS = {"ok": palette.SKY, "no_jump": palette.CLAMP}
+FAILED = (palette.FORCE, palette.PLUM, palette.CENTRE, palette.INK)
+
+
+def draw_designs(rows: Sequence[Row], path: Path) -> None:
+    """Two planes of the four parameters, and the distribution of Newton iterations."""
+    size = (15.0, 5.0)
+    names = sorted({row["status"] for row in rows}, key=lambda n: (n not in COLOURS, n))
+    others = dict(zip([n for n in names if n not in COLOURS], FAILED, strict=False))
+    with picture(path, size, f"{len(rows)} random designs") as figure:
+        for k, plane in enumerate(PLANES):
+            axes = figure.add_axes((0.055 + 0.325 * k, 0.12, 0.27, 0.74))
+            for name in names:
+                some = [row for row in rows if row["status"] == name]
+                usual = name in COLOURS
+                axes.plot([row[plane[0]] for row in some], [row[plane[1]] for row in some],
+                          "." if usual else "x", ms=2.2 if name == "ok" else 5,
+                          color=COLOURS.get(name) or others.get(name, palette.INK),
+                          alpha=0.6 if usual else 1.0, mew=0 if usual else 1.4,
+                          label=f"{len(some)} {name}")  # fmt: skip
+            axes.set_xlabel(AXES[plane[0]])
+            axes.set_ylabel(AXES[plane[1]])
+            if k == 0:
+                axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4, markerscale=2.0)
+        axes = figure.add_axes((0.73, 0.12, 0.25, 0.74))
+        taken = [row["newton_iterations"] for row in rows if "newton_iterations" in row]
+        counts = np.array([max(v, 1.0) for v in taken])
+        edges = np.geomspace(counts.min(), counts.max() * 1.01, 60)
+        axes.hist(counts, edges, color=palette.BEAM, log=True)
+        axes.set_xscale("log")
+        axes.set_xlabel("Newton iterations of a jump")
+        axes.set_ylabel("designs")

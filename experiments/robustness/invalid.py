@@ -1,0 +1,123 @@
+"""Random configurations that make no sense, and whether each is refused in one clear line."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from experiments.robustness.combinations import COMBINATIONS
+from experiments.robustness.fields import NOT_FINITE, Field, all_fields, outside, wrong_type
+from snapjump.checks import ParameterError
+from snapjump.families import FAMILIES
+from snapjump.simulation import PLAIN, build, check_scene
+
+REFUSED, ACCEPTED, CRASHED, UNCLEAR = "refused", "accepted", "crashed", "unclear"
+LONGEST_LINE = 400
+NOT_GROUPS: tuple[Any, ...] = ("jump", 5, 1.5, [1], True, ("name",))
+NOT_NAMES: tuple[Any, ...] = (None, 3, "", "no such member", ["jump"], {"name": 1}, True)
+
+
+@dataclass(frozen=True)
+class Invalid:
+    """A configuration, what is wrong with it, and the key that the refusal must name."""
+
+    kind: str
+    key: str
+    config: Mapping[str, Any]
+
+
+def invalid_configurations(count: int, seed: int) -> list[Invalid]:
+    """So many, all kinds in turn."""
+    random = np.random.default_rng(seed)
+    listed = all_fields()
+    kinds = (
+        of_wrong_type,
+        not_finite,
+        out_of_range,
+        unknown_key,
+        unknown_member,
+        not_a_group,
+        combination,
+    )
+    return [kinds[k % len(kinds)](listed, random) for k in range(count)]
+
+
+def groups_with(field: Field, value: Any) -> dict[str, Any]:
+    """Only the group of the field: whatever else is wrong with the scene comes later."""
+    name = {"name": field.name} if field.name else {}
+    return {field.group: {**name, field.key: value}}
+
+
+def of_wrong_type(listed: list[Field], random: np.random.Generator) -> Invalid:
+    """A value of a wrong type."""
+    field = listed[random.integers(len(listed))]
+    value = wrong_type(field, random)
+    return Invalid("wrong type", f"{field.group}.{field.key}", groups_with(field, value))
+
+
+def not_finite(listed: list[Field], random: np.random.Generator) -> Invalid:
+    """NaN or infinity."""
+    numbers = [f for f in listed if f.is_number]
+    field = numbers[random.integers(len(numbers))]
+    value = NOT_FINITE[random.integers(len(NOT_FINITE))]
+    return Invalid("not finite", f"{field.group}.{field.key}", groups_with(field, value))
+
+
+def out_of_range(listed: list[Field], random: np.random.Generator) -> Invalid:
+    """A number outside the range that errors state."""
+    numbers = [f for f in listed if f.is_number]
+    field = numbers[random.integers(len(numbers))]
+    return Invalid(
+        "out of range", f"{field.group}.{field.key}", groups_with(field, outside(field, random))
+    )
+
+
+def unknown_key(listed: list[Field], random: np.random.Generator) -> Invalid:
+    """A key that the group does not have: one with a letter missing, doubled or exchanged."""
+    field = listed[random.integers(len(listed))]
+    place = int(random.integers(1, len(field.key)))
+    key = (
+        field.key[:place] + field.key[place + 1 :] + "_",
+        field.key[:place] + field.key[place - 1] + field.key[place:],
+        field.key.upper(),
+    )[random.integers(3)]
+    if key == field.key:
+        key += "x"
+    groups = groups_with(field, field.default)
+    groups[field.group] = {k if k != field.key else key: v for k, v in groups[field.group].items()}
+    return Invalid("unknown key", f"{field.group}.{key}", groups)
+
+
+def unknown_member(listed: list[Field], random: np.random.Generator) -> Invalid:
+    """A member that the family does not have."""
+    family = list(FAMILIES)[random.integers(len(FAMILIES))]
+    name = NOT_NAMES[random.integers(len(NOT_NAMES))]
+    return Invalid("unknown member", family, {family: {"name": name, "any": 1.0}})
+
+
+def not_a_group(listed: list[Field], random: np.random.Generator) -> Invalid:
+    """A value where a group belongs."""
+    groups = [*PLAIN, *FAMILIES, "accuracy"]
+    group = groups[random.integers(len(groups))]
+    return Invalid("not a group", group, {group: NOT_GROUPS[random.integers(len(NOT_GROUPS))]})
+
+
+def combination(listed: list[Field], random: np.random.Generator) -> Invalid:
+    """Members or numbers that are fine by themselves and not together."""
+    key, make = COMBINATIONS[random.integers(len(COMBINATIONS))]
+    return Invalid("combination", key, make(random))
+
+
+def refusal(invalid: Invalid) -> tuple[str, str]:
+    """What becomes of it (one of the four words above), and the error."""
+    try:
+        check_scene(build(invalid.config))
+    except ParameterError as error:
+        text = str(error)
+        clear = "\n" not in text and len(text) <= LONGEST_LINE and error.allowed
+        named = text.startswith(invalid.key) and text.split(" = ")[0] == error.key
+        return REFUSED if clear and named else UNCLEAR, text
+    except Exception as error:
+        return CRASHED, f"{type(error).__name__}: {error}"
+    return ACCEPTED, ""

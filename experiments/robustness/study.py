@@ -1,0 +1,187 @@
+"""``python run.py task=robustness``: random designs, random nonsense, and what becomes of each."""
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from experiments.compositions import composed, groups_of
+from experiments.robustness.figures import draw_designs
+from experiments.robustness.invalid import REFUSED, Invalid, invalid_configurations, refusal
+from experiments.stability.jumps import jump_rows
+from experiments.stability.rules import RULES, broken
+from experiments.tradeoff.tiers import tier_groups
+from snapjump.accuracy import TIERS
+from snapjump.checks import ParameterError, check_integer
+from snapjump.studies.base import Cell, Conclusion, Done, Figure, Row, Table
+from snapjump.studies.study import Study
+
+TIER = "draft"
+# delta_alpha (rad), epsilon, m_bar, mu: the paper's ranges made twice as wide about their middle,
+# cut where a beam would not buckle, a robot be lighter than its beam, and friction negative.
+LOW = (-0.08, 0.001, 0.01, 0.0)
+HIGH = (0.28, 0.4, 2.85, 0.85)
+# The statics of an epsilon take longer than a jump: designs share so many.
+EPSILONS = 256
+PART = 1000  # designs of a cell
+MOST_ITERATIONS = 2e5
+DESIGNS, CONFIGURATIONS = (10_000, 100_000), (500, 5_000)  # quick, full
+
+
+class Robustness(Study):
+    """Counts by status over ranges twice as wide as the paper's; invalid configurations."""
+
+    options = ("designs", "configurations")
+    sources = (
+        "experiments.robustness.study",
+        "experiments.robustness.invalid",
+        "experiments.stability.jumps",
+    )
+
+    def plan(self, config: Mapping[str, Any]) -> list[Cell]:
+        """Parts of the designs, and the configurations."""
+        if config["sim"]["name"] != "jump":
+            raise ParameterError("sim", config["sim"]["name"], "jump with task=robustness")
+        base = tier_groups(groups_of(config), TIER)
+        base["accuracy"] = {"name": TIER}
+        composed(base)
+        designs = self._option("designs", DESIGNS, 1_000_000)
+        configurations = self._option("configurations", CONFIGURATIONS, 100_000)
+        seed = int(config["seed"])
+        parts = range(0, designs, PART)
+        return [
+            Cell("configurations", {"count": configurations, "seed": seed}),
+            *(
+                Cell(
+                    f"designs {first} to {min(first + PART, designs) - 1}",
+                    {"groups": base, "first": first, "count": min(PART, designs - first),
+                     "seed": seed},
+                )
+                for first in parts
+            ),
+        ]  # fmt: skip
+
+    def _option(self, key: str, defaults: tuple[int, int], high: int) -> int:
+        value = self.config["task"][key]
+        chosen = defaults[self.full] if value is None else value
+        check_integer(f"task.{key}", chosen, 1, high)
+        return int(chosen)
+
+    def compute(self, cell: Cell) -> list[Row]:
+        """A row for each design, or for each configuration."""
+        inputs = cell.inputs
+        if cell.name == "configurations":
+            found = invalid_configurations(inputs["count"], inputs["seed"])
+            return [configuration_row(one) for one in found]
+        designs = random_designs(inputs["count"], (inputs["seed"], inputs["first"]))
+        point = {"across": "", "up": "", "groups": inputs["groups"]}
+        rows = jump_rows([point], designs, MOST_ITERATIONS)
+        keys = ("delta_alpha_rad", "epsilon", "mass_bar", "mu")
+        return [
+            dict(zip(keys, designs[row["design"]], strict=True))
+            | {k: v for k, v in row.items() if k not in ("across", "up", "design")}
+            for row in rows
+        ]
+
+    def conclude(self, done: Mapping[str, Done]) -> Conclusion:
+        """Counts, the slowest, and what was not refused as it should be."""
+        rows = [row for name, cell in done.items() if name != "configurations" for row in cell.rows]
+        configurations = done["configurations"].rows
+        counts = by_status(rows)
+        promise = TIERS[TIER].promise_percent
+        violations = [
+            {"rule": rule, **row}
+            for row in rows
+            for rule in broken(row, MOST_ITERATIONS, promise, "logbarrier")
+        ]
+        wrong = [row for row in configurations if row["outcome"] != REFUSED]
+        summary = {
+            "designs": len(rows),
+            **{f"status_{name}": count for name, count in counts.items()},
+            **{f"broken_{r}": sum(v["rule"] == r for v in violations) for r in RULES},
+            **figures_of(rows),
+            "configurations": len(configurations),
+            "configurations_refused": len(configurations) - len(wrong),
+        }
+        return Conclusion(
+            title="Robustness",
+            findings=[
+                f"{len(rows)} random designs: "
+                + ", ".join(f"{n} {name}" for name, n in counts.items())
+                + "; " + ", ".join(f"{summary[f'broken_{rule}']} x {text}"
+                                   for rule, text in RULES.items() if rule != "silent") + ".",
+                f"The slowest took {summary['most_newton_iterations']:.0f} Newton iterations (the "
+                f"median {summary['median_newton_iterations']:.0f}); the smallest gap was "
+                f"{summary['smallest_gap_m']:.2g} m; {summary['within_tier_percent']:.3g} % of the "
+                "jumps say of themselves that they are within their tier.",
+                f"{summary['configurations_refused']} of {len(configurations)} invalid "
+                "configurations were refused in one line that names the key.",
+            ],
+            tables={
+                "statuses": Table("Designs by status", [dict(counts)]),
+                "failures": Table("Designs that failed", [
+                    row for row in rows if row["status"] not in ("ok", "no_jump")][:50]),
+                "violations": Table("Rules that were broken", violations[:50]),
+                "configurations": Table("Invalid configurations by kind",
+                                        kinds(configurations)),
+                "not_refused": Table("Configurations that were not refused as they should be",
+                                     wrong),
+            },
+            figures={
+                "designs": Figure("Random designs by status, and what they cost",
+                                  partial(draw_designs, rows)),
+            },
+            summary=summary,
+        )  # fmt: skip
+
+
+def random_designs(count: int, seed: Sequence[int]) -> list[tuple[float, ...]]:
+    """So many designs (delta_alpha, epsilon, m_bar, mu), uniform in their ranges."""
+    random = np.random.default_rng(list(seed))
+    values = random.uniform(LOW, HIGH, (count, 4))
+    grid = np.linspace(LOW[1], HIGH[1], EPSILONS)
+    values[:, 1] = grid[random.integers(EPSILONS, size=count)]
+    return [tuple(float(v) for v in row) for row in values]
+
+
+def configuration_row(one: Invalid) -> Row:
+    """What became of an invalid configuration."""
+    outcome, message = refusal(one)
+    return {
+        "kind": one.kind,
+        "key": one.key,
+        "config": str(one.config)[:200],
+        "outcome": outcome,
+        "message": message,
+    }
+
+
+def by_status(rows: Sequence[Row]) -> dict[str, int]:
+    """Counts, most frequent first."""
+    names = [row["status"] for row in rows]
+    return {name: names.count(name) for name in sorted(set(names), key=lambda n: -names.count(n))}
+
+
+def kinds(configurations: Sequence[Row]) -> list[Row]:
+    """Counts by kind and outcome."""
+    found: dict[str, Row] = {}
+    for row in configurations:
+        counts = found.setdefault(row["kind"], {"kind": row["kind"], "all": 0})
+        counts["all"] += 1
+        counts[row["outcome"]] = counts.get(row["outcome"], 0) + 1
+    return list(found.values())
+
+
+def figures_of(rows: Sequence[Row]) -> dict[str, float]:
+    """Extremes over all jumps."""
+    ran = [row for row in rows if "newton_iterations" in row]
+    iterations = np.array([row["newton_iterations"] for row in ran])
+    gaps = [row["min_gap_m"] for row in ran if row["min_gap_m"] is not None]
+    return {
+        "most_newton_iterations": float(iterations.max()),
+        "median_newton_iterations": float(np.median(iterations)),
+        "smallest_gap_m": float(min(gaps)),
+        "within_tier_percent": 100.0 * float(np.mean([row["within_tier"] for row in ran])),
+        "longest_part_s": float(max(row["seconds"] for row in ran)),
+    }

@@ -1,0 +1,1 @@
+"""What each scene leaves out, and what that saves and changes."""

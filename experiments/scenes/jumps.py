@@ -1,0 +1,141 @@
+"""Jumps with and without what the scene leaves out: loading, flight, the frame's bending.
+
+Times are the shortest of a few repetitions, of kernels, starts included.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from experiments.compositions import changed, composed
+from snapjump.batch import simulate_batch, variants
+from snapjump.checks import ParameterError
+from snapjump.composition import Simulation
+from snapjump.ending.apex import ApexEnding
+from snapjump.engine import clock as c
+from snapjump.engine.status import NAMES, OK
+from snapjump.families import FAMILIES
+from snapjump.scenes.jump_start import jump_model, resting_guess
+from snapjump.scenes.runner import March
+from snapjump.simulation import simulate
+from snapjump.studies.base import Row
+
+LANES = 8
+FLIGHT_LIMIT_S = 2.0
+FLOWN_HEIGHT = 1.0  # L: higher than any robot stands
+
+Designs = Sequence[tuple[float, float, float, float]]
+Found = tuple[list[Row], float]  # a row a design, and seconds
+
+
+def timed(run: Callable[[], Found], repeats: int) -> Found:
+    """The rows, and the shortest time after one run that compiles."""
+    run()
+    runs = [run() for _ in range(repeats)]
+    return runs[0][0], min(seconds for _, seconds in runs)
+
+
+def ballistic(simulation: Simulation, designs: Designs) -> Found:
+    """Jumps that end as soon as nothing can touch the ground any more: the scene as it is."""
+    batch = simulate_batch(variants(simulation, designs), LANES)
+    rows = [
+        {"status": s, "x_bar": float(x), "y_bar": float(y), "newton_iterations": float(n)}
+        for s, x, y, n in zip(
+            batch.status, batch.x_bar, batch.y_bar, batch.newton_iterations, strict=True
+        )
+    ]
+    return rows, batch.kernel_seconds
+
+
+def flown(simulation: Simulation, designs: Designs) -> Found:
+    """The same jumps followed through the air until the centre of mass sinks."""
+    simulations = variants(simulation, designs)
+    models = [jump_model(one) for one in simulations]
+    states = np.array([resting_guess(s, m) for s, m in zip(simulations, models, strict=True)])
+    march = March(
+        models=models,
+        masses=simulation.discretization.masses(),
+        states=states,
+        simulation=simulation,
+        ending=ApexEnding(FLIGHT_LIMIT_S / simulation.robot.scales.time_s, FLOWN_HEIGHT),
+        lanes=LANES,
+    )
+    march.find_starts()
+    rows = []
+    for model, outcome in zip(models, march.run(), strict=True):
+        status = int(outcome[c.STATUS])
+        fall = model.load.acceleration
+        # The step that ended has passed the apex by less than itself: back along the parabola.
+        past = outcome[c.COM_VY] / fall if status == OK else np.nan
+        rows.append(
+            {
+                "status": NAMES[status],
+                "x_bar": float(outcome[c.COM_X] + outcome[c.COM_VX] * past),
+                "y_bar": float(outcome[c.COM_Y] + 0.5 * outcome[c.COM_VY] * past),
+                "newton_iterations": float(outcome[c.ITERATIONS]),
+            }
+        )
+    return rows, march.kernel_seconds
+
+
+def one_by_one(simulation: Simulation, designs: Designs) -> Found:
+    """Jumps of any composition, one after the other."""
+    rows, seconds = [], 0.0
+    for one in variants(simulation, designs):
+        result = simulate(one)
+        seconds += float(result.summary["kernel_seconds"])
+        rows.append({k: result.summary[k] for k in ("status", "x_bar", "y_bar",
+                                                    "newton_iterations")})  # fmt: skip
+    return rows, seconds
+
+
+def start_rows(groups: Mapping[str, Any], designs: Designs, repeats: int) -> list[Row]:
+    """The quasi-static start against clamps that turn from flat."""
+    late = composed(groups)
+    early = replace(late, sim=replace(late.sim, start_fraction=0.0))
+    return compared(
+        timed(lambda: ballistic(early, designs), repeats),
+        timed(lambda: ballistic(late, designs), repeats),
+    )
+
+
+def ending_rows(groups: Mapping[str, Any], designs: Designs, repeats: int) -> list[Row]:
+    """The ballistic end against a flight to the apex."""
+    simulation = composed(groups)
+    return compared(
+        timed(lambda: flown(simulation, designs), repeats),
+        timed(lambda: ballistic(simulation, designs), repeats),
+    )
+
+
+def frame_rows(groups: Mapping[str, Any], designs: Designs, repeats: int) -> list[Row]:
+    """The rigid frame against the elastic one, robot by robot."""
+    if "elastic" not in FAMILIES["frame"]:
+        raise ParameterError("frame", "elastic", "one of " + ", ".join(FAMILIES["frame"]))
+    rigid, elastic = composed(groups), composed(changed(groups, {"frame": {"name": "elastic"}}))
+    return compared(
+        timed(lambda: one_by_one(elastic, designs), 1), timed(lambda: one_by_one(rigid, designs), 1)
+    )
+
+
+def compared(all_of_it: Found, scene: Found) -> list[Row]:
+    """A row for each design: outcomes with everything and as the scene has it, and the times."""
+    (full, full_s), (short, short_s) = all_of_it, scene
+    count = len(full)
+    return [
+        {
+            "full_status": a["status"],
+            "scene_status": b["status"],
+            "full_x": a["x_bar"],
+            "full_y": a["y_bar"],
+            "scene_x": b["x_bar"],
+            "scene_y": b["y_bar"],
+            "full_newton_iterations": a["newton_iterations"],
+            "scene_newton_iterations": b["newton_iterations"],
+            "full_ms": 1e3 * full_s / count,
+            "scene_ms": 1e3 * short_s / count,
+        }
+        for a, b in zip(full, short, strict=True)
+    ]

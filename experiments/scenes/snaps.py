@@ -1,0 +1,93 @@
+"""A snap without ground, with contact compiled out and compiled in but out of reach."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from experiments.compositions import composed
+from experiments.scenes.jumps import Found, compared, timed
+from snapjump.clamp.smooth_start import SmoothStart
+from snapjump.ending.timed import TimedEnding
+from snapjump.engine import clock as c
+from snapjump.engine.model import Model
+from snapjump.engine.status import NAMES
+from snapjump.families import FAMILIES
+from snapjump.frame.fixed import FixedFrame
+from snapjump.load.none import NoLoad
+from snapjump.scenes.runner import March
+from snapjump.statics.arch import StaticArch
+from snapjump.studies.base import Row
+
+ABOVE = 2.0  # L: mounts so high that nothing comes near the ground
+LAG_STEP = 0.02  # rad, between equilibria
+
+
+def snap_rows(
+    groups: Mapping[str, Any], designs: list[tuple[float, float]], repeats: int
+) -> list[Row]:
+    """Snaps of designs (delta_alpha, epsilon): where and how fast the midpoint is at the end."""
+    return compared(
+        timed(lambda: snaps(groups, designs, "logbarrier"), repeats),
+        timed(lambda: snaps(groups, designs, "none"), repeats),
+    )
+
+
+def snaps(groups: Mapping[str, Any], designs: list[tuple[float, float]], contact: str) -> Found:
+    """Outcomes of snaps one after the other, with a contact law that never acts or with none."""
+    simulation = composed(groups)
+    law = FAMILIES["contact"][contact]().member(simulation.robot.scales, simulation.discretization)
+    rows, seconds = [], 0.0
+    for lag, epsilon in designs:
+        one = replace(simulation, design=replace(simulation.design, epsilon=epsilon,
+                                                 delta_alpha=lag))  # fmt: skip
+        march = snap_march(one, law)
+        outcome = march.run()[0]
+        seconds += march.kernel_seconds
+        middle = march.memory.state.shape[0] // 2
+        rows.append(
+            {
+                "status": NAMES[int(outcome[c.STATUS])],
+                "x_bar": float(march.memory.state[middle - middle % 2, 0]),
+                "y_bar": float(march.memory.state[middle - middle % 2 + 1, 0]) - ABOVE,
+                "newton_iterations": float(outcome[c.ITERATIONS]),
+            }
+        )
+    return rows, seconds
+
+
+def snap_march(simulation: Any, law: Any) -> March:
+    """The snap scene's march, its mounts above a ground."""
+    robot, scene, scales = simulation.robot, simulation.sim, simulation.robot.scales
+    arch = StaticArch(robot, simulation.discretization, simulation.design.epsilon)
+    lag = simulation.design.delta_alpha
+    state = arch.settle(arch.guess(), 0.0, 0.0)
+    turns = max(1, math.ceil(abs(lag) / LAG_STEP))
+    for k in range(1, turns + 1):
+        state = arch.settle(state, 0.0, -lag * k / turns)
+    state = state.copy()
+    state[1 :: arch.node_dofs] += ABOVE
+    model = Model(
+        discretization=simulation.discretization.member(robot),
+        frame=FixedFrame(0.5 * (1.0 - simulation.design.epsilon), ABOVE),
+        clamp=SmoothStart(
+            start=0.0,
+            end=robot.rotation_end_rad,
+            rate=robot.rotation_rate_rad_s * scales.time_s,
+            delta_alpha=lag,
+            rise_time=scene.rise_time_s / scales.time_s,
+        ),
+        contact=law,
+        friction=simulation.friction.member(scales, 0.0),
+        damping=simulation.damping.member(scales),
+        load=NoLoad(),
+    )
+    return March(
+        models=[model],
+        masses=simulation.discretization.masses(),
+        states=np.array([state]),
+        simulation=simulation,
+        ending=TimedEnding(scene.duration_s / scales.time_s),
+    )

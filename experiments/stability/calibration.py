@@ -1,0 +1,100 @@
+"""The error estimate against true errors: what its factors are fitted to, and how well it keeps."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from experiments.compositions import Groups, changed
+from experiments.errors import percentile
+from experiments.stability.jumps import KNOWN
+from experiments.tradeoff.tiers import tier_groups
+from snapjump.studies.base import Row
+
+Array = NDArray[np.float64]
+TIERS = ("draft", "standard")
+FIXED_STEPS = (1e-6, 3e-6, 1e-5, 3e-5, 1e-4)
+TOLERANCES = (1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3)
+ADAPTIVE = ("tr_bdf2", "sdirk2")
+ELEMENTS = (24, 32, 40, 56, 72, 104, 152)
+WITHIN = 2.0  # of the estimate, for COVERED of the designs
+COVERED = 0.95
+TIGHT = {"name": "adaptive", "tolerance": 2e-9, "contact_steps": 1.0}
+
+
+def levels(base: Groups, integrators: Sequence[str]) -> dict[str, dict[str, Groups]]:
+    """By kind and level: fixed steps, tolerances, meshes with time well resolved, tiers."""
+    found: dict[str, dict[str, Groups]] = {}
+    for name in integrators:
+        found[f"{name}, fixed steps"] = {
+            f"dt {dt:g} s": changed(
+                base,
+                {"integrator": {"name": name}, "stepping": {"name": "fixed", "step_s": dt}},
+            )
+            for dt in FIXED_STEPS
+        }
+    for name in ADAPTIVE:
+        found[f"{name}, adaptive"] = {
+            f"tolerance {tol:g}": changed(
+                base, {"integrator": {"name": name}, "stepping": {"tolerance": tol}}
+            )
+            for tol in TOLERANCES
+        }
+    found["meshes, time resolved"] = {
+        f"{n} elements": changed(base, {"discretization": {"elements": n}, "stepping": TIGHT})
+        for n in ELEMENTS
+    }
+    found["tiers"] = {name: tier_groups(base, name) for name in TIERS}
+    return found
+
+
+def columns(rows: Sequence[Row], *keys: str) -> list[Array]:
+    """Columns of the rows that have an apex and a truth."""
+    good = [r for r in rows if r["status"] in KNOWN and "true_x_percent" in r]
+    return [np.array([float(r[k]) for r in good]) for k in keys]
+
+
+def coverage(true: Array, estimate: Array) -> float:
+    """Share of the true errors below twice the estimate."""
+    return float(np.mean(true < WITHIN * estimate)) if len(true) else float("nan")
+
+
+def level_row(kind: str, level: str, rows: Sequence[Row]) -> Row:
+    """True and estimated errors of a level."""
+    x, y, ex, ey, total = columns(
+        rows, "true_x_percent", "true_y_percent", "x_estimate_percent", "y_estimate_percent",
+        "error_sum_bar",
+    )  # fmt: skip
+    if len(x) == 0:
+        return {"composition": kind, "level": level, "jumps": len(rows), "known": 0}
+    return {
+        "composition": kind,
+        "level": level,
+        "jumps": len(rows),
+        "known": len(x),
+        "error_sum_bar": float(np.median(total)),
+        "x_true_p95_percent": percentile(x, 95.0),
+        "x_estimate_percent": float(np.median(ex)),
+        "x_covered": coverage(x, ex),
+        "y_true_p95_percent": percentile(y, 95.0),
+        "y_estimate_percent": float(np.median(ey)),
+        "y_covered": coverage(y, ey),
+        "within_tier": float(np.mean([bool(r["within_tier"]) for r in rows])),
+    }
+
+
+def overall(by_level: Mapping[Any, Sequence[Row]]) -> dict[str, float]:
+    """Of all levels together: coverage, correlation of logarithms, and how cautious it is."""
+    rows = [row for some in by_level.values() for row in some]
+    x, y, ex, ey = columns(
+        rows, "true_x_percent", "true_y_percent", "x_estimate_percent", "y_estimate_percent"
+    )
+    seen = x > 0.0
+    return {
+        "calibration_jumps": len(x),
+        "x_covered_share": coverage(x, ex),
+        "y_covered_share": coverage(y, ey),
+        "log_correlation_x": float(np.corrcoef(np.log(x[seen]), np.log(ex[seen]))[0, 1]),
+        "x_estimate_over_true_median": float(np.median(ex[seen] / x[seen])),
+    }

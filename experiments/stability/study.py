@@ -1,0 +1,212 @@
+"""``python run.py task=stability``: the extremes, and whether every result says how good it is."""
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+from typing import Any
+
+from experiments.compositions import Groups, changed, composed, groups_of
+from experiments.designs import spread_designs
+from experiments.stability.axes import DESIGNS, INTEGRATORS, Map, maps
+from experiments.stability.calibration import TIGHT, level_row, levels, overall
+from experiments.stability.figures import draw_calibration, draw_map, shares
+from experiments.stability.jumps import jump_rows
+from experiments.stability.physics import Check, checks
+from experiments.stability.rules import RULES, broken, with_truth
+from experiments.tradeoff.tiers import tier_groups
+from snapjump.accuracy import TIERS
+from snapjump.checks import ParameterError, check_integer
+from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
+from snapjump.studies.study import Study
+
+TIER = "draft"
+MOST_ITERATIONS = 2e5  # of a jump of the maps
+TRUTH_ITERATIONS = 3e5
+# The truth of the maps: finer than any promise that is tested against it.
+TRUTH = {"discretization": {"elements": 104}, "stepping": TIGHT, "integrator": {"name": "tr_bdf2"}}
+SPLIT = ("steps", "law")  # maps with a cell for every value going up: one compilation each
+CALIBRATION_DESIGNS = (32, 96)  # quick, full
+SHARED_TRUTH = "truth of the designs"
+SPREAD_TRUTH = "truth of the calibration"
+
+
+class Stability(Study):
+    """Maps of status and error over the extremes; calibration of the error estimate."""
+
+    options = ("designs",)
+    sources = (
+        "experiments.stability.axes",
+        "experiments.stability.jumps",
+        "experiments.stability.calibration",
+    )
+
+    def plan(self, config: Mapping[str, Any]) -> list[Cell]:
+        """The maps, the truth that goes with each, and the levels of the calibration."""
+        if config["sim"]["name"] != "jump":
+            raise ParameterError("sim", config["sim"]["name"], "jump with task=stability")
+        base = tier_groups(groups_of(config), TIER)
+        base["accuracy"] = {"name": TIER}
+        composed(base)
+        given = config["task"]["designs"]
+        count = CALIBRATION_DESIGNS[self.full] if given is None else given
+        check_integer("task.designs", count, 2, 4096)
+        spread = spread_designs(count, config["seed"])
+        self.maps = maps(self.full)
+        self.levels = levels(base, INTEGRATORS)
+        self.parts: dict[str, list[str]] = {}
+        found = [
+            jumps(SHARED_TRUTH, [at(changed(base, TRUTH))], DESIGNS, TRUTH_ITERATIONS),
+            jumps(SPREAD_TRUTH, [at(tier_groups(base, "reference"))], spread, TRUTH_ITERATIONS),
+        ]
+        for one in self.maps:
+            found += self._map_cells(one, base)
+        for kind, by_level in self.levels.items():
+            points = [at(groups, level) for level, groups in by_level.items()]
+            found.append(jumps(kind, points, spread, TRUTH_ITERATIONS))
+        return found
+
+    def _map_cells(self, one: Map, base: Groups) -> list[Cell]:
+        found = []
+        rows = [(up,) for up in one.up.values] if one.name in SPLIT else [one.up.values]
+        self.parts[one.name] = []
+        for ups in rows:
+            name = f"{one.name}, {ups[0]}" if len(rows) > 1 else one.name
+            self.parts[one.name].append(name)
+            for suffix, change, most in (
+                ("", {}, MOST_ITERATIONS),
+                (", truth", TRUTH, TRUTH_ITERATIONS),
+            ):
+                if suffix and not one.own_truth:
+                    continue
+                points = [
+                    {
+                        "across": across,
+                        "up": up,
+                        "groups": changed(one.groups(base, across, up), change),
+                    }
+                    for up in ups
+                    for across in one.across.values
+                ]
+                found.append(jumps(name + suffix, points, one.designs, most))
+        return found
+
+    def compute(self, cell: Cell) -> list[Row]:
+        """A row for each jump."""
+        inputs = cell.inputs
+        return jump_rows(inputs["points"], inputs["designs"], inputs["most_iterations"])
+
+    def conclude(self, done: Mapping[str, Done]) -> Conclusion:
+        """Rules, physics, and how well the estimate keeps."""
+        found = {one.name: self._map_rows(one, done) for one in self.maps}
+        violations = [
+            {"map": name, "rule": rule, **shortened(row)}
+            for name, rows in found.items()
+            for row in rows
+            for rule in broken(row, MOST_ITERATIONS, TIERS[TIER].promise_percent, law_of(name, row))
+        ]
+        expected = checks(found)
+        truth = done[SPREAD_TRUTH].rows
+        by_kind: dict[str, list[Row]] = {}
+        by_level: dict[tuple[str, str], list[Row]] = {}
+        for kind, by_name in self.levels.items():
+            rows = with_truth(done[kind].rows, truth, own=False) if done[kind].status == OK else []
+            by_kind[kind] = rows
+            for level in by_name:
+                by_level[kind, level] = [row for row in rows if row["up"] == level]
+        figures = overall(by_level)
+        jumps_in_all = sum(len(rows) for rows in found.values())
+        return Conclusion(
+            title="Stability at the extremes",
+            findings=[
+                rules_kept(violations, jumps_in_all),
+                physics_kept(expected),
+                estimate_kept(figures),
+            ],
+            tables={
+                "physics": Table("What physics says, and what came out",
+                                 [check.row() for check in expected]),
+                "violations": Table("Rules that were broken", violations),
+                "statuses": Table("Jumps by status", [
+                    {"map": name, **shares(rows)} for name, rows in found.items()]),
+                "estimate": Table("True and estimated errors, by composition and level",
+                                  [level_row(*k, rows) for k, rows in by_level.items()]),
+            },
+            figures={
+                "calibration": Figure(
+                    "The error that a jump estimates of itself against its true error",
+                    partial(draw_calibration, by_kind),
+                ),
+                **{
+                    one.name: Figure(
+                        f"{one.up.label} against {one.across.label}: status and error",
+                        partial(draw_map, one, found[one.name]),
+                    )
+                    for one in self.maps
+                },
+            },
+            summary={
+                "map_jumps": jumps_in_all,
+                **{f"broken_{rule}": sum(v["rule"] == rule for v in violations) for rule in RULES},
+                "physics_checks": len(expected),
+                "physics_broken": sum(not check.holds for check in expected),
+                **figures,
+            },
+        )  # fmt: skip
+
+    def _map_rows(self, one: Map, done: Mapping[str, Done]) -> list[Row]:
+        """The rows of a map with their true errors."""
+        rows: list[Row] = []
+        for name in self.parts[one.name]:
+            truth = done[f"{name}, truth" if one.own_truth else SHARED_TRUTH]
+            rows += with_truth(done[name].rows, truth.rows, one.own_truth)
+        return rows
+
+
+def jumps(
+    name: str, points: Sequence[Row], designs: Sequence[Sequence[float]], most_iterations: float
+) -> Cell:
+    """A cell of jumps."""
+    listed = [list(design) for design in designs]
+    return Cell(name, {"points": points, "designs": listed, "most_iterations": most_iterations})
+
+
+def at(groups: Groups, level: str = "") -> Row:
+    """A point that lies on no map."""
+    return {"across": "", "up": level, "groups": groups}
+
+
+def law_of(name: str, row: Row) -> str:
+    """The contact law of a row of a map."""
+    return str(row["up"]) if name == "law" else "logbarrier"
+
+
+def shortened(row: Row) -> Row:
+    """What a table of violations shows of a row."""
+    keys = ("across", "up", "design", "status", "x_bar", "y_bar", "true_error_percent",
+            "x_estimate_percent", "min_gap_m", "newton_iterations", "seconds")  # fmt: skip
+    return {key: row[key] for key in keys if key in row}
+
+
+def rules_kept(violations: Sequence[Row], jumps_in_all: int) -> str:
+    """The hard rules in a sentence."""
+    counts = [
+        f"{sum(v['rule'] == rule for v in violations)} x {text}" for rule, text in RULES.items()
+    ]
+    return f"Over {jumps_in_all} jumps of the maps: {'; '.join(counts)}."
+
+
+def physics_kept(expected: Sequence[Check]) -> str:
+    """The expectations in a sentence."""
+    lost = [check.name for check in expected if not check.holds]
+    text = f"{len(expected) - len(lost)} of {len(expected)} expectations of physics are met"
+    return f"{text}; not met: {', '.join(lost)}." if lost else f"{text}."
+
+
+def estimate_kept(figures: Mapping[str, float]) -> str:
+    """The calibration in a sentence."""
+    return (
+        f"Over {figures['calibration_jumps']} jumps of the calibration the true error is below "
+        f"twice the estimate in {100.0 * figures['x_covered_share']:.3g} % (x) and "
+        f"{100.0 * figures['y_covered_share']:.3g} % (y); the estimate of x is "
+        f"{figures['x_estimate_over_true_median']:.2g} times the true error in the median, and "
+        f"their logarithms correlate with {figures['log_correlation_x']:.2f}."
+    )
