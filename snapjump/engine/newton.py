@@ -21,13 +21,14 @@ from snapjump.engine.clock import (
     SHARE,
     SIZE,
 )
-from snapjump.frame.base import frame_dofs, limit_frame_step, place_ends
-from snapjump.linear_solver.banded import (
-    begin_elimination,
-    eliminate_node,
+from snapjump.frame.base import (
+    border_width,
+    frame_dofs,
+    limit_frame_step,
+    place_ends,
     solve_frame,
-    substitute_back,
 )
+from snapjump.linear_solver.banded import begin_elimination, eliminate_node, substitute_back
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, any_true, maximum, minimum, negate, where
 
@@ -45,11 +46,13 @@ class Correction(NamedTuple):
 
 
 @kernel
-def allowed_share(model: Any, masses: Any, state: Any, frame_drop: Any, drop: Any) -> Any:
+def allowed_share(
+    model: Any, masses: Any, mesh: Any, state: Any, frame_drop: Any, drop: Any
+) -> Any:
     """Share of ``state -= drop`` (at most 1) by which no gap shrinks below GAP_FRACTION."""
-    share = limit_frame_step(model.frame, state, frame_drop, GAP_FRACTION)
+    share = limit_frame_step(model.frame, mesh, state, frame_drop, GAP_FRACTION)
     if has_contact(model.contact):
-        offset = frame_dofs(model.frame)
+        offset = frame_dofs(model.frame, mesh)
         for node in range(masses.shape[0]):
             if masses[node] == 0.0:
                 continue
@@ -62,9 +65,9 @@ def allowed_share(model: Any, masses: Any, state: Any, frame_drop: Any, drop: An
 
 
 @kernel
-def largest_of_three(values: Any, largest: Any) -> Any:
-    """The largest absolute value of three, or ``largest`` if that is larger."""
-    for k in range(3):
+def largest_of(values: Any, count: Any, largest: Any) -> Any:
+    """The largest absolute value of the first few, or ``largest`` if that is larger."""
+    for k in range(count):
         largest = maximum(largest, absolute(values[k]))
     return largest
 
@@ -86,7 +89,8 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
     A node is eliminated as soon as it is complete, while its columns are still in fast memory.
     """
     system = work.system
-    bordered = frame_dofs(model.frame) > 0
+    dofs = frame_dofs(model.frame, work.mesh)
+    bordered = border_width(model.frame) > 0
     nodes = masses.shape[0]
     zero = 0.0 * motion.rate_factor
     sweep = begin_assembly(model, motion, work)
@@ -99,11 +103,18 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
     residual = done.largest
     negative = done.negative
     correction = zero
+    x = zero
+    y = zero
+    t = zero
     if bordered:
-        residual = largest_of_three(system.frame_residual, residual)
-        negative = negative + solve_frame(system, done)
-        correction = largest_of_three(system.frame_residual, correction)
-    correction = maximum(correction, substitute_back(system, bordered, zero))
+        residual = largest_of(system.frame_residual, dofs, residual)
+        border = solve_frame(model.frame, work.mesh, work.state, system, done)
+        negative = negative + border.negative
+        correction = largest_of(system.frame_residual, dofs, correction)
+        x = border.x
+        y = border.y
+        t = border.t
+    correction = maximum(correction, substitute_back(system, bordered, x, y, t, zero))
     return Solution(end_assembly(sweep), residual, correction, negative)
 
 
@@ -121,7 +132,7 @@ def newton_iteration(
     """Correct ``work.state`` in the masked lanes; what is returned of the others is void."""
     clock = work.clock
     size = work.state.shape[0]
-    dofs = frame_dofs(model.frame)
+    dofs = frame_dofs(model.frame, work.mesh)
     tiny = 1e-300 + 0.0 * motion.rate_factor
     x = work.system.residual
     y = work.system.frame_residual
@@ -138,7 +149,7 @@ def newton_iteration(
     # A correction that outgrows the last one tells that the last one went too far: halve that.
     half = 0.5 * clock[SHARE]
     share = minimum(
-        allowed_share(model, masses, work.state, y, x),
+        allowed_share(model, masses, work.mesh, work.state, y, x),
         LARGEST_CORRECTION / maximum(correction, tiny),
     )
     share = where(finite & mask, share, 0.0)
@@ -151,7 +162,8 @@ def newton_iteration(
         work.change[i] = where(back, work.change[i], step)
     if has_elements(model.discretization):
         angles = clamp_angles(model.clamp, motion.time)
-        place_ends(model.frame, clamp_offset(model.discretization), angles, work.state)
+        offset = clamp_offset(model.discretization)
+        place_ends(model.frame, work.mesh, offset, angles, work.state)
 
     # The error left is about the correction times the rate of convergence.
     rate = where(first, 1.0, minimum(correction / maximum(clock[SIZE], tiny), 1.0 + 0.0 * tiny))

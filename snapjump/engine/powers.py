@@ -6,7 +6,16 @@ from snapjump.clamp.base import clamp_angles
 from snapjump.contact.base import contact_force, contact_reach, contact_weights, has_contact
 from snapjump.damping.base import mass_damping
 from snapjump.discretization.base import chain_powers, clamp_offset, has_elements
-from snapjump.frame.base import corner_point, end_tangents, frame_dofs, frame_mass
+from snapjump.frame.base import (
+    contact_point,
+    contact_points,
+    end_tangents,
+    frame_dissipation,
+    frame_dofs,
+    frame_mass,
+    mount_turning,
+    point_weight,
+)
 from snapjump.friction.base import has_friction, is_lagged, slip
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import where
@@ -25,8 +34,9 @@ def sliding_force(model: Any, gap: Any, velocity: Any, weight: Any) -> Any:
 @routine
 def friction_power(model: Any, masses: Any, work: Any, state: Any, velocity: Any) -> Any:
     """Power that friction takes out (EI/(L T)); lagged laws use the step's beginning."""
-    offset = frame_dofs(model.frame)
-    by_node, by_corner = contact_weights(model.contact)
+    mesh = work.mesh
+    offset = frame_dofs(model.frame, mesh)
+    by_node, _ = contact_weights(model.contact)
     lagged = is_lagged(model.friction)
     power = 0.0 * state[0]
     for node in range(masses.shape[0]):
@@ -35,23 +45,24 @@ def friction_power(model: Any, masses: Any, work: Any, state: Any, velocity: Any
             gap = work.start[i + 1] if lagged else state[i + 1]
             speed = work.velocity[0, i] if lagged else velocity[i]
             power = power + sliding_force(model, gap, speed, by_node) * velocity[i]
-    if offset > 0:
-        for corner in range(4):
-            _, gap, speed = corner_point(model.frame, corner, state, velocity)
-            force_gap = gap
-            force_speed = speed
-            if lagged:
-                _, force_gap, force_speed = corner_point(
-                    model.frame, corner, work.start, work.velocity[0]
-                )
-            power = power + sliding_force(model, force_gap, force_speed, by_corner) * speed
+    for point in range(contact_points(model.frame, mesh)):
+        _, gap, speed = contact_point(model.frame, mesh, point, state, velocity)
+        weight = point_weight(model.frame, mesh, point, model.contact)
+        force_gap = gap
+        force_speed = speed
+        if lagged:
+            _, force_gap, force_speed = contact_point(
+                model.frame, mesh, point, work.start, work.velocity[0]
+            )
+        power = power + sliding_force(model, force_gap, force_speed, weight) * speed
     return power
 
 
 @routine
 def powers(model: Any, masses: Any, work: Any, time: Any, state: Any, velocity: Any) -> Any:
     """Losses by friction and by damping, and the power that the clamps put in (EI/(L T))."""
-    offset = frame_dofs(model.frame)
+    mesh = work.mesh
+    offset = frame_dofs(model.frame, mesh)
     friction = 0.0 * state[0]
     damping = 0.0 * state[0]
     clamps = 0.0 * state[0]
@@ -63,11 +74,12 @@ def powers(model: Any, masses: Any, work: Any, time: Any, state: Any, velocity: 
         speed_squared = velocity[i] * velocity[i] + velocity[i + 1] * velocity[i + 1]
         damping = damping + drag * masses[node] * speed_squared
     for k in range(offset):
-        damping = damping + drag * frame_mass(model.frame, k) * velocity[k] * velocity[k]
+        damping = damping + drag * frame_mass(model.frame, mesh, k) * velocity[k] * velocity[k]
+    damping = damping + frame_dissipation(model.frame, model.damping, mesh, state, velocity)
     if has_elements(model.discretization):
         angles = clamp_angles(model.clamp, time)
-        turn_rate = velocity[2] if offset > 0 else 0.0 * state[0]
-        tangents = end_tangents(model.frame, model.load, angles, state, turn_rate)
+        turning = mount_turning(model.frame, mesh, state, velocity)
+        tangents = end_tangents(model.frame, mesh, model.load, angles, state, turning)
         chain = chain_powers(
             model.discretization, model.damping, state[offset:], velocity[offset:], tangents
         )

@@ -104,8 +104,9 @@ def begin_stage(model: Any, tableau: Any, masses: Any, work: Any, mask: Any) -> 
         work.drift[i] = where(mask, drift, work.drift[i])
         work.state[i] = state
         work.change[i] = where(mask, state - aim, work.change[i])
-    dofs = frame_dofs(model.frame)
-    allowed = allowed_share(model, masses, work.state, work.change, work.change[dofs:])
+    mesh = work.mesh
+    drop = work.change[frame_dofs(model.frame, mesh) :]
+    allowed = allowed_share(model, masses, mesh, work.state, work.change, drop)
     allowed = where(mask, allowed, 0.0)
     for i in range(size):
         work.state[i] = work.state[i] - allowed * work.change[i]
@@ -117,7 +118,7 @@ def begin_stage(model: Any, tableau: Any, masses: Any, work: Any, mask: Any) -> 
     if has_elements(model.discretization):
         time = clock[TIME] + pick(tableau.nodes, stage) * step
         angles = clamp_angles(model.clamp, time)
-        place_ends(model.frame, clamp_offset(model.discretization), angles, work.state)
+        place_ends(model.frame, mesh, clamp_offset(model.discretization), angles, work.state)
 
 
 @kernel

@@ -15,20 +15,36 @@ from snapjump.contact.base import (
 from snapjump.damping.base import mass_damping
 from snapjump.discretization.base import EndTangents
 from snapjump.frame.base import (
+    BorderSolution,
+    FrameBox,
     FrameForces,
+    Turning,
     add_frame_forces,
+    border_width,
     condense_first,
     condense_last,
+    contact_point,
+    contact_points,
     corner_point,
     end_tangents,
+    frame_box,
+    frame_dissipation,
     frame_dofs,
+    frame_energy,
     frame_mass,
+    frame_moments,
     limit_frame_step,
+    mount_turning,
     place_ends,
+    point_weight,
+    rest_frame,
+    slide_frame,
+    solve_frame,
 )
-from snapjump.frame.ends import release_first_node, release_last_node
+from snapjump.frame.ends import move_first, move_last
 from snapjump.frame.rigid_corners import add_corner_friction, corner_arm
 from snapjump.friction.base import has_friction
+from snapjump.linear_solver import banded
 from snapjump.load.base import gravity
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, any_true, cos, maximum, minimum, sin, where
@@ -47,21 +63,33 @@ class RigidFrame(NamedTuple):
 
 
 @frame_dofs.member(RigidFrame)
-def _frame_dofs(frame: RigidFrame) -> int:
+def _frame_dofs(frame: RigidFrame, mesh: Any) -> int:
     return 3
 
 
+@border_width.member(RigidFrame)
+def _border_width(frame: RigidFrame) -> int:
+    return 3
+
+
+@mount_turning.member(RigidFrame)
+def _mount_turning(frame: RigidFrame, mesh: Any, state: Any, vector: Any) -> Turning:
+    return Turning(vector[2], vector[2])
+
+
 @end_tangents.member(RigidFrame)
-def _end_tangents(frame: RigidFrame, load: Any, angles: Any, state: Any, velocity: Any) -> Any:
+def _end_tangents(
+    frame: RigidFrame, mesh: Any, load: Any, angles: Any, state: Any, turning: Turning
+) -> Any:
     left = state[2] - angles.left
     right = state[2] + angles.right
     return EndTangents(
         cos(left),
         sin(left),
-        velocity - angles.left_rate,
+        turning.left - angles.left_rate,
         cos(right),
         sin(right),
-        velocity + angles.right_rate,
+        turning.right + angles.right_rate,
         0.0 * left,
         0.0 * left,
     )
@@ -90,8 +118,9 @@ def last_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Any:
 
 
 @place_ends.member(RigidFrame)
-def _place_ends(frame: RigidFrame, offset: Any, angles: Any, state: Any) -> None:
-    tangents = _end_tangents(frame, 0.0, angles, state, 0.0 * state[2])
+def _place_ends(frame: RigidFrame, mesh: Any, offset: Any, angles: Any, state: Any) -> None:
+    still = Turning(0.0 * state[2], 0.0 * state[2])
+    tangents = _end_tangents(frame, mesh, 0.0, angles, state, still)
     lx, ly = first_arm(frame, offset, tangents, state[2])
     rx, ry = last_arm(frame, offset, tangents, state[2])
     last = state.shape[0] - 2
@@ -101,120 +130,30 @@ def _place_ends(frame: RigidFrame, offset: Any, angles: Any, state: Any) -> None
     state[last + 1] = state[1] + ry
 
 
-@kernel
-def add_arm(
-    kxx: Any,
-    kxy: Any,
-    kyy: Any,
-    cx: Any,
-    cy: Any,
-    hinge: Any,
-    sign: Any,
-    fx: Any,
-    fy: Any,
-    arm_x: Any,
-    arm_y: Any,
-    residual: Any,
-    square: Any,
-) -> None:
-    """Move an end node's own block, force and hinge onto the frame.
-
-    (kxx, kxy, kyy): the node's block; (cx, cy): its coupling with the frame's direction through
-    the hinge; ``sign``: d(hinge angle)/d(frame's direction).
-    """
-    sx = -arm_y
-    sy = arm_x
-    residual[0] += fx
-    residual[1] += fy
-    residual[2] += sx * fx + sy * fy + sign * hinge.moment
-    tx = kxx * sx + kxy * sy + cx
-    ty = kxy * sx + kyy * sy + cy
-    square[0, 0] += kxx
-    square[0, 1] += kxy
-    square[1, 0] += kxy
-    square[1, 1] += kyy
-    square[0, 2] += tx
-    square[2, 0] += tx
-    square[1, 2] += ty
-    square[2, 1] += ty
-    square[2, 2] += (
-        sx * tx + sy * ty + sx * cx + sy * cy + hinge.stiffness - arm_x * fx - arm_y * fy
-    )
-
-
 @condense_first.member(RigidFrame)
 def _condense_first(
-    frame: RigidFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: RigidFrame, mesh: Any, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
 ) -> None:
-    residual = system.frame_residual
-    nodes = system.residual
-    band = system.band
-    border = system.border
     lx, ly = first_arm(frame, offset, tangents, state[2])
-    # The left hinge's angle falls with the frame's direction; its edge leaves node 0.
-    coupling = hinge.stiffness
-    add_arm(
-        band[0, 0],
-        band[0, 1],
-        band[1, 0],
-        coupling * hinge.slope_x,
-        coupling * hinge.slope_y,
-        hinge,
-        -1.0,
-        nodes[0],
-        nodes[1],
-        lx,
-        ly,
-        residual,
-        system.square,
-    )
-    for row in range(2, 6):
-        bx = band[0, row]
-        by = band[1, row - 1]
-        border[row, 0] += bx
-        border[row, 1] += by
-        border[row, 2] += by * lx - bx * ly
-    border[2, 2] -= coupling * hinge.slope_x
-    border[3, 2] -= coupling * hinge.slope_y
-    release_first_node(nodes, band)
+    move_first(hinge, lx, ly, system.frame_residual, system)
 
 
 @condense_last.member(RigidFrame)
 def _condense_last(
-    frame: RigidFrame, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: RigidFrame, mesh: Any, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
 ) -> None:
-    residual = system.frame_residual
-    nodes = system.residual
-    band = system.band
-    border = system.border
     rx, ry = last_arm(frame, offset, tangents, state[2])
     last = (state.shape[0] - 3) // 2 - 1
-    row = 2 * last
-    coupling = hinge.stiffness
-    add_arm(
-        band[row, 0],
-        band[row, 1],
-        band[row + 1, 0],
-        -coupling * hinge.slope_x,
-        -coupling * hinge.slope_y,
-        hinge,
-        1.0,
-        nodes[row],
-        nodes[row + 1],
-        rx,
-        ry,
-        residual,
-        system.square,
-    )
-    for k in range(1, 5):
-        bx = band[row - k, k]
-        by = band[row - k, k + 1]
-        border[row - k, 0] += bx
-        border[row - k, 1] += by
-        border[row - k, 2] += by * rx - bx * ry
-    border[row - 2, 2] += coupling * hinge.slope_x
-    border[row - 1, 2] += coupling * hinge.slope_y
-    release_last_node(nodes, band, last)
+    move_last(last, hinge, rx, ry, system.frame_residual, system, 0)
+
+
+@kernel
+def clear(residual: Any, square: Any, zero: Any) -> None:
+    """Zero the frame's own block and residual."""
+    for k in range(3):
+        residual[k] = zero
+        for m in range(3):
+            square[k, m] = zero
 
 
 @add_frame_forces.member(RigidFrame)
@@ -225,6 +164,7 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
     rate = motion.rate_factor
     drag = mass_damping(model.damping)
     largest = 0.0 * rate
+    clear(residual, square, largest)
     for k in range(3):
         mass = frame.inertia if k == 2 else frame.mass
         velocity = (state[k] - work.origin[k]) * rate
@@ -275,7 +215,9 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
 
 
 @limit_frame_step.member(RigidFrame)
-def _limit_frame_step(frame: RigidFrame, state: Any, drop: Any, fraction: Any) -> Any:
+def _limit_frame_step(
+    frame: RigidFrame, mesh: Any, state: Any, drop: Any, fraction: Any
+) -> Any:
     c = cos(state[2])
     s = sin(state[2])
     share = 1.0 + 0.0 * state[0]
@@ -289,12 +231,76 @@ def _limit_frame_step(frame: RigidFrame, state: Any, drop: Any, fraction: Any) -
     return share
 
 
+@solve_frame.member(RigidFrame)
+def _solve_frame(
+    frame: RigidFrame, mesh: Any, state: Any, system: Any, done: Any
+) -> BorderSolution:
+    negative = banded.solve_frame(system, done)
+    x = system.frame_residual
+    return BorderSolution(negative, x[0], x[1], x[2])
+
+
+@contact_points.member(RigidFrame)
+def _contact_points(frame: RigidFrame, mesh: Any) -> int:
+    return 4
+
+
+@contact_point.member(RigidFrame)
 @corner_point.member(RigidFrame)
-def _corner_point(frame: RigidFrame, corner: Any, state: Any, velocity: Any) -> Any:
+def _corner_point(frame: RigidFrame, mesh: Any, corner: Any, state: Any, velocity: Any) -> Any:
     rx, ry = corner_arm(frame, corner, cos(state[2]), sin(state[2]))
     return state[0] + rx, state[1] + ry, velocity[0] - ry * velocity[2]
 
 
+@point_weight.member(RigidFrame)
+def _point_weight(frame: RigidFrame, mesh: Any, point: Any, contact: Any) -> Any:
+    return contact_weights(contact)[1]
+
+
+@frame_box.member(RigidFrame)
+def _frame_box(frame: RigidFrame, mesh: Any, state: Any, velocity: Any) -> FrameBox:
+    return FrameBox(
+        state[0],
+        state[1],
+        cos(state[2]),
+        sin(state[2]),
+        velocity[2],
+        frame.half_span,
+        frame.mount_y,
+        frame.foot_y,
+        frame.top_y,
+    )
+
+
+@rest_frame.member(RigidFrame)
+def _rest_frame(frame: RigidFrame, mesh: Any, state: Any, gap: Any) -> None:
+    state[0] = 0.0
+    state[1] = gap - frame.foot_y
+    state[2] = 0.0
+
+
 @frame_mass.member(RigidFrame)
-def _frame_mass(frame: RigidFrame, coordinate: Any) -> Any:
+def _frame_mass(frame: RigidFrame, mesh: Any, coordinate: Any) -> Any:
     return where(coordinate == 2, frame.inertia, frame.mass)
+
+
+@frame_moments.member(RigidFrame)
+def _frame_moments(frame: RigidFrame, mesh: Any, vector: Any) -> Any:
+    return frame.mass * vector[0], frame.mass * vector[1]
+
+
+@slide_frame.member(RigidFrame)
+def _slide_frame(frame: RigidFrame, mesh: Any, vector: Any, along_x: Any) -> None:
+    vector[0] = vector[0] + along_x
+
+
+@frame_energy.member(RigidFrame)
+def _frame_energy(frame: RigidFrame, mesh: Any, state: Any) -> Any:
+    return 0.0 * state[0]
+
+
+@frame_dissipation.member(RigidFrame)
+def _frame_dissipation(
+    frame: RigidFrame, damping: Any, mesh: Any, state: Any, velocity: Any
+) -> Any:
+    return 0.0 * state[0]

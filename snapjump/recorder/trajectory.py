@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from snapjump.engine.assemble import assemble
 from snapjump.engine.clock import LARGEST_RESIDUAL, STAGE, STEP, TIME
 from snapjump.engine.powers import powers
-from snapjump.frame.base import frame_dofs
+from snapjump.frame.base import border_width
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, any_true, maximum
 from snapjump.recorder.base import record_stage, record_start, record_step
@@ -102,7 +102,8 @@ def _record_stage(
     converged: Any,
 ) -> None:
     assembly = assemble(model, motion, masses, work)
-    left = largest_entry(work.system.frame_residual, 0.0) if frame_dofs(model.frame) > 0 else 0.0
+    moving = border_width(model.frame) > 0
+    left = largest_entry(work.system.frame_residual, 0.0) if moving else 0.0
     left = largest_entry(work.system.residual, left) / (assembly.largest_force + 1e-300)
     work.clock[LARGEST_RESIDUAL] = maximum(work.clock[LARGEST_RESIDUAL], left)
     stage = int(work.clock[STAGE])

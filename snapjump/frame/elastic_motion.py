@@ -1,0 +1,110 @@
+"""The elastic frame as a body: its mass, place, outline and points of contact."""
+
+from typing import Any
+
+from snapjump.discretization.der_elements import make_edge
+from snapjump.frame.base import (
+    FrameBox,
+    contact_point,
+    contact_points,
+    corner_point,
+    frame_box,
+    frame_mass,
+    frame_moments,
+    point_weight,
+    rest_frame,
+    slide_frame,
+)
+from snapjump.frame.elastic import ElasticFrame, weight_at
+from snapjump.frame.elastic_mesh import (
+    LEFT_CORNER,
+    RIGHT_CORNER,
+    corner_node,
+    edge_length,
+    node_count,
+    node_mass,
+)
+
+
+@contact_points.member(ElasticFrame)
+def _contact_points(frame: ElasticFrame, mesh: Any) -> Any:
+    return node_count(mesh)
+
+
+@contact_point.member(ElasticFrame)
+def _contact_point(frame: ElasticFrame, mesh: Any, point: Any, state: Any, velocity: Any) -> Any:
+    i = 2 * point
+    return state[i], state[i + 1], velocity[i]
+
+
+@point_weight.member(ElasticFrame)
+def _point_weight(frame: ElasticFrame, mesh: Any, point: Any, contact: Any) -> Any:
+    return weight_at(frame, mesh, point, contact)
+
+
+@corner_point.member(ElasticFrame)
+def _corner_point(frame: ElasticFrame, mesh: Any, corner: Any, state: Any, velocity: Any) -> Any:
+    i = 2 * corner_node(mesh, corner)
+    return state[i], state[i + 1], velocity[i]
+
+
+@frame_box.member(ElasticFrame)
+def _frame_box(frame: ElasticFrame, mesh: Any, state: Any, velocity: Any) -> FrameBox:
+    i = 2 * mesh[LEFT_CORNER]
+    k = 2 * mesh[RIGHT_CORNER]
+    top = make_edge(
+        state[k] - state[i],
+        state[k + 1] - state[i + 1],
+        velocity[k] - velocity[i],
+        velocity[k + 1] - velocity[i + 1],
+    )
+    return FrameBox(
+        0.5 * (state[i] + state[k]),
+        0.5 * (state[i + 1] + state[k + 1]),
+        top.cx,
+        top.cy,
+        top.turn_rate,
+        frame.half_span,
+        frame.mount_y - frame.top_y,
+        frame.foot_y - frame.top_y,
+        0.0 * frame.top_y,
+    )
+
+
+@rest_frame.member(ElasticFrame)
+def _rest_frame(frame: ElasticFrame, mesh: Any, state: Any, gap: Any) -> None:
+    x = -frame.half_span
+    y = gap
+    for node in range(node_count(mesh)):
+        state[2 * node] = x
+        state[2 * node + 1] = y
+        if node < node_count(mesh) - 1:
+            length = edge_length(frame, mesh, node)
+            if node < mesh[LEFT_CORNER]:
+                y = y + length
+            elif node < mesh[RIGHT_CORNER]:
+                x = x + length
+            else:
+                y = y - length
+
+
+@frame_mass.member(ElasticFrame)
+def _frame_mass(frame: ElasticFrame, mesh: Any, coordinate: Any) -> Any:
+    return node_mass(frame, mesh, coordinate // 2)
+
+
+@frame_moments.member(ElasticFrame)
+def _frame_moments(frame: ElasticFrame, mesh: Any, vector: Any) -> Any:
+    x = 0.0 * vector[0]
+    y = 0.0 * vector[0]
+    for node in range(node_count(mesh)):
+        mass = node_mass(frame, mesh, node)
+        x = x + mass * vector[2 * node]
+        y = y + mass * vector[2 * node + 1]
+    return x, y
+
+
+@slide_frame.member(ElasticFrame)
+def _slide_frame(frame: ElasticFrame, mesh: Any, vector: Any, along_x: Any) -> None:
+    for node in range(node_count(mesh)):
+        vector[2 * node] = vector[2 * node] + along_x
