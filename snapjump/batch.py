@@ -9,9 +9,11 @@ from numpy.typing import NDArray
 from snapjump.composition import Simulation
 from snapjump.ending.flight import FlightEnding
 from snapjump.engine import clock as c
+from snapjump.engine.model import Model
 from snapjump.engine.status import NAMES, NO_JUMP, OK
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
+from snapjump.scenes.frame_body import frame_mesh
 from snapjump.scenes.jump_start import jump_model, resting_guess
 from snapjump.scenes.runner import March
 
@@ -48,21 +50,41 @@ def variants(
     ]
 
 
-def simulate_batch(simulations: Sequence[Simulation], lanes: int = 8) -> Batch:
-    """Simulate jumps that differ in design and environment only, ``lanes`` at a time."""
+def march_together(
+    simulations: Sequence[Simulation], models: Sequence[Model], lanes: int
+) -> tuple[Array, float]:
+    """Outcome (R, ROWS) of jumps whose frames have one mesh, and the kernel's seconds."""
     base = simulations[0]
-    models = [jump_model(s) for s in simulations]
     states = np.array([resting_guess(s, m) for s, m in zip(simulations, models, strict=True)])
     march = March(
-        models=models,
+        models=list(models),
         masses=base.discretization.masses(),
         states=states,
         simulation=base,
         ending=FlightEnding(base.sim.time_limit_s / base.robot.scales.time_s),
         lanes=lanes,
+        mesh=frame_mesh(base, models[0].frame),
     )
     march.find_starts()
-    outcome = march.run()
+    return march.run(), march.kernel_seconds
+
+
+def simulate_batch(simulations: Sequence[Simulation], lanes: int = 8) -> Batch:
+    """Simulate jumps that differ in design and environment only, ``lanes`` at a time.
+
+    Frames whose mesh depends on the design march with those of the same mesh.
+    """
+    models = [jump_model(s) for s in simulations]
+    groups: dict[tuple[int, ...], list[int]] = {}
+    for k, (simulation, model) in enumerate(zip(simulations, models, strict=True)):
+        groups.setdefault(tuple(frame_mesh(simulation, model.frame)), []).append(k)
+    outcome = np.zeros((len(models), c.ROWS))
+    kernel_seconds = 0.0
+    for chosen in groups.values():
+        outcome[chosen], seconds = march_together(
+            [simulations[k] for k in chosen], [models[k] for k in chosen], lanes
+        )
+        kernel_seconds += seconds
     status = outcome[:, c.STATUS].astype(int)
     fall = np.array([m.load.acceleration for m in models])
     rise = np.where(status == OK, np.maximum(outcome[:, c.COM_VY], 0.0), 0.0)
@@ -75,5 +97,5 @@ def simulate_batch(simulations: Sequence[Simulation], lanes: int = 8) -> Batch:
         status=[NAMES[k] for k in status],
         newton_iterations=outcome[:, c.ITERATIONS],
         steps=outcome[:, c.STEPS],
-        kernel_seconds=march.kernel_seconds,
+        kernel_seconds=kernel_seconds,
     )

@@ -34,7 +34,13 @@ class Simulation:
         check_choice("accuracy.name", self.accuracy, tuple(TIERS))
         scene = self.scene_name
         if scene == "jump":
-            self._require("frame", ("rigid",))
+            self._require("frame", ("rigid", "elastic"))
+            if self.name("frame") == "elastic" and self.name("discretization") != "der":
+                raise ParameterError(
+                    "discretization",
+                    self.name("discretization"),
+                    "der with frame=elastic, whose mounts have no angle for nodes that turn",
+                )
             self._require("contact", ("logbarrier",))
             self.environment.mass_kg(self.robot)
         if scene in ("snap", "static", "cantilever"):

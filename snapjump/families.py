@@ -7,7 +7,7 @@ from snapjump.options.backend import LanesBackend, ScalarBackend
 from snapjump.options.contact import LogBarrierOptions, NoContactOptions
 from snapjump.options.damping import KelvinVoigtOptions, MassProportionalOptions, NoDampingOptions
 from snapjump.options.discretization import DiscreteElasticRodOptions
-from snapjump.options.frame import FixedFrameOptions, RigidFrameOptions
+from snapjump.options.frame import ElasticFrameOptions, FixedFrameOptions, RigidFrameOptions
 from snapjump.options.friction import (
     ImplicitFrictionOptions,
     LaggedFrictionOptions,
@@ -34,7 +34,11 @@ FAMILIES: dict[str, dict[str, type]] = {
         "slide": SlideScene,
     },
     "discretization": {"der": DiscreteElasticRodOptions},
-    "frame": {"rigid": RigidFrameOptions, "fixed": FixedFrameOptions},
+    "frame": {
+        "rigid": RigidFrameOptions,
+        "elastic": ElasticFrameOptions,
+        "fixed": FixedFrameOptions,
+    },
     "contact": {"logbarrier": LogBarrierOptions, "none": NoContactOptions},
     "friction": {
         "implicit": ImplicitFrictionOptions,

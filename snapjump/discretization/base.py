@@ -1,9 +1,11 @@
 """Discretizations of the beam: the contract that every one fulfils.
 
 A discretization is a ``NamedTuple`` of dimensionless numbers (EI = rho A = L = 1). The beam is a
-chain of N elements and N + 1 nodes with two coordinates each, all of them in the state vector
-(x_0, y_0, x_1, y_1, ...). Nodes at clamps are slaves of the frame, which condenses their rows and
-columns onto its own coordinates (:mod:`snapjump.frame`).
+chain of N elements and N + 1 nodes with two or three coordinates each, all of them in the state
+vector (x_0, y_0, x_1, y_1, ...). The third one, where nodes turn, is the rotation theta of the
+cross-section times an element's length l: a length as well, so that norms, tolerances and
+eigenvalues mean the same with it and without. Nodes at clamps are slaves of the frame, which
+condenses their rows and columns onto its own coordinates (:mod:`snapjump.frame`).
 
 The tangent matrix is symmetric and stored as a lower band, column by column: ``band[j, k]`` is
 the entry of row j + k and column j, for k = 0 ... HALF_BANDWIDTH.
@@ -14,7 +16,10 @@ from typing import Any, NamedTuple
 from snapjump.number.dispatch import family_function
 
 HALF_BANDWIDTH = 5
-NODES_COUPLED = 2  # a node couples to that many on either side
+NODES_COUPLED = 2  # a node couples to that many on either side, to one if nodes turn
+# Rotary inertia of a node over its mass, in the unit of its third coordinate: two rigid half
+# elements of l/2 turn about the node with 2 l^3/24, in theta, and a free end has half of both.
+TURN_INERTIA = 1.0 / 12.0
 
 
 class EndTangents(NamedTuple):
@@ -52,6 +57,16 @@ def has_elements(discretization: Any) -> Any:
 
 
 @family_function
+def node_dofs(discretization: Any) -> Any:
+    """Coordinates of a node, a constant while compiling: 2 (x, y) or 3 (x, y, l theta)."""
+
+
+@family_function
+def turn_length(discretization: Any) -> Any:
+    """The length l (in L) of a node's third coordinate l theta; 0 where nodes do not turn."""
+
+
+@family_function
 def clamp_offset(discretization: Any) -> Any:
     """Distance from the mount, along the clamped tangent, at which the chain begins (in L)."""
 
@@ -65,7 +80,8 @@ def begin_chain(
     rate_factor: Any,
     tangents: Any,
 ) -> Any:
-    """Begin a sweep along the chain; returns what it carries and the left :class:`EndHinge`.
+    """Begin a sweep along the chain; returns what it carries and the left :class:`EndHinge`
+    (empty where nodes turn: a clamp then holds the node's rotation itself).
 
     The sweep adds gradient and tangent of the elastic (and viscous) energy, node by node.
     Velocities are ``(position - origin) * rate_factor``, as in every stage of an integrator. What

@@ -22,6 +22,8 @@ from snapjump.discretization.base import (
     end_chain,
     has_elements,
     internal_energy,
+    node_dofs,
+    turn_length,
 )
 from snapjump.discretization.der_elements import (
     Block,
@@ -58,6 +60,16 @@ class DiscreteElasticRod(NamedTuple):
 @has_elements.member(DiscreteElasticRod)
 def _has_elements(rod: DiscreteElasticRod) -> bool:
     return True
+
+
+@node_dofs.member(DiscreteElasticRod)
+def _node_dofs(rod: DiscreteElasticRod) -> int:
+    return 2
+
+
+@turn_length.member(DiscreteElasticRod)
+def _turn_length(rod: DiscreteElasticRod) -> float:
+    return 0.0
 
 
 @clamp_offset.member(DiscreteElasticRod)

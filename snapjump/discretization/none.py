@@ -12,6 +12,8 @@ from snapjump.discretization.base import (
     end_chain,
     has_elements,
     internal_energy,
+    node_dofs,
+    turn_length,
 )
 from snapjump.number.dispatch import kernel
 
@@ -23,6 +25,16 @@ class LooseNodes(NamedTuple):
 @has_elements.member(LooseNodes)
 def _has_elements(discretization: LooseNodes) -> bool:
     return False
+
+
+@node_dofs.member(LooseNodes)
+def _node_dofs(discretization: LooseNodes) -> int:
+    return 2
+
+
+@turn_length.member(LooseNodes)
+def _turn_length(discretization: LooseNodes) -> float:
+    return 0.0
 
 
 @clamp_offset.member(LooseNodes)

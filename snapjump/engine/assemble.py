@@ -10,11 +10,13 @@ from snapjump.clamp.base import clamp_angles
 from snapjump.contact.base import contact_weights, has_contact
 from snapjump.damping.base import mass_damping
 from snapjump.discretization.base import (
+    TURN_INERTIA,
     add_node_forces,
     begin_chain,
-    clamp_offset,
     end_chain,
     has_elements,
+    node_dofs,
+    turn_length,
 )
 from snapjump.frame.base import (
     FrameForces,
@@ -65,11 +67,11 @@ class Sweep(NamedTuple):
 
 
 @kernel
-def clear_border(system: Any, node: Any, width: Any, zero: Any) -> None:
-    """Zero the mounts' rows in the columns of a node."""
+def clear_border(system: Any, dofs: Any, node: Any, width: Any, zero: Any) -> None:
+    """Zero the mounts' rows in the columns of a node of ``dofs`` coordinates."""
     for k in range(width):
-        system.border[2 * node, k] = zero
-        system.border[2 * node + 1, k] = zero
+        for i in range(dofs):
+            system.border[dofs * node + i, k] = zero
 
 
 @kernel
@@ -80,7 +82,7 @@ def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any) -> Any:
     diagonal = mass * ((rate + drag) * rate)
     band = work.system.band
     residual = work.system.residual
-    row = 2 * node
+    row = node_dofs(model.discretization) * node
     i = row + frame_dofs(model.frame, work.mesh)
     vx = (work.state[i] - work.origin[i]) * rate
     vy = (work.state[i + 1] - work.origin[i + 1]) * rate
@@ -90,6 +92,11 @@ def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any) -> Any:
     residual[row + 1] = mass * (ay + drag * vy + gravity(model.load))
     band[row, 0] = diagonal
     band[row + 1, 0] = diagonal
+    if node_dofs(model.discretization) == 3:
+        turn_rate = (work.state[i + 2] - work.origin[i + 2]) * rate
+        spin = (turn_rate - work.drift[i + 2]) * rate
+        residual[row + 2] = TURN_INERTIA * mass * (spin + drag * turn_rate)
+        band[row + 2, 0] = TURN_INERTIA * diagonal
     return mass * (absolute(ax) + absolute(ay))
 
 
@@ -99,7 +106,7 @@ def add_node_contact(
 ) -> Assembly:
     """Add contact and friction of a free node; returns the figures with its own."""
     weight, _ = contact_weights(model.contact)
-    row = 2 * node
+    row = node_dofs(model.discretization) * node
     touch = add_point_contact(
         model,
         motion,
@@ -154,7 +161,7 @@ def assemble_node(
     mesh = work.mesh
     dofs = frame_dofs(model.frame, mesh)
     width = border_width(model.frame)
-    offset = clamp_offset(model.discretization)
+    per_node = node_dofs(model.discretization)
     last = masses.shape[0] - 1
     mass = masses[node]
     figures = sweep.figures
@@ -170,7 +177,7 @@ def assemble_node(
         if mass > 0.0:
             figures = add_node_contact(model, motion, mass, node, work, figures)
     if width > 0:
-        clear_border(system, node, width, 0.0 * motion.rate_factor)
+        clear_border(system, per_node, node, width, 0.0 * motion.rate_factor)
     if node < last:
         chain, right = add_node_forces(
             model.discretization,
@@ -186,16 +193,27 @@ def assemble_node(
         )
     else:
         end_chain(model.discretization, chain, node, system.residual, system.band)
-        force_x, force_y, _ = tip_load(model.load)
-        system.residual[2 * node] -= force_x
-        system.residual[2 * node + 1] -= force_y
+        force_x, force_y, moment = tip_load(model.load)
+        row = per_node * node
+        system.residual[row] -= force_x
+        system.residual[row + 1] -= force_y
+        if per_node == 3:
+            system.residual[row + 2] -= moment / turn_length(model.discretization)
     if has_elements(model.discretization):
         if node == 2:
             condense_first(
-                model.frame, mesh, sweep.tangents, offset, sweep.left, work.state, system
+                model.frame,
+                mesh,
+                sweep.tangents,
+                model.discretization,
+                sweep.left,
+                work.state,
+                system,
             )
         if node == last:
-            condense_last(model.frame, mesh, sweep.tangents, offset, right, work.state, system)
+            condense_last(
+                model.frame, mesh, sweep.tangents, model.discretization, right, work.state, system
+            )
     return Sweep(sweep.tangents, chain, sweep.left, right, figures)
 
 

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from snapjump.discretization.base import node_dofs
 from snapjump.frame.base import frame_dofs, frame_moments
 from snapjump.number.dispatch import routine
 
@@ -15,7 +16,7 @@ def centre_of_mass(model: Any, masses: Any, mesh: Any, state: Any, velocity: Any
     beam = 0.0
     for node in range(masses.shape[0]):
         weight = masses[node]
-        i = 2 * node + frame_dofs(model.frame, mesh)
+        i = node_dofs(model.discretization) * node + frame_dofs(model.frame, mesh)
         x = x + weight * state[i]
         y = y + weight * state[i + 1]
         vx = vx + weight * velocity[i]

@@ -3,7 +3,6 @@
 from typing import Any
 
 from snapjump.clamp.base import clamp_angles
-from snapjump.discretization.base import clamp_offset
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import BACKTRACKS, ITERATION, SIZE
 from snapjump.engine.newton import newton_iteration
@@ -30,8 +29,7 @@ def settle(model: Any, masses: Any, work: Any, time: Any) -> Any:
     clock[BACKTRACKS] = zero
     dofs = frame_dofs(model.frame, work.mesh)
     angles = clamp_angles(model.clamp, motion.time)
-    offset = clamp_offset(model.discretization)
-    place_ends(model.frame, work.mesh, offset, angles, work.state)
+    place_ends(model.frame, work.mesh, model.discretization, angles, work.state)
     for i in range(dofs, work.state.shape[0]):
         work.origin[i] = work.state[i]
     negative = zero

@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 from snapjump.clamp.base import clamp_angles
 from snapjump.contact.base import has_contact
-from snapjump.discretization.base import NODES_COUPLED, clamp_offset, has_elements
+from snapjump.discretization.base import NODES_COUPLED, has_elements, node_dofs
 from snapjump.engine.assemble import (
     Assembly,
     Motion,
@@ -29,6 +29,7 @@ from snapjump.frame.base import (
     solve_frame,
 )
 from snapjump.linear_solver.banded import begin_elimination, eliminate_node, substitute_back
+from snapjump.linear_solver.banded_turning import eliminate_turning_node, substitute_back_turning
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, any_true, maximum, minimum, negate, where
 
@@ -53,11 +54,12 @@ def allowed_share(
     share = limit_frame_step(model.frame, mesh, state, frame_drop, GAP_FRACTION)
     if has_contact(model.contact):
         offset = frame_dofs(model.frame, mesh)
+        dofs = node_dofs(model.discretization)
         for node in range(masses.shape[0]):
             if masses[node] == 0.0:
                 continue
-            fall = drop[2 * node + 1]
-            allowed = (1.0 - GAP_FRACTION) * state[2 * node + 1 + offset]
+            fall = drop[dofs * node + 1]
+            allowed = (1.0 - GAP_FRACTION) * state[dofs * node + 1 + offset]
             beyond = fall > allowed
             if any_true(beyond):
                 share = minimum(share, where(beyond, allowed / absolute(fall), 1.0))
@@ -91,6 +93,7 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
     system = work.system
     dofs = frame_dofs(model.frame, work.mesh)
     bordered = border_width(model.frame) > 0
+    turning = node_dofs(model.discretization) == 3
     nodes = masses.shape[0]
     zero = 0.0 * motion.rate_factor
     sweep = begin_assembly(model, motion, work)
@@ -99,22 +102,22 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
         if node < nodes:
             sweep = assemble_node(model, motion, masses, work, node, sweep)
         if node >= NODES_COUPLED:
-            done = eliminate_node(system, node - NODES_COUPLED, bordered, done)
+            if turning:
+                done = eliminate_turning_node(system, node - NODES_COUPLED, bordered, done)
+            else:
+                done = eliminate_node(system, node - NODES_COUPLED, bordered, done)
     residual = done.largest
     negative = done.negative
     correction = zero
-    x = zero
-    y = zero
-    t = zero
     if bordered:
         residual = largest_of(system.frame_residual, dofs, residual)
-        border = solve_frame(model.frame, work.mesh, work.state, system, done)
-        negative = negative + border.negative
+        negative = negative + solve_frame(model.frame, work.mesh, work.state, system, done)
         correction = largest_of(system.frame_residual, dofs, correction)
-        x = border.x
-        y = border.y
-        t = border.t
-    correction = maximum(correction, substitute_back(system, bordered, x, y, t, zero))
+    remains = border_width(model.frame) == 3
+    if turning:
+        correction = maximum(correction, substitute_back_turning(system, remains, zero))
+    else:
+        correction = maximum(correction, substitute_back(system, remains, zero))
     return Solution(end_assembly(sweep), residual, correction, negative)
 
 
@@ -162,8 +165,7 @@ def newton_iteration(
         work.change[i] = where(back, work.change[i], step)
     if has_elements(model.discretization):
         angles = clamp_angles(model.clamp, motion.time)
-        offset = clamp_offset(model.discretization)
-        place_ends(model.frame, work.mesh, offset, angles, work.state)
+        place_ends(model.frame, work.mesh, model.discretization, angles, work.state)
 
     # The error left is about the correction times the rate of convergence.
     rate = where(first, 1.0, minimum(correction / maximum(clock[SIZE], tiny), 1.0 + 0.0 * tiny))

@@ -5,7 +5,13 @@ from typing import Any
 from snapjump.clamp.base import clamp_angles
 from snapjump.contact.base import contact_force, contact_reach, contact_weights, has_contact
 from snapjump.damping.base import mass_damping
-from snapjump.discretization.base import chain_powers, clamp_offset, has_elements
+from snapjump.discretization.base import (
+    TURN_INERTIA,
+    chain_powers,
+    clamp_offset,
+    has_elements,
+    node_dofs,
+)
 from snapjump.frame.base import (
     contact_point,
     contact_points,
@@ -36,12 +42,13 @@ def friction_power(model: Any, masses: Any, work: Any, state: Any, velocity: Any
     """Power that friction takes out (EI/(L T)); lagged laws use the step's beginning."""
     mesh = work.mesh
     offset = frame_dofs(model.frame, mesh)
+    dofs = node_dofs(model.discretization)
     by_node, _ = contact_weights(model.contact)
     lagged = is_lagged(model.friction)
     power = 0.0 * state[0]
     for node in range(masses.shape[0]):
         if masses[node] > 0.0:
-            i = 2 * node + offset
+            i = dofs * node + offset
             gap = work.start[i + 1] if lagged else state[i + 1]
             speed = work.velocity[0, i] if lagged else velocity[i]
             power = power + sliding_force(model, gap, speed, by_node) * velocity[i]
@@ -63,6 +70,7 @@ def powers(model: Any, masses: Any, work: Any, time: Any, state: Any, velocity: 
     """Losses by friction and by damping, and the power that the clamps put in (EI/(L T))."""
     mesh = work.mesh
     offset = frame_dofs(model.frame, mesh)
+    dofs = node_dofs(model.discretization)
     friction = 0.0 * state[0]
     damping = 0.0 * state[0]
     clamps = 0.0 * state[0]
@@ -70,11 +78,14 @@ def powers(model: Any, masses: Any, work: Any, time: Any, state: Any, velocity: 
         friction = friction_power(model, masses, work, state, velocity)
     drag = mass_damping(model.damping)
     for node in range(masses.shape[0]):
-        i = 2 * node + offset
+        i = dofs * node + offset
         speed_squared = velocity[i] * velocity[i] + velocity[i + 1] * velocity[i + 1]
+        if dofs == 3:
+            speed_squared = speed_squared + TURN_INERTIA * velocity[i + 2] * velocity[i + 2]
         damping = damping + drag * masses[node] * speed_squared
     for k in range(offset):
-        damping = damping + drag * frame_mass(model.frame, mesh, k) * velocity[k] * velocity[k]
+        mass = frame_mass(model.frame, mesh, k)
+        damping = damping + drag * mass * velocity[k] * velocity[k]
     damping = damping + frame_dissipation(model.frame, model.damping, mesh, state, velocity)
     if has_elements(model.discretization):
         angles = clamp_angles(model.clamp, time)

@@ -3,7 +3,7 @@
 from typing import Any
 
 from snapjump.clamp.base import clamp_angles
-from snapjump.discretization.base import clamp_offset, has_elements
+from snapjump.discretization.base import has_elements
 from snapjump.engine.clock import (
     BACKTRACKS,
     FASTEST,
@@ -118,7 +118,7 @@ def begin_stage(model: Any, tableau: Any, masses: Any, work: Any, mask: Any) -> 
     if has_elements(model.discretization):
         time = clock[TIME] + pick(tableau.nodes, stage) * step
         angles = clamp_angles(model.clamp, time)
-        place_ends(model.frame, mesh, clamp_offset(model.discretization), angles, work.state)
+        place_ends(model.frame, mesh, model.discretization, angles, work.state)
 
 
 @kernel

@@ -7,6 +7,7 @@ branch's tangent and the acceleration its curvature.
 from typing import Any
 
 from snapjump.clamp.constant_rate import ConstantRate
+from snapjump.discretization.base import node_dofs
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.equilibrium import settle
 from snapjump.engine.model import Model
@@ -51,7 +52,7 @@ def stay_in_place(model: Any, masses: Any, work: Any) -> None:
     slide_frame(model.frame, mesh, work.velocity[0], -speed)
     slide_frame(model.frame, mesh, work.acceleration[0], -push)
     for node in range(masses.shape[0]):
-        i = frame_dofs(model.frame, mesh) + 2 * node
+        i = frame_dofs(model.frame, mesh) + node_dofs(model.discretization) * node
         work.velocity[0, i] = work.velocity[0, i] - speed
         work.acceleration[0, i] = work.acceleration[0, i] - push
 
@@ -113,7 +114,7 @@ def follow_branch(model: Any, masses: Any, work: Any) -> Any:
     dofs = frame_dofs(model.frame, work.mesh)
     if dofs > 0:
         stay_in_place(model, masses, work)
-    middle = (masses.shape[0] - 1) // 2 * 2 + 1 + dofs
     first = 1 + dofs
+    middle = (masses.shape[0] - 1) // 2 * node_dofs(model.discretization) + first
     lost = lost | (state[middle] < state[first])
     return where(lost, 1.0 * NO_EQUILIBRIUM, 1.0 * RUNNING)

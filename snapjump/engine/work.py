@@ -15,12 +15,13 @@ NO_MESH: NDArray[np.int64] = np.zeros(0, dtype=np.int64)
 class System(NamedTuple):
     """The linear system of a Newton iteration, for B coordinates of nodes and F of the frame.
 
-    residual (B), band (B, 6), border (B, W): of the nodes, W being the coordinates of the mounts
-    that they are condensed onto; these are views into the padded arrays of B + 10 rows, whose five
-    zero rows before and after spare the solver its edge cases. frame_residual (F) and square
-    (W, W): of a rigid frame, or of an elastic one and its mounts. The rest is an elastic one's (see
-    :mod:`snapjump.frame.elastic_solve`): mounts (W), padded_frame_residual (F + 10), frame_band
-    (F + 10, 6), frame_border (F + 10, 4), levers (8, 3), last_residual (4), last_square (4, 4).
+    residual (B), band (B, 6), border (B, W): of the nodes, two or three coordinates each, W being
+    the coordinates of the mounts that they are condensed onto; these are views into the padded
+    arrays of B + 10 rows, whose five zero rows before and after spare the solver its edge cases.
+    frame_residual (F) and square (W, W): of a rigid frame, or of an elastic one and its mounts.
+    The rest is an elastic one's (see :mod:`snapjump.frame.elastic_solve`): mounts (W),
+    padded_frame_residual (F + 10), frame_band (F + 10, 6), frame_border (F + 10, 4), levers
+    (8, 3), last_residual (4), last_square (4, 4).
     """
 
     residual: Any
@@ -73,12 +74,13 @@ def make_work(
     clocks: int,
     numbers: int,
     lanes: int,
+    node_dofs: int = 2,
     mesh: NDArray[np.int64] = NO_MESH,
 ) -> Work:
     """Zeroed memory of shape (..., lanes)."""
     chain = frame_dofs if len(mesh) else 0
     width = 6 if chain else 3
-    beam = 2 * nodes
+    beam = node_dofs * nodes
     size = frame_dofs + beam
 
     def zeros(*shape: int) -> NDArray[np.float64]:
@@ -88,7 +90,7 @@ def make_work(
     residual = zeros(beam + 2 * pad)
     band = zeros(beam + 2 * pad, pad + 1)
     border = zeros(beam + 2 * pad, width)
-    frame = zeros(frame_dofs + 2 * pad)
+    frame = zeros(max(frame_dofs, 3) + 2 * pad)
     system = System(
         residual[pad : pad + beam],
         band[pad : pad + beam],

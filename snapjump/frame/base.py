@@ -29,14 +29,7 @@ class Turning(NamedTuple):
     right: Any
 
 
-class BorderSolution(NamedTuple):
-    """Pivots of the frame's system that are not positive, and the solution that multiplies the
-    three columns of the nodes' border."""
-
-    negative: Any
-    x: Any
-    y: Any
-    t: Any
+STILL = Turning(0.0, 0.0)
 
 
 class FrameBox(NamedTuple):
@@ -73,25 +66,37 @@ def end_tangents(
 
 
 @family_function
-def mount_turning(frame: Any, mesh: Any, state: Any, vector: Any) -> Turning:
+def mount_turning(frame: Any, mesh: Any, state: Any, vector: Any) -> Any:
     """Turning of the mounts when every coordinate moves by ``vector`` (in which it is linear)."""
 
 
 @family_function
-def place_ends(frame: Any, mesh: Any, offset: Any, angles: Any, state: Any) -> Any:
+def place_ends(frame: Any, mesh: Any, discretization: Any, angles: Any, state: Any) -> Any:
     """Put the slave nodes where the frame holds them."""
 
 
 @family_function
 def condense_first(
-    frame: Any, mesh: Any, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: Any,
+    mesh: Any,
+    tangents: Any,
+    discretization: Any,
+    hinge: Any,
+    state: Any,
+    system: Any,
 ) -> Any:
     """Move the first node's rows and columns, and its hinge, onto the frame's coordinates."""
 
 
 @family_function
 def condense_last(
-    frame: Any, mesh: Any, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: Any,
+    mesh: Any,
+    tangents: Any,
+    discretization: Any,
+    hinge: Any,
+    state: Any,
+    system: Any,
 ) -> Any:
     """Move the last node's rows and columns, and its hinge, onto the frame's coordinates."""
 
@@ -105,10 +110,12 @@ def add_frame_forces(frame: Any, model: Any, motion: Any, work: Any) -> Any:
 
 
 @family_function
-def solve_frame(frame: Any, mesh: Any, state: Any, system: Any, done: Any) -> BorderSolution:
+def solve_frame(frame: Any, mesh: Any, state: Any, system: Any, done: Any) -> Any:
     """Solve for the frame's coordinates once all nodes are eliminated (``done``).
 
-    ``frame_residual`` becomes the solution.
+    ``frame_residual`` becomes the solution. A border of other than three columns is moved to the
+    nodes' right-hand side here; one of three is left to the substitution. Returns the number of
+    pivots that are not positive.
     """
 
 
@@ -139,7 +146,7 @@ def corner_point(frame: Any, mesh: Any, corner: Any, state: Any, velocity: Any) 
 
 
 @family_function
-def frame_box(frame: Any, mesh: Any, state: Any, velocity: Any) -> FrameBox:
+def frame_box(frame: Any, mesh: Any, state: Any, velocity: Any) -> Any:
     """The :class:`FrameBox` of a moving frame."""
 
 

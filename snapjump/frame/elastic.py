@@ -4,11 +4,16 @@ The beam's ends hang from one edge of either leg (a mount): they follow its midd
 from it, and turn with it. All nodes have mass and weight; each can touch the ground.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
-from snapjump.contact.base import contact_weights, has_contact
+from snapjump.contact.base import has_contact
 from snapjump.damping.base import mass_damping
-from snapjump.discretization.base import HALF_BANDWIDTH, EndTangents
+from snapjump.discretization.base import (
+    HALF_BANDWIDTH,
+    EndTangents,
+    clamp_offset,
+    node_dofs,
+)
 from snapjump.frame.base import (
     FrameForces,
     Turning,
@@ -25,6 +30,7 @@ from snapjump.frame.base import (
     place_ends,
     solve_frame,
 )
+from snapjump.frame.elastic_body import ElasticFrame
 from snapjump.frame.elastic_chain import add_chain_forces, chain_dissipation, chain_energy
 from snapjump.frame.elastic_mesh import (
     DOFS,
@@ -35,9 +41,9 @@ from snapjump.frame.elastic_mesh import (
     is_corner,
     mount_at,
     node_count,
-    node_length,
     node_mass,
     right_mount,
+    weight_at,
 )
 from snapjump.frame.elastic_solve import solve_chain
 from snapjump.frame.ends import move_first, move_last
@@ -45,32 +51,6 @@ from snapjump.frame.point_contact import add_point_contact
 from snapjump.load.base import gravity
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, any_true, cos, maximum, minimum, sin, where
-
-
-class ElasticFrame(NamedTuple):
-    """Half the width; heights of mounts, feet and top above the feet (in L); mass of the frame
-    (rho A L) and what of it bounces with a foot; lengths of an edge below, at and above a mount,
-    and of the top (L); mass per length (rho A) and clamped at either mount; bending stiffness
-    (EI) and stretching stiffness (EI/L^2); distance of the beam's ends from the legs (L); weights
-    of contact at a node and, per length, at what belongs to it (1/L)."""
-
-    half_span: float
-    mount_y: float
-    foot_y: float
-    top_y: float
-    mass: float
-    bouncing_mass: float
-    low_length: float
-    mount_length: float
-    high_length: float
-    top_length: float
-    density: float
-    clamped_mass: float
-    bending: float
-    stretching: float
-    inset: float
-    node_weight: float
-    length_weight: float
 
 
 @frame_dofs.member(ElasticFrame)
@@ -129,13 +109,16 @@ def _end_tangents(
 
 
 @place_ends.member(ElasticFrame)
-def _place_ends(frame: ElasticFrame, mesh: Any, offset: Any, angles: Any, state: Any) -> None:
+def _place_ends(
+    frame: ElasticFrame, mesh: Any, discretization: Any, angles: Any, state: Any
+) -> None:
+    offset = clamp_offset(discretization)
     left = mount_at(mesh[LEFT_MOUNT], 1.0, state)
     right = mount_at(right_mount(mesh), -1.0, state)
     left_x, left_y = turned(left, -angles.left)
     right_x, right_y = turned(right, angles.right)
     first = mesh[DOFS]
-    last = state.shape[0] - 2
+    last = state.shape[0] - node_dofs(discretization)
     state[first] = left.x + frame.inset * left.cx + offset * left_x
     state[first + 1] = left.y + frame.inset * left.cy + offset * left_y
     state[last] = right.x - frame.inset * right.cx - offset * right_x
@@ -175,33 +158,39 @@ def spread_mount(edge: Any, column: Any, state: Any, system: Any) -> None:
 
 @condense_first.member(ElasticFrame)
 def _condense_first(
-    frame: ElasticFrame, mesh: Any, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: ElasticFrame,
+    mesh: Any,
+    tangents: Any,
+    discretization: Any,
+    hinge: Any,
+    state: Any,
+    system: Any,
 ) -> None:
+    offset = clamp_offset(discretization)
     mount = mount_at(mesh[LEFT_MOUNT], 1.0, state)
     arm_x = frame.inset * mount.cx + offset * tangents.left_x
     arm_y = frame.inset * mount.cy + offset * tangents.left_y
-    move_first(hinge, arm_x, arm_y, system.mounts, system)
+    move_first(discretization, hinge, arm_x, arm_y, system.mounts, system)
     spread_mount(mesh[LEFT_MOUNT], 0, state, system)
 
 
 @condense_last.member(ElasticFrame)
 def _condense_last(
-    frame: ElasticFrame, mesh: Any, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: ElasticFrame,
+    mesh: Any,
+    tangents: Any,
+    discretization: Any,
+    hinge: Any,
+    state: Any,
+    system: Any,
 ) -> None:
+    offset = clamp_offset(discretization)
     mount = mount_at(right_mount(mesh), -1.0, state)
     arm_x = -frame.inset * mount.cx - offset * tangents.right_x
     arm_y = -frame.inset * mount.cy - offset * tangents.right_y
-    last = (state.shape[0] - mesh[DOFS]) // 2 - 1
-    move_last(last, hinge, arm_x, arm_y, system.mounts, system, 3)
+    last = (state.shape[0] - mesh[DOFS]) // node_dofs(discretization) - 1
+    move_last(discretization, last, hinge, arm_x, arm_y, system.mounts, system, 3)
     spread_mount(right_mount(mesh), 3, state, system)
-
-
-@kernel
-def weight_at(frame: Any, mesh: Any, node: Any, contact: Any) -> Any:
-    """Factor of the contact force at a node."""
-    if is_corner(mesh, node):
-        return contact_weights(contact)[1] + 0.0 * frame.node_weight
-    return frame.node_weight + frame.length_weight * node_length(frame, mesh, node)
 
 
 @kernel
@@ -263,9 +252,7 @@ def _add_frame_forces(frame: ElasticFrame, model: Any, motion: Any, work: Any) -
     place = (middle - mesh[LEFT_CORNER]) * frame.top_length - frame.half_span
     residual[2 * middle] += motion.anchor * (state[2 * middle] - place)
     band[2 * middle, 0] += motion.anchor
-    largest = add_chain_forces(
-        frame, mesh, model.damping, state, work.origin, rate, residual, band
-    )
+    largest = add_chain_forces(frame, mesh, model.damping, state, work.origin, rate, residual, band)
     return FrameForces(
         maximum(figures.largest_force, largest),
         figures.smallest_gap,
@@ -279,9 +266,7 @@ def _solve_frame(frame: ElasticFrame, mesh: Any, state: Any, system: Any, done: 
 
 
 @limit_frame_step.member(ElasticFrame)
-def _limit_frame_step(
-    frame: ElasticFrame, mesh: Any, state: Any, drop: Any, fraction: Any
-) -> Any:
+def _limit_frame_step(frame: ElasticFrame, mesh: Any, state: Any, drop: Any, fraction: Any) -> Any:
     share = 1.0 + 0.0 * state[0]
     light = frame.node_weight + frame.length_weight <= 0.0
     for node in range(node_count(mesh)):

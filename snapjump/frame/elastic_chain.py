@@ -83,9 +83,7 @@ def add_chain_forces(
         stiffness = zero
         if node < nodes - 2:
             after = edge_at(node + 1, state, origin, rate_factor)
-            next_moment, stiffness = hinge(
-                frame, mesh, damping, node + 1, edge, after, rate_factor
-            )
+            next_moment, stiffness = hinge(frame, mesh, damping, node + 1, edge, after, rate_factor)
         length = edge_length(frame, mesh, node)
         stretching = frame.stretching / length
         force = stretching * viscous_strain(damping, edge.length - length, edge.stretch_rate)

@@ -10,7 +10,6 @@ solved last.
 from typing import Any
 
 from snapjump.discretization.base import HALF_BANDWIDTH
-from snapjump.frame.base import BorderSolution
 from snapjump.frame.elastic_mesh import LEFT_MOUNT, mount_at, node_count, right_mount
 from snapjump.linear_solver.banded import (
     eliminate_x_column,
@@ -222,8 +221,8 @@ def substitute_chain(left: Any, first: Any, system: Any) -> None:
 
 
 @routine
-def solve_chain(mesh: Any, state: Any, system: Any, done: Any) -> BorderSolution:
-    """Solve for the frame's coordinates; returns what the nodes' border is multiplied by."""
+def solve_chain(mesh: Any, state: Any, system: Any, done: Any) -> Any:
+    """Solve for the frame's coordinates; returns the number of pivots <= 0."""
     left = 2 * mesh[LEFT_MOUNT] + HALF_BANDWIDTH
     first = 2 * right_mount(mesh) + HALF_BANDWIDTH
     zero = 0.0 * done.negative
@@ -246,9 +245,14 @@ def solve_chain(mesh: Any, state: Any, system: Any, done: Any) -> BorderSolution
         for c in range(4):
             mounts[a] = fma(system.levers[c, a], rhs[left + c], mounts[a])
             mounts[a + 3] = fma(system.levers[c + 4, a], rhs[first + c], mounts[a + 3])
-    end = system.padded_residual.shape[0] - HALF_BANDWIDTH - 2
-    for j in range(end - REACH, end):
-        for k in range(3, 6):
-            value = system.padded_residual[j]
-            system.padded_residual[j] = fma(-system.padded_border[j, k], mounts[k], value)
-    return BorderSolution(negative, mounts[0], mounts[1], mounts[2])
+    values = system.padded_residual
+    border = system.padded_border
+    end = values.shape[0] - HALF_BANDWIDTH - 2
+    for j in range(HALF_BANDWIDTH, end):
+        value = fma(-border[j, 0], mounts[0], values[j])
+        value = fma(-border[j, 1], mounts[1], value)
+        values[j] = fma(-border[j, 2], mounts[2], value)
+        if j >= end - REACH:
+            for k in range(3, 6):
+                values[j] = fma(-border[j, k], mounts[k], values[j])
+    return negative

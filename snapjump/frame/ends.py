@@ -2,38 +2,35 @@
 
 from typing import Any
 
+from snapjump.discretization.base import EndHinge, node_dofs, turn_length
 from snapjump.number.dispatch import kernel
 
 
 @kernel
-def release_first_node(residual: Any, band: Any) -> None:
-    """Leave an identity in place of node 0 (``residual`` of the nodes alone)."""
-    for k in range(1, 6):
-        band[0, k] = 0.0
-        band[1, k] = 0.0
-    band[0, 0] = 1.0
-    band[1, 0] = 1.0
-    residual[0] = 0.0
-    residual[1] = 0.0
+def release_first_node(dofs: Any, residual: Any, band: Any) -> None:
+    """Leave an identity in place of node 0 of ``dofs`` coordinates (``residual`` of the nodes)."""
+    for i in range(dofs):
+        for k in range(1, 6):
+            band[i, k] = 0.0
+        band[i, 0] = 1.0
+        residual[i] = 0.0
 
 
 @kernel
-def release_last_node(residual: Any, band: Any, last: Any) -> None:
+def release_last_node(dofs: Any, residual: Any, band: Any, last: Any) -> None:
     """Leave an identity in place of the last node, ``last`` being its number."""
-    row = 2 * last
-    band[row - 4, 4] = 0.0
-    band[row - 4, 5] = 0.0
-    band[row - 3, 3] = 0.0
-    band[row - 3, 4] = 0.0
-    band[row - 2, 2] = 0.0
-    band[row - 2, 3] = 0.0
-    band[row - 1, 1] = 0.0
-    band[row - 1, 2] = 0.0
-    band[row, 0] = 1.0
-    band[row, 1] = 0.0
-    band[row + 1, 0] = 1.0
-    residual[row] = 0.0
-    residual[row + 1] = 0.0
+    row = dofs * last
+    # Columns of the nodes before: two of two coordinates, or one of three, reach the last one.
+    before = 4 if dofs == 2 else 3
+    for k in range(1, before + 1):
+        for i in range(dofs):
+            if k + i <= 5:
+                band[row - k, k + i] = 0.0
+    for i in range(dofs):
+        for k in range(1, dofs - i):
+            band[row + i, k] = 0.0
+        band[row + i, 0] = 1.0
+        residual[row + i] = 0.0
 
 
 @kernel
@@ -53,11 +50,11 @@ def add_arm(
     square: Any,
     k: Any,
 ) -> None:
-    """Move an end node's own block, force and hinge onto coordinates k, k + 1, k + 2 of the border.
+    """Move an end node's own block, force and hinge onto a mount: coordinates k, k + 1, k + 2.
 
-    (kxx, kxy, kyy): the node's block; (cx, cy): its coupling with the mount's direction through
-    the hinge; ``sign``: d(hinge angle)/d(that direction); (arm_x, arm_y): from the mount's point
-    to the node.
+    (kxx, kxy, kyy): the node's block; (cx, cy): its coupling with the frame's direction through
+    the hinge; ``sign``: d(hinge angle)/d(frame's direction); (arm_x, arm_y): from the mount's
+    point to the node.
     """
     sx = -arm_y
     sy = arm_x
@@ -80,57 +77,62 @@ def add_arm(
 
 
 @kernel
-def move_first(hinge: Any, arm_x: Any, arm_y: Any, residual: Any, system: Any) -> None:
-    """Move the first node onto the border's coordinates 0, 1, 2 (x, y, direction of a mount)."""
-    nodes = system.residual
-    band = system.band
-    border = system.border
-    # The left hinge's angle falls with the mount's direction; its edge leaves node 0.
-    coupling = hinge.stiffness
-    add_arm(
-        band[0, 0],
-        band[0, 1],
-        band[1, 0],
-        coupling * hinge.slope_x,
-        coupling * hinge.slope_y,
-        hinge,
-        -1.0,
-        nodes[0],
-        nodes[1],
-        arm_x,
-        arm_y,
-        residual,
-        system.square,
-        0,
-    )
-    for row in range(2, 6):
-        bx = band[0, row]
-        by = band[1, row - 1]
-        border[row, 0] += bx
-        border[row, 1] += by
-        border[row, 2] += by * arm_x - bx * arm_y
-    border[2, 2] -= coupling * hinge.slope_x
-    border[3, 2] -= coupling * hinge.slope_y
-    release_first_node(nodes, band)
-
-
-@kernel
-def move_last(
-    last: Any, hinge: Any, arm_x: Any, arm_y: Any, residual: Any, system: Any, column: Any
+def condense_hinged_node(
+    row: Any,
+    hinge: Any,
+    sign: Any,
+    arm_x: Any,
+    arm_y: Any,
+    residual: Any,
+    system: Any,
+    column: Any,
 ) -> None:
-    """Move node ``last``, the last one, onto three coordinates of the border."""
-    nodes = system.residual
+    """Move an end node that does not turn, with the hinge of its edge, onto the frame.
+
+    ``sign``: d(hinge angle)/d(frame's direction); the edge leaves the first node and ends at
+    the last one.
+    """
     band = system.band
-    border = system.border
-    row = 2 * last
-    coupling = hinge.stiffness
+    nodes = system.residual
+    coupling = -sign * hinge.stiffness
     add_arm(
         band[row, 0],
         band[row, 1],
         band[row + 1, 0],
-        -coupling * hinge.slope_x,
-        -coupling * hinge.slope_y,
+        coupling * hinge.slope_x,
+        coupling * hinge.slope_y,
         hinge,
+        sign,
+        nodes[row],
+        nodes[row + 1],
+        arm_x,
+        arm_y,
+        residual,
+        system.square,
+        column,
+    )
+
+
+@kernel
+def condense_turning_node(
+    row: Any, length: Any, arm_x: Any, arm_y: Any, residual: Any, system: Any, column: Any
+) -> None:
+    """Move an end node with a third coordinate, ``length`` times its rotation, onto the frame.
+
+    It turns with the frame: what acts on its rotation is the moment of the clamp.
+    """
+    band = system.band
+    nodes = system.residual
+    zero = 0.0 * arm_x
+    moment = length * nodes[row + 2]
+    stiffness = length * length * band[row + 2, 0]
+    add_arm(
+        band[row, 0],
+        band[row, 1],
+        band[row + 1, 0],
+        length * band[row, 2],
+        length * band[row + 1, 1],
+        EndHinge(moment, stiffness, zero, zero),
         1.0,
         nodes[row],
         nodes[row + 1],
@@ -140,12 +142,69 @@ def move_last(
         system.square,
         column,
     )
-    for k in range(1, 5):
-        bx = band[row - k, k]
-        by = band[row - k, k + 1]
-        border[row - k, column] += bx
-        border[row - k, column + 1] += by
-        border[row - k, column + 2] += by * arm_x - bx * arm_y
-    border[row - 2, column + 2] += coupling * hinge.slope_x
-    border[row - 1, column + 2] += coupling * hinge.slope_y
-    release_last_node(nodes, band, last)
+
+
+@kernel
+def add_border(
+    bx: Any, by: Any, arm_x: Any, arm_y: Any, border: Any, row: Any, column: Any
+) -> None:
+    """Move the coupling (bx, by) of an end node with a row onto the frame's columns."""
+    border[row, column] += bx
+    border[row, column + 1] += by
+    border[row, column + 2] += by * arm_x - bx * arm_y
+
+
+@kernel
+def move_first(
+    discretization: Any, hinge: Any, arm_x: Any, arm_y: Any, residual: Any, system: Any
+) -> None:
+    """Move the first node onto columns 0, 1, 2 of the border: x, y and direction of a mount."""
+    band = system.band
+    border = system.border
+    if node_dofs(discretization) == 3:
+        length = turn_length(discretization)
+        condense_turning_node(0, length, arm_x, arm_y, residual, system, 0)
+        for row in range(3, 6):
+            add_border(band[0, row], band[1, row - 1], arm_x, arm_y, border, row, 0)
+            border[row, 2] += length * band[2, row - 2]
+        release_first_node(3, system.residual, band)
+    else:
+        condense_hinged_node(0, hinge, -1.0, arm_x, arm_y, residual, system, 0)
+        for row in range(2, 6):
+            add_border(band[0, row], band[1, row - 1], arm_x, arm_y, border, row, 0)
+        border[2, 2] -= hinge.stiffness * hinge.slope_x
+        border[3, 2] -= hinge.stiffness * hinge.slope_y
+        release_first_node(2, system.residual, band)
+
+
+@kernel
+def move_last(
+    discretization: Any,
+    last: Any,
+    hinge: Any,
+    arm_x: Any,
+    arm_y: Any,
+    residual: Any,
+    system: Any,
+    column: Any,
+) -> None:
+    """Move node ``last``, the last one, onto three columns of the border."""
+    band = system.band
+    border = system.border
+    dofs = node_dofs(discretization)
+    row = dofs * last
+    if dofs == 3:
+        length = turn_length(discretization)
+        condense_turning_node(row, length, arm_x, arm_y, residual, system, column)
+        for k in range(1, 4):
+            j = row - k
+            add_border(band[j, k], band[j, k + 1], arm_x, arm_y, border, j, column)
+            border[j, column + 2] += length * band[j, k + 2]
+    else:
+        condense_hinged_node(row, hinge, 1.0, arm_x, arm_y, residual, system, column)
+        for k in range(1, 5):
+            j = row - k
+            add_border(band[j, k], band[j, k + 1], arm_x, arm_y, border, j, column)
+        border[row - 2, column + 2] += hinge.stiffness * hinge.slope_x
+        border[row - 1, column + 2] += hinge.stiffness * hinge.slope_y
+    release_last_node(dofs, system.residual, band, last)

@@ -3,7 +3,6 @@
 from typing import Any
 
 from snapjump.frame.base import (
-    BorderSolution,
     FrameBox,
     FrameForces,
     Turning,
@@ -45,11 +44,8 @@ def _no_forces(frame: Any, model: Any, motion: Any, work: Any) -> FrameForces:
     return FrameForces(zero, zero + 1.0e30, zero)
 
 
-def _nothing_to_solve(
-    frame: Any, mesh: Any, state: Any, system: Any, done: Any
-) -> BorderSolution:
-    zero = 0.0 * done.negative
-    return BorderSolution(zero, zero, zero, zero)
+def _nothing_to_solve(frame: Any, mesh: Any, state: Any, system: Any, done: Any) -> Any:
+    return 0.0 * done.negative
 
 
 def _no_limit(frame: Any, mesh: Any, state: Any, drop: Any, fraction: Any) -> Any:

@@ -13,25 +13,39 @@ class NoFrame(NamedTuple):
 
 
 @end_tangents.member(NoFrame)
-def _end_tangents(frame: NoFrame, mesh: Any, load: Any, angles: Any, state: Any, turning: Any) -> Any:
+def _end_tangents(
+    frame: NoFrame, mesh: Any, load: Any, angles: Any, state: Any, turning: Any
+) -> Any:
     zero = 0.0 * state[0]
     return EndTangents(zero, zero, zero, zero, zero, zero, zero, zero)
 
 
 @place_ends.member(NoFrame)
-def _place_ends(frame: NoFrame, mesh: Any, offset: Any, angles: Any, state: Any) -> None:
+def _place_ends(frame: NoFrame, mesh: Any, discretization: Any, angles: Any, state: Any) -> None:
     pass
 
 
 @condense_first.member(NoFrame)
 def _condense_first(
-    frame: NoFrame, mesh: Any, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: NoFrame,
+    mesh: Any,
+    tangents: Any,
+    discretization: Any,
+    hinge: Any,
+    state: Any,
+    system: Any,
 ) -> None:
     pass
 
 
 @condense_last.member(NoFrame)
 def _condense_last(
-    frame: NoFrame, mesh: Any, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: NoFrame,
+    mesh: Any,
+    tangents: Any,
+    discretization: Any,
+    hinge: Any,
+    state: Any,
+    system: Any,
 ) -> None:
     pass

@@ -13,9 +13,13 @@ from snapjump.contact.base import (
     has_contact,
 )
 from snapjump.damping.base import mass_damping
-from snapjump.discretization.base import EndTangents
+from snapjump.discretization.base import (
+    EndTangents,
+    clamp_offset,
+    node_dofs,
+    turn_length,
+)
 from snapjump.frame.base import (
-    BorderSolution,
     FrameBox,
     FrameForces,
     Turning,
@@ -118,33 +122,50 @@ def last_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Any:
 
 
 @place_ends.member(RigidFrame)
-def _place_ends(frame: RigidFrame, mesh: Any, offset: Any, angles: Any, state: Any) -> None:
+def _place_ends(frame: RigidFrame, mesh: Any, discretization: Any, angles: Any, state: Any) -> None:
     still = Turning(0.0 * state[2], 0.0 * state[2])
     tangents = _end_tangents(frame, mesh, 0.0, angles, state, still)
+    dofs = node_dofs(discretization)
+    offset = clamp_offset(discretization)
     lx, ly = first_arm(frame, offset, tangents, state[2])
     rx, ry = last_arm(frame, offset, tangents, state[2])
-    last = state.shape[0] - 2
+    last = state.shape[0] - dofs
     state[3] = state[0] + lx
     state[4] = state[1] + ly
     state[last] = state[0] + rx
     state[last + 1] = state[1] + ry
+    if dofs == 3:
+        state[5] = turn_length(discretization) * (state[2] - angles.left)
+        state[last + 2] = turn_length(discretization) * (state[2] + angles.right)
 
 
 @condense_first.member(RigidFrame)
 def _condense_first(
-    frame: RigidFrame, mesh: Any, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: RigidFrame,
+    mesh: Any,
+    tangents: Any,
+    discretization: Any,
+    hinge: Any,
+    state: Any,
+    system: Any,
 ) -> None:
-    lx, ly = first_arm(frame, offset, tangents, state[2])
-    move_first(hinge, lx, ly, system.frame_residual, system)
+    arm_x, arm_y = first_arm(frame, clamp_offset(discretization), tangents, state[2])
+    move_first(discretization, hinge, arm_x, arm_y, system.frame_residual, system)
 
 
 @condense_last.member(RigidFrame)
 def _condense_last(
-    frame: RigidFrame, mesh: Any, tangents: Any, offset: Any, hinge: Any, state: Any, system: Any
+    frame: RigidFrame,
+    mesh: Any,
+    tangents: Any,
+    discretization: Any,
+    hinge: Any,
+    state: Any,
+    system: Any,
 ) -> None:
-    rx, ry = last_arm(frame, offset, tangents, state[2])
-    last = (state.shape[0] - 3) // 2 - 1
-    move_last(last, hinge, rx, ry, system.frame_residual, system, 0)
+    arm_x, arm_y = last_arm(frame, clamp_offset(discretization), tangents, state[2])
+    last = (state.shape[0] - 3) // node_dofs(discretization) - 1
+    move_last(discretization, last, hinge, arm_x, arm_y, system.frame_residual, system, 0)
 
 
 @kernel
@@ -215,9 +236,7 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
 
 
 @limit_frame_step.member(RigidFrame)
-def _limit_frame_step(
-    frame: RigidFrame, mesh: Any, state: Any, drop: Any, fraction: Any
-) -> Any:
+def _limit_frame_step(frame: RigidFrame, mesh: Any, state: Any, drop: Any, fraction: Any) -> Any:
     c = cos(state[2])
     s = sin(state[2])
     share = 1.0 + 0.0 * state[0]
@@ -232,12 +251,8 @@ def _limit_frame_step(
 
 
 @solve_frame.member(RigidFrame)
-def _solve_frame(
-    frame: RigidFrame, mesh: Any, state: Any, system: Any, done: Any
-) -> BorderSolution:
-    negative = banded.solve_frame(system, done)
-    x = system.frame_residual
-    return BorderSolution(negative, x[0], x[1], x[2])
+def _solve_frame(frame: RigidFrame, mesh: Any, state: Any, system: Any, done: Any) -> Any:
+    return banded.solve_frame(system, done)
 
 
 @contact_points.member(RigidFrame)

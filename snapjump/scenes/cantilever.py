@@ -10,12 +10,12 @@ from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.base import internal_energy
+from snapjump.discretization.base import internal_energy, node_dofs
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import Model, numbers_of
-from snapjump.engine.work import make_work
-from snapjump.frame.base import end_tangents
+from snapjump.engine.work import NO_MESH, make_work
+from snapjump.frame.base import STILL, end_tangents
 from snapjump.frame.cantilever import CantileverFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.tip import TipLoad
@@ -41,9 +41,9 @@ def bend_cantilever(
         NoDamping(),
         TipLoad(0.0, 0.0, 0.0),
     )
-    size = 2 * (elements + 1)
-    memory = make_work(elements + 1, 0, 2, ROWS, len(numbers_of(model)), 1)
-    memory.state[0::2, 0] = np.linspace(0.0, 1.0, elements + 1)
+    dofs = node_dofs(rod)
+    memory = make_work(elements + 1, 0, 2, ROWS, len(numbers_of(model)), 1, dofs)
+    memory.state[0::dofs, 0] = np.linspace(0.0, 1.0, elements + 1)
     masses = np.zeros(elements + 1)
     steps = max(1, int(np.ceil(max(abs(force_x), abs(force_y), abs(moment)) / LOAD_STEP)))
     negative = 0.0
@@ -54,9 +54,10 @@ def bend_cantilever(
         if failed:
             raise ArithmeticError(f"no equilibrium at {k} / {steps} of the tip load")
     state = memory.state[:, 0].copy()
-    tangents = end_tangents(CantileverFrame(), load, ClampAngles(0.0, 0.0, 0.0, 0.0), state, 0.0)
+    flat = ClampAngles(0.0, 0.0, 0.0, 0.0)
+    tangents = end_tangents(CantileverFrame(), NO_MESH, load, flat, state, STILL)
     energy = float(internal_energy(rod, state, tangents))
-    return state.reshape(size // 2, 2), energy, int(negative)
+    return state.reshape(-1, dofs)[:, :2], energy, int(negative)
 
 
 def simulate_cantilever_scene(simulation: Simulation, progress: Progress | None = None) -> Result:

@@ -8,22 +8,32 @@ from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
 from snapjump.contact.base import contact_force
 from snapjump.contact.logbarrier import LogBarrier
+from snapjump.discretization.base import clamp_offset
 from snapjump.engine.model import Model
+from snapjump.frame.base import frame_dofs, rest_frame
 from snapjump.load.gravity import Gravity
-from snapjump.scenes.frame_body import rigid_frame
+from snapjump.scenes.frame_body import compression, frame_mesh, frame_model
 from snapjump.statics.arch import StaticArch
+from snapjump.statics.chain_state import chain_state
 from snapjump.statics.elastica import buckled_arch, resampled
 from snapjump.statics.threshold import symmetric_threshold
 
 Array = NDArray[np.float64]
 
 
+def fitted_mount_height_bar(epsilon: float) -> float:
+    """The released program's height of the clamps (in L): a fit of its own h1(epsilon)."""
+    return 1.01 * (0.02951 + 0.3156 * epsilon - 0.3707 * epsilon**2)
+
+
 def mount_height_bar(simulation: Simulation) -> float:
     """Height of the clamps above the feet (in L): given, or h1(epsilon) of our static solution."""
     robot = simulation.robot
+    if robot.mount_height == "fitted":
+        return fitted_mount_height_bar(simulation.design.epsilon)
     if robot.mount_height != "optimal":
         return float(robot.mount_height) / robot.length_m
-    return symmetric_threshold(robot, simulation.discretization, simulation.design.epsilon).h1_bar
+    return symmetric_threshold(robot, simulation.discretization, compression(simulation)).h1_bar
 
 
 def resting_gap(contact: LogBarrier, weight: float) -> float:
@@ -40,8 +50,10 @@ def resting_gap(contact: LogBarrier, weight: float) -> float:
 
 def start_angle_rad(simulation: Simulation) -> float:
     """Left clamp angle at which the motion starts."""
+    if simulation.sim.start_fraction == 0.0:
+        return 0.0
     critical = symmetric_threshold(
-        simulation.robot, simulation.discretization, simulation.design.epsilon
+        simulation.robot, simulation.discretization, compression(simulation)
     )
     return simulation.sim.start_fraction * critical.alpha_rad
 
@@ -49,9 +61,9 @@ def start_angle_rad(simulation: Simulation) -> float:
 def check_mount_height(simulation: Simulation, start: float) -> None:
     """Require a given mount height to keep the arch above the ground where the motion starts."""
     robot = simulation.robot
-    if robot.mount_height == "optimal":
+    if isinstance(robot.mount_height, str):
         return
-    arch = StaticArch(robot, simulation.discretization, simulation.design.epsilon)
+    arch = StaticArch(robot, simulation.discretization, compression(simulation))
     state = arch.settle(arch.guess(), 0.0, 0.0)
     steps = max(8, int(np.ceil(start / 0.05)))
     right = start - simulation.design.delta_alpha
@@ -80,7 +92,7 @@ def jump_model(simulation: Simulation) -> Model:
         )
     return Model(
         discretization=simulation.discretization.member(robot),
-        frame=rigid_frame(simulation, mount_height_bar(simulation)),
+        frame=frame_model(simulation, mount_height_bar(simulation)),
         clamp=ConstantRate(
             start=start,
             end=robot.rotation_end_rad,
@@ -95,17 +107,20 @@ def jump_model(simulation: Simulation) -> Model:
 
 
 def resting_guess(simulation: Simulation, model: Model) -> Array:
-    """State (3 + 2 nodes) of the robot at rest with flat clamps: frame, then nodes."""
+    """State of the robot at rest with flat clamps: frame, then nodes (2 or 3 each)."""
     discretization = simulation.discretization
     frame = model.frame
     weight = (frame.mass + float(np.sum(discretization.masses()))) * model.load.acceleration
     gap = resting_gap(model.contact, weight)
-    x, y = buckled_arch(simulation.design.epsilon, discretization.elements)
+    x, y = buckled_arch(compression(simulation), discretization.elements)
     chain = discretization.moving_elements
-    skipped = model.discretization.clamp_offset
-    centre = gap - frame.foot_y
-    state = np.zeros(3 + 2 * (chain + 1))
-    state[1] = centre
-    state[3::2] = resampled(x, skipped, chain)
-    state[4::2] = resampled(y, skipped, chain) + centre + frame.mount_y
+    skipped = clamp_offset(model.discretization)
+    beam = chain_state(
+        model.discretization,
+        resampled(x, skipped, chain),
+        resampled(y, skipped, chain) + (gap - frame.foot_y) + frame.mount_y,
+    )
+    mesh = frame_mesh(simulation, frame)
+    state = np.concatenate([np.zeros(frame_dofs(frame, mesh)), beam])
+    rest_frame(frame, mesh, state, gap)
     return state

@@ -2,17 +2,18 @@
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
+from snapjump.discretization.base import node_dofs
 from snapjump.engine.clock import ROWS, TIME
 from snapjump.engine.march import Limits, Queue, find_starts, march
 from snapjump.engine.model import Model, numbers_of
-from snapjump.engine.work import Work, make_work
+from snapjump.engine.work import NO_MESH, Work, make_work
 from snapjump.frame.base import frame_dofs
 from snapjump.number.announcement import load
 from snapjump.recorder.none import NoRecorder
@@ -26,7 +27,8 @@ PASSES_PER_SLICE = 2000
 
 @dataclass
 class March:
-    """Robots of one composition, their beginnings, and the memory they are simulated in."""
+    """Robots of one composition and one mesh of their frames, their beginnings, and the memory they
+    are simulated in."""
 
     models: list[Model]
     masses: Array
@@ -37,6 +39,7 @@ class March:
     lanes: int = 1
     velocities: Array | None = None
     accelerations: Array | None = None
+    mesh: NDArray[np.int64] = field(default_factory=lambda: NO_MESH)
 
     def __post_init__(self) -> None:
         robots, size = self.states.shape
@@ -56,11 +59,13 @@ class March:
         self.stepping = self.simulation.stepping.member(self.simulation.robot.scales)
         self.memory: Work = make_work(
             len(self.masses),
-            frame_dofs(self.models[0].frame),
+            frame_dofs(self.models[0].frame, self.mesh),
             len(self.tableau.nodes),
             ROWS,
             self.numbers.shape[1],
             self.lanes,
+            node_dofs(self.models[0].discretization),
+            self.mesh,
         )
         self.kernel_seconds = 0.0
 

@@ -107,8 +107,7 @@ def _asymmetric(arch: StaticArch, snap: Any, steps: int) -> dict[str, Array]:
     It is entered along the critical mode: the tangent's null vector there.
     """
     branch = Branch(arch, 0.0, symmetric=False)
-    state = np.empty(arch.size)
-    state[0::2], state[1::2] = snap.before.x, snap.before.y
+    state = snap.before.state
     arch.residual(state, snap.alpha_rad, snap.alpha_rad)
     mode = np.append(arch.critical_mode(), 0.0)
     seed = Point(state, snap.alpha_rad, 0.0, 0, mode)

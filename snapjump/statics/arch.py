@@ -10,17 +10,18 @@ from snapjump.clamp.base import ClampAngles
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.base import internal_energy
+from snapjump.discretization.base import clamp_offset, internal_energy, node_dofs, turn_length
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import Model, numbers_of
-from snapjump.engine.work import make_work
-from snapjump.frame.base import end_tangents
+from snapjump.engine.work import NO_MESH, make_work
+from snapjump.frame.base import STILL, end_tangents
 from snapjump.frame.fixed import FixedFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.none import NoLoad
 from snapjump.options.discretization import DiscreteElasticRodOptions
 from snapjump.parameters.robot import Robot
+from snapjump.statics.chain_state import chain_state
 from snapjump.statics.elastica import buckled_arch, resampled
 
 Array = NDArray[np.float64]
@@ -29,7 +30,7 @@ Array = NDArray[np.float64]
 @dataclass(frozen=True)
 class Equilibrium:
     """A settled shape: nodes x, y (in L, from the middle of the mounts), clamp angles (rad),
-    bending and stretching energy (EI/L), and the number of negative pivots (0: stable)."""
+    elastic energy (EI/L), the number of negative pivots (0: stable), and the state vector."""
 
     x: Array
     y: Array
@@ -37,6 +38,7 @@ class Equilibrium:
     right: float
     energy: float
     negative_pivots: int
+    state: Array
 
     @property
     def midpoint(self) -> float:
@@ -64,24 +66,28 @@ class StaticArch:
         self.rod = discretization.member(robot)
         self.frame = FixedFrame(0.5 * (1.0 - epsilon), 0.0)
         self.masses = discretization.masses()
-        self.size = 2 * len(self.masses)
-        self.free = slice(2, self.size - 2)
+        self.node_dofs = node_dofs(self.rod)
+        self.size = self.node_dofs * len(self.masses)
+        self.free = slice(self.node_dofs, self.size - self.node_dofs)
         model = self._model(0.0, 0.0)
-        self.memory = make_work(len(self.masses), 0, 2, ROWS, len(numbers_of(model)), 1)
+        self.memory = make_work(
+            len(self.masses), 0, 2, ROWS, len(numbers_of(model)), 1, self.node_dofs
+        )
 
     def _model(self, left: float, right: float) -> Model:
         clamp = ConstantRate(left, 10.0, 1.0, left - right)
         return Model(self.rod, self.frame, clamp, NoContact(), NoFriction(), NoDamping(), NoLoad())
 
     def guess(self, upward: bool = True) -> Array:
-        """State (2 nodes) of the exact arch between flat clamps, buckled up or down."""
+        """State of the exact arch between flat clamps, buckled up or down."""
         x, y = buckled_arch(self.epsilon, self.discretization.elements)
         chain = self.discretization.moving_elements
-        skipped = self.rod.clamp_offset
-        state = np.empty(self.size)
-        state[0::2] = resampled(x, skipped, chain)
-        state[1::2] = resampled(y if upward else -y, skipped, chain)
-        return state
+        skipped = clamp_offset(self.rod)
+        return chain_state(
+            self.rod,
+            resampled(x, skipped, chain),
+            resampled(y if upward else -y, skipped, chain),
+        )
 
     def _run(self, state: Array, left: float, right: float, iterate: bool) -> tuple[float, bool]:
         model = self._model(left, right)
@@ -99,10 +105,13 @@ class StaticArch:
     def residual(self, state: Array, left: float, right: float) -> Array:
         """Gradient of the energy with respect to the free coordinates."""
         placed = state.copy()
-        offset = self.rod.clamp_offset
+        offset = clamp_offset(self.rod)
         half = self.frame.half_span
+        last = self.size - self.node_dofs
         placed[:2] = -half + offset * np.cos(left), -offset * np.sin(left)
-        placed[-2:] = half - offset * np.cos(right), -offset * np.sin(right)
+        placed[last : last + 2] = half - offset * np.cos(right), -offset * np.sin(right)
+        if self.node_dofs == 3:
+            placed[2], placed[last + 2] = turn_length(self.rod) * np.array([-left, right])
         self._run(placed, left, right, False)
         return self.memory.system.residual[self.free, 0].copy()
 
@@ -126,8 +135,14 @@ class StaticArch:
     def equilibrium(self, state: Array, left: float, right: float) -> Equilibrium:
         """Describe a settled state."""
         angles = ClampAngles(left, right, 0.0, 0.0)
-        tangents = end_tangents(self.frame, NoLoad(), angles, state, 0.0)
+        tangents = end_tangents(self.frame, NO_MESH, NoLoad(), angles, state, STILL)
         energy = float(internal_energy(self.rod, state, tangents))
         return Equilibrium(
-            state[0::2].copy(), state[1::2].copy(), left, right, energy, self.negative_pivots
+            state[0 :: self.node_dofs].copy(),
+            state[1 :: self.node_dofs].copy(),
+            left,
+            right,
+            energy,
+            self.negative_pivots,
+            state.copy(),
         )

@@ -20,7 +20,7 @@ SAFELY_STABLE = 4.0  # smallest eigenvalue from which the tangent is well condit
 
 @dataclass(frozen=True)
 class Point:
-    """A point of a branch: state (2 nodes), left clamp angle (rad), smallest eigenvalue of the
+    """A point of a branch: state, left clamp angle (rad), smallest eigenvalue of the
     tangent and number of negative ones, and the branch's unit tangent (free coordinates, angle).
     """
 
@@ -78,11 +78,10 @@ class Branch:
         at the pitchfork that part is undetermined and rounding would fill it."""
         if not self.symmetric:
             return change
-        x, y = change[0::2], change[1::2]
-        symmetric = np.empty_like(change)
-        symmetric[0::2] = 0.5 * (x - x[::-1])
-        symmetric[1::2] = 0.5 * (y + y[::-1])
-        return symmetric
+        nodes = change.reshape(-1, self.arch.node_dofs)
+        # x and, where nodes turn, the rotation change their sign in the mirror.
+        mirror = np.array([-1.0, 1.0, -1.0])[: self.arch.node_dofs]
+        return (0.5 * (nodes + mirror * nodes[::-1])).ravel()
 
     def _direction(self, state: Array, left: float, towards: Array, stable: bool) -> Array:
         """Unit tangent of the branch, on the side of ``towards``."""
@@ -99,7 +98,7 @@ class Branch:
         """The settled point of the branch at a given angle; by default facing larger angles."""
         state = self.arch.settle(state, left, left - self.delta_alpha)
         if towards is None:
-            towards = np.append(np.zeros(self.arch.size - 4), 1.0)
+            towards = np.append(np.zeros(self.arch.size - 2 * self.arch.node_dofs), 1.0)
         direction = self._direction(state, left, towards, stable=False)
         self._residual(state, left)
         return Point(state, left, *self.arch.stability(), direction)

@@ -2,12 +2,14 @@ import numpy as np
 import pytest
 
 from snapjump.clamp.base import ClampAngles
+from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.frame.base import end_tangents, frame_dofs, place_ends
 from snapjump.frame.cantilever import CantileverFrame
 from snapjump.frame.fixed import FixedFrame
 from snapjump.load.none import NoLoad
 from snapjump.load.tip import TipLoad
 
+ROD = DiscreteElasticRod(0.05, 1e4, 0.05, clamp_offset=0.05)
 ANGLES = ClampAngles(0.3, 0.2, 5.0, 4.0)
 
 
@@ -15,7 +17,7 @@ def test_fixed_frame_holds_both_ends_and_turns_them_down():
     frame = FixedFrame(0.4, 0.7)
     assert frame_dofs(frame) == 0
     state = np.full(8, 9.0)
-    place_ends(frame, 0.05, ANGLES, state)
+    place_ends(frame, ROD, ANGLES, state)
     left = np.array([-0.4, 0.7]) + 0.05 * np.array([np.cos(0.3), -np.sin(0.3)])
     right = np.array([0.4, 0.7]) - 0.05 * np.array([np.cos(0.2), np.sin(0.2)])
     np.testing.assert_allclose(state[:2], left, rtol=1e-15)
@@ -31,7 +33,7 @@ def test_fixed_frame_holds_both_ends_and_turns_them_down():
 def test_cantilever_holds_the_left_end_only():
     frame = CantileverFrame()
     state = np.full(8, 9.0)
-    place_ends(frame, 0.05, ANGLES, state)
+    place_ends(frame, ROD, ANGLES, state)
     np.testing.assert_allclose(state[:2], [0.05 * np.cos(0.3), -0.05 * np.sin(0.3)])
     assert (state[2:] == 9.0).all()
     tangents = end_tangents(frame, TipLoad(1.0, 2.0, 3.0), ANGLES, state, 0.0)

@@ -74,7 +74,7 @@ def full_state(model: Model, free: Any, angles: Any) -> Any:
     free = np.asarray(free)
     zero = np.zeros(2, free.dtype)
     state = np.concatenate([free[:3], zero, free[3:], zero])
-    place_ends(model.frame, clamp_offset(model.discretization), angles, state)
+    place_ends(model.frame, model.discretization, angles, state)
     return state
 
 

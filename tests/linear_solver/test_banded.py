@@ -16,44 +16,58 @@ from snapjump.linear_solver.banded import (
     solve_frame,
     substitute_back,
 )
+from snapjump.linear_solver.banded_turning import eliminate_turning_node, substitute_back_turning
 from snapjump.number.dispatch import routine
 
 NODES = 12
 WIDTH = 4
 
+dofs_of_nodes = pytest.mark.parametrize("per_node", [2, 3])
+
 
 @routine
-def solve(work: Any, bordered: Any) -> Any:
+def solve(work: Any, bordered: Any, turning: Any) -> Any:
     """Number of pivots that are not positive; the solution replaces the residual."""
     system = work.system
     zero = 0.0 * system.square[0, 0]
     done = begin_elimination(zero)
     for node in range(NODES):
-        done = eliminate_node(system, node, bordered, done)
+        if turning:
+            done = eliminate_turning_node(system, node, bordered, done)
+        else:
+            done = eliminate_node(system, node, bordered, done)
     negative = done.negative
     if bordered:
         negative = negative + solve_frame(system, done)
-    substitute_back(system, bordered, zero)
+    if turning:
+        substitute_back_turning(system, bordered, zero)
+    else:
+        substitute_back(system, bordered, zero)
     return negative
 
 
 @njit(cache=True, error_model="numpy")
-def solve_compiled(memory: Any, lanes: Any, bordered: bool) -> None:
+def solve_compiled(memory: Any, lanes: Any, bordered: bool, turning: bool) -> None:
     work = view_work(memory, lanes)
-    work.clock[0] = solve(work, bordered)
+    work.clock[0] = solve(work, bordered, turning)
 
 
 def fill(work: Any, seed: int, shift: float, unsymmetric: bool = False) -> tuple[Any, Any]:
-    """A random system with the beam's pattern: a node is coupled to the next two.
+    """A random system with the beam's pattern: a node is coupled to the next two, or, where it
+    has three coordinates, to the next one.
 
     Returns the dense matrix and right-hand side. Eigenvalues rise with ``shift``.
     """
     rng = np.random.default_rng(seed)
     system = work.system
     system.band[...] = rng.normal(size=system.band.shape)
-    system.band[1::2, 5] = 0.0
+    size = len(system.residual)
+    dofs = size // NODES
+    system.band[1::dofs, 5] = 0.0
+    if dofs == 3:
+        system.band[2::dofs, 4:] = 0.0
     for k in range(1, 6):
-        system.band[2 * NODES - k :, k] = 0.0
+        system.band[size - k :, k] = 0.0
     system.band[:, 0] += shift
     system.border[:6] = rng.normal(size=(6, 3))
     system.border[-6:] = rng.normal(size=(6, 3))
@@ -62,61 +76,66 @@ def fill(work: Any, seed: int, shift: float, unsymmetric: bool = False) -> tuple
     if unsymmetric:
         square[0, 1:] += [2.0, -1.0]
     system.square[...] = square
-    system.residual[...] = rng.normal(size=2 * NODES)
+    system.residual[...] = rng.normal(size=size)
     system.frame_residual[...] = rng.normal(size=3)
     return dense(work, 3), np.concatenate([system.frame_residual, system.residual])
 
 
+@dofs_of_nodes
 @pytest.mark.parametrize("seed", range(5))
 @pytest.mark.parametrize("unsymmetric", [False, True])
-def test_bordered_solution(seed, unsymmetric):
-    work = plain_work(NODES, 3)
+def test_bordered_solution(seed, unsymmetric, per_node):
+    work = plain_work(NODES, 3, per_node=per_node)
     matrix, right = fill(work, seed, 8.0, unsymmetric)
     expected = np.linalg.solve(matrix, right)
-    negative = solve(work, True)
+    negative = solve(work, True, per_node == 3)
     actual = np.concatenate([work.system.frame_residual, work.system.residual])
     np.testing.assert_allclose(actual, expected, rtol=0.0, atol=1e-13 * np.abs(expected).max())
     assert negative == 0.0
 
 
+@dofs_of_nodes
 @pytest.mark.parametrize("seed", range(5))
-def test_solution_without_a_frame(seed):
-    work = plain_work(NODES, 0)
+def test_solution_without_a_frame(seed, per_node):
+    work = plain_work(NODES, 0, per_node=per_node)
     matrix, right = fill(work, seed, 8.0)
     expected = np.linalg.solve(matrix[3:, 3:], right[3:])
-    assert solve(work, False) == 0.0
+    assert solve(work, False, per_node == 3) == 0.0
     np.testing.assert_allclose(work.system.residual, expected, rtol=1e-10, atol=1e-13)
 
 
+@dofs_of_nodes
 @pytest.mark.parametrize("bordered", [False, True])
-def test_pivots_count_negative_eigenvalues(bordered):
+def test_pivots_count_negative_eigenvalues(bordered, per_node):
     counts = set()
     for seed in range(30):
-        work = plain_work(NODES, 3)
+        work = plain_work(NODES, 3, per_node=per_node)
         matrix, _ = fill(work, seed, 3.0)
         matrix = matrix if bordered else matrix[3:, 3:]
         negative = int((np.linalg.eigvalsh(matrix) < 0.0).sum())
-        assert solve(work, bordered) == negative
+        assert solve(work, bordered, per_node == 3) == negative
         counts.add(negative)
     assert len(counts) >= 3  # definite and indefinite ones
 
 
+@dofs_of_nodes
 @pytest.mark.parametrize("bordered", [False, True])
-def test_lanes_and_scalars_solve_alike(bordered):
-    plain = [plain_work(NODES, 3) for _ in range(WIDTH)]
-    lanes = make_work(NODES, 3, 2, ROWS, 1, WIDTH)
-    singles = [make_work(NODES, 3, 2, ROWS, 1, 1) for _ in range(WIDTH)]
+def test_lanes_and_scalars_solve_alike(bordered, per_node):
+    turning = per_node == 3
+    plain = [plain_work(NODES, 3, per_node=per_node) for _ in range(WIDTH)]
+    lanes = make_work(NODES, 3, 2, ROWS, 1, WIDTH, per_node)
+    singles = [make_work(NODES, 3, 2, ROWS, 1, 1, per_node) for _ in range(WIDTH)]
     for lane, work in enumerate(plain):
         fill(work, lane, 4.0, True)
         for name in ("residual", "band", "border", "frame_residual", "square"):
             values = getattr(work.system, name)
             getattr(lanes.system, name)[..., lane] = values
             getattr(singles[lane].system, name)[..., 0] = values
-    solve_compiled(lanes, (0,) * WIDTH, bordered)
+    solve_compiled(lanes, (0,) * WIDTH, bordered, turning)
     for lane, work in enumerate(plain):
-        negative = solve(work, bordered)
+        negative = solve(work, bordered, turning)
         single = singles[lane]
-        solve_compiled(single, (0,), bordered)
+        solve_compiled(single, (0,), bordered, turning)
         assert lanes.clock[0, lane] == single.clock[0, 0] == negative
         for name in ("residual", "frame_residual"):
             scalar = getattr(single.system, name)[..., 0]

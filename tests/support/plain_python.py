@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.discretization.base import HALF_BANDWIDTH
+from snapjump.discretization.base import HALF_BANDWIDTH, node_dofs
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.clock import ROWS
 from snapjump.engine.work import Work, make_work
@@ -24,16 +24,18 @@ def complex_step(function: Callable[[Any], Any], x: Any) -> Any:
     return np.array(columns).T
 
 
-def plain_work(nodes: int, dofs: int, stages: int = 2, dtype: type = float) -> Work:
+def plain_work(
+    nodes: int, dofs: int, stages: int = 2, dtype: type = float, per_node: int = 2
+) -> Work:
     """The memory of one robot without the axis of lanes."""
-    memory = make_work(nodes, dofs, stages, ROWS, 1, 1)
+    memory = make_work(nodes, dofs, stages, ROWS, 1, 1, per_node)
 
     def plain(array: Any) -> Any:
         return np.zeros(array.shape[:-1], dtype)
 
     system = memory.system
     padded = [plain(system.padded_residual), plain(system.padded_band), plain(system.padded_border)]
-    inner = [array[HALF_BANDWIDTH : HALF_BANDWIDTH + 2 * nodes] for array in padded]
+    inner = [array[HALF_BANDWIDTH : HALF_BANDWIDTH + per_node * nodes] for array in padded]
     parts = [plain(array) for array in memory[:-1]]
     square = plain(system.square)
     frame = plain(system.frame_residual)
@@ -45,7 +47,12 @@ def assembled(
 ) -> tuple[Any, Work]:
     """The figures and the memory after an assembly; ``arrays`` are further parts of the memory."""
     state = np.asarray(state)
-    work = plain_work(len(masses), frame_dofs(model.frame), dtype=state.dtype.type)
+    work = plain_work(
+        len(masses),
+        frame_dofs(model.frame),
+        dtype=state.dtype.type,
+        per_node=node_dofs(model.discretization),
+    )
     work.state[:] = state
     for name, values in arrays.items():
         getattr(work, name)[...] = values

@@ -1,6 +1,6 @@
-"""The elastic frame as a body: its mass, place, outline and points of contact."""
+"""The elastic frame as a body: its numbers, mass, place, outline and points of contact."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from snapjump.discretization.der_elements import make_edge
 from snapjump.frame.base import (
@@ -15,7 +15,6 @@ from snapjump.frame.base import (
     rest_frame,
     slide_frame,
 )
-from snapjump.frame.elastic import ElasticFrame, weight_at
 from snapjump.frame.elastic_mesh import (
     LEFT_CORNER,
     RIGHT_CORNER,
@@ -23,7 +22,34 @@ from snapjump.frame.elastic_mesh import (
     edge_length,
     node_count,
     node_mass,
+    weight_at,
 )
+
+
+class ElasticFrame(NamedTuple):
+    """Half the width; heights of mounts, feet and top above the feet (in L); mass of the frame
+    (rho A L) and what of it bounces with a foot; lengths of an edge below, at and above a mount,
+    and of the top (L); mass per length (rho A) and clamped at either mount; bending stiffness
+    (EI) and stretching stiffness (EI/L^2); distance of the beam's ends from the legs (L); weights
+    of contact at a node and, per length, at what belongs to it (1/L)."""
+
+    half_span: float
+    mount_y: float
+    foot_y: float
+    top_y: float
+    mass: float
+    bouncing_mass: float
+    low_length: float
+    mount_length: float
+    high_length: float
+    top_length: float
+    density: float
+    clamped_mass: float
+    bending: float
+    stretching: float
+    inset: float
+    node_weight: float
+    length_weight: float
 
 
 @contact_points.member(ElasticFrame)
