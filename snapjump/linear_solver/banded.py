@@ -217,14 +217,15 @@ def solve_frame(system: Any, done: Elimination) -> Any:
 
 
 @kernel
-def substitute_back(system: Any, bordered: Any, x0: Any, x1: Any, x2: Any, zero: Any) -> Any:
-    """Replace the nodes' right-hand side by the solution; returns its largest entry.
-
-    (x0, x1, x2) is the solution that multiplies the border.
-    """
+def substitute_back(system: Any, bordered: Any, zero: Any) -> Any:
+    """Replace the nodes' right-hand side by the solution; returns its largest entry."""
     band = system.padded_band
     border = system.padded_border
     rhs = system.padded_residual
+    frame = system.frame_residual
+    x0 = frame[0]
+    x1 = frame[1]
+    x2 = frame[2]
     next_x = zero  # of the next node
     next_y = zero
     far_x = zero  # of the next but one
