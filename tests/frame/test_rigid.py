@@ -316,7 +316,9 @@ def test_a_step_leaves_every_corner_its_share_of_gap(turn):
         limited += share < 1.0
         after = state - share * drop
         for k, gap in enumerate(gaps):
-            assert corner_point(FRAME, NO_MESH, k, after, 0 * after)[1] >= 0.15 * gap * (1.0 - 1e-12)
+            assert corner_point(FRAME, NO_MESH, k, after, 0 * after)[1] >= 0.15 * gap * (
+                1.0 - 1e-12
+            )
     assert limited > 20
 
 
@@ -324,11 +326,17 @@ def test_corner_velocity_is_the_derivative_of_its_place():
     state, velocity = np.array([0.1, 0.6, 0.3]), np.array([0.4, -0.2, 2.0])
     for corner in range(4):
         moved = complex_step(
-            lambda t, k=corner: corner_point(FRAME, NO_MESH, k, state + t[0] * velocity, velocity)[0], [0.0]
+            lambda t, k=corner: corner_point(FRAME, NO_MESH, k, state + t[0] * velocity, velocity)[
+                0
+            ],
+            [0.0],
         )[0]
-        assert corner_point(FRAME, NO_MESH, corner, state, velocity)[2] == pytest.approx(moved, rel=1e-12)
+        assert corner_point(FRAME, NO_MESH, corner, state, velocity)[2] == pytest.approx(
+            moved, rel=1e-12
+        )
     corners = {
-        tuple(np.round(corner_point(FRAME, NO_MESH, k, 0 * state, velocity)[:2], 12)) for k in range(4)
+        tuple(np.round(corner_point(FRAME, NO_MESH, k, 0 * state, velocity)[:2], 12))
+        for k in range(4)
     }
     assert corners == {(x, y) for x in (-0.4, 0.4) for y in (-0.25, 0.25)}
 
