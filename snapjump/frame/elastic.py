@@ -50,7 +50,7 @@ from snapjump.frame.ends import move_first, move_last
 from snapjump.frame.point_contact import add_point_contact
 from snapjump.load.base import gravity
 from snapjump.number.dispatch import kernel
-from snapjump.number.functions import absolute, any_true, cos, maximum, minimum, sin, where
+from snapjump.number.functions import absolute, any_true, cos, maximum, minimum, sin, sqrt, where
 
 
 @frame_dofs.member(ElasticFrame)
@@ -89,12 +89,27 @@ def turned(mount: Mount, angle: Any) -> Any:
     return mount.cx * c - mount.cy * s, mount.cy * c + mount.cx * s
 
 
+@kernel
+def right_tangent(frame: Any, mesh: Any, angle: Any, state: Any) -> Any:
+    """Tangent of the beam at the right clamp, turned by an angle against its mount.
+
+    A clamp that does not follow all of its leg's bending (against the line between the mounts) is
+    turned back; the tangent matrix leaves that out, the legs being stiff.
+    """
+    left = mount_at(mesh[LEFT_MOUNT], 1.0, state)
+    right = mount_at(right_mount(mesh), -1.0, state)
+    x = right.x - left.x
+    y = right.y - left.y
+    bending = (x * right.cy - y * right.cx) / sqrt(x * x + y * y)
+    return turned(right, angle - (1.0 - frame.right_follow) * bending)
+
+
 @end_tangents.member(ElasticFrame)
 def _end_tangents(
     frame: ElasticFrame, mesh: Any, load: Any, angles: Any, state: Any, turning: Turning
 ) -> Any:
     left_x, left_y = turned(mount_at(mesh[LEFT_MOUNT], 1.0, state), -angles.left)
-    right_x, right_y = turned(mount_at(right_mount(mesh), -1.0, state), angles.right)
+    right_x, right_y = right_tangent(frame, mesh, angles.right, state)
     zero = 0.0 * left_x
     return EndTangents(
         left_x,
@@ -116,7 +131,7 @@ def _place_ends(
     left = mount_at(mesh[LEFT_MOUNT], 1.0, state)
     right = mount_at(right_mount(mesh), -1.0, state)
     left_x, left_y = turned(left, -angles.left)
-    right_x, right_y = turned(right, angles.right)
+    right_x, right_y = right_tangent(frame, mesh, angles.right, state)
     first = mesh[DOFS]
     last = state.shape[0] - node_dofs(discretization)
     state[first] = left.x + frame.inset * left.cx + offset * left_x

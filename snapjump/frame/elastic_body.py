@@ -31,7 +31,8 @@ class ElasticFrame(NamedTuple):
     (rho A L) and what of it bounces with a foot; lengths of an edge below, at and above a mount,
     and of the top (L); mass per length (rho A) and clamped at either mount; bending stiffness
     (EI) and stretching stiffness (EI/L^2); distance of the beam's ends from the legs (L); weights
-    of contact at a node and, per length, at what belongs to it (1/L)."""
+    of contact at a node and, per length, at what belongs to it (1/L); share of its
+    leg's bending that the right clamp turns with."""
 
     half_span: float
     mount_y: float
@@ -50,6 +51,7 @@ class ElasticFrame(NamedTuple):
     inset: float
     node_weight: float
     length_weight: float
+    right_follow: float
 
 
 @contact_points.member(ElasticFrame)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.checks import check_choice, check_integer, check_number
+from snapjump.checks import ParameterError, check_choice, check_integer, check_number
 
 Mesh = NDArray[np.int64]
 MOUNTS = ("exact", "edge_middle")
@@ -26,6 +26,9 @@ class ElasticFrameOptions:
     1000 and 1). ``mount``: the clamps' height as it is (the leg's mesh follows it), or rounded to
     the middle of an edge of an even mesh. ``inset_m``: how far the beam's ends are from the legs.
     ``contact``: all nodes can touch the ground, or only feet and top corners, as of a rigid frame.
+    ``beam_on_top``: the beam's mass comes on top of the robot's, which is all the frame's.
+    ``right_follow``: share of its leg's bending that the right clamp turns with; below 1 it has no
+    energy and serves comparisons with the released program only (its data: about 0.5).
     """
 
     bending_ratio: float = 1000.0
@@ -35,6 +38,8 @@ class ElasticFrameOptions:
     mount: str = "exact"
     inset_m: float = 0.0
     contact: str = "nodes"
+    beam_on_top: bool = False
+    right_follow: float = 1.0
 
     def __post_init__(self) -> None:
         check_number("frame.bending_ratio", self.bending_ratio, 0.0, above=True)
@@ -44,6 +49,9 @@ class ElasticFrameOptions:
         check_choice("frame.mount", self.mount, MOUNTS)
         check_number("frame.inset_m", self.inset_m, 0.0, unit="m")
         check_choice("frame.contact", self.contact, CONTACTS)
+        if not isinstance(self.beam_on_top, bool):
+            raise ParameterError("frame.beam_on_top", self.beam_on_top, "true or false")
+        check_number("frame.right_follow", self.right_follow, 0.0, 1.0)
 
     def elements_below(self, mount_share: float) -> int:
         """Elements of a leg below its mount, which is at a share of the leg's height."""

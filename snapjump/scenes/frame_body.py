@@ -2,8 +2,6 @@
 
 from typing import Any
 
-import numpy as np
-
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.engine.work import NO_MESH
@@ -104,6 +102,7 @@ def elastic_frame(simulation: Simulation, mount_height_bar: float) -> ElasticFra
         )
     rigid = rigid_frame(simulation, mount)
     end = simulation.discretization.clamped_mass_bar
+    mass = rigid.mass + float(options.beam_on_top)
     nodes = options.contact == "nodes"
     per_node = simulation.contact.weighting == "per_node"
     return ElasticFrame(
@@ -111,17 +110,18 @@ def elastic_frame(simulation: Simulation, mount_height_bar: float) -> ElasticFra
         mount_y=mount,
         foot_y=0.0,
         top_y=height,
-        mass=rigid.mass,
+        mass=mass,
         bouncing_mass=1.0 / (1.0 / rigid.mass + rigid.half_span**2 / rigid.inertia),
         low_length=low / below,
         mount_length=leg_edge,
         high_length=high / above,
         top_length=width / options.top_elements,
-        density=(rigid.mass - 2.0 * end) / (2.0 * height + width),
+        density=(mass - 2.0 * end) / (2.0 * height + width),
         clamped_mass=end,
         bending=options.bending_ratio,
         stretching=options.stretching_ratio * robot.stretching_stiffness_bar,
         inset=inset_bar(simulation),
         node_weight=float(nodes and per_node),
-        length_weight=float(np.where(nodes and not per_node, PAPER_ELEMENTS, 0)),
+        length_weight=float(PAPER_ELEMENTS if nodes and not per_node else 0),
+        right_follow=options.right_follow,
     )
