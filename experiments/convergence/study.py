@@ -72,7 +72,7 @@ class Convergence(Study):
                 )
             },
             summary={
-                f"{v.ladder.name}_{key}_{v.observable}": value
+                f"{v.ladder.name}_{v.observable}_{key}": value
                 for v in verdicts
                 for key, value in (("order", v.fitted), ("limit", v.limit.value))
             },
