@@ -14,7 +14,7 @@ from experiments.tradeoff.figures import ERRORS_MEDIAN, ERRORS_P95, draw_precisi
 from experiments.tradeoff.modelling import models, shifts, tier_errors
 from experiments.tradeoff.modelling_figure import draw_modelling
 from experiments.tradeoff.points import Point, cheapest, make_point, pareto, split
-from experiments.tradeoff.tiers import BLOCK, finest, tier_block, tier_groups, tier_rows
+from experiments.tradeoff.tiers import BLOCK, beyond, finest, tier_block, tier_groups, tier_rows
 from snapjump.accuracy import TIERS
 from snapjump.checks import ParameterError, check_integer
 from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
@@ -110,6 +110,8 @@ class Tradeoff(Study):
                 "front": Table("Pareto front: milliseconds against the larger of the errors of "
                                "x and y (95th percentile)", [p.row() for p in front]),
                 "tiers": Table(f"Tiers over {designs} designs", tier_rows(tiers)),
+                "beyond": Table("Designs at which a tier is further off than it promises",
+                                beyond({name: done[f"tier {name}"] for name in TIERS}, limit)),
                 "modelling": Table("How far results move with what is modelled, and how far "
                                    "numerics are off", model_rows),
                 "failures": Table("Levels with failed jumps, or refused",

@@ -82,6 +82,8 @@ def test_tables_and_figures_of_few_compositions(coarse: ResultFolder) -> None:
     assert float(levels[0]["ms"]) > 0.0 and float(levels[0]["x_median_percent"]) > 0.0
     failures = (coarse.path / "failures.csv").read_text()
     assert "step_underflow" in failures and "frame = 'fixed' is not allowed" in failures
+    beyond = (coarse.path / "beyond.csv").read_text().splitlines()
+    assert all(line.startswith(("tier,", "draft,")) for line in beyond)
     front = list(csv.DictReader((coarse.path / "front.csv").read_text().splitlines()))
     assert front and all(float(row["x_p95_percent"]) > 0.0 for row in front)
     report = (coarse.path / "report.md").read_text()
