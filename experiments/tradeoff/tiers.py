@@ -18,7 +18,14 @@ from snapjump.terminal.block import markdown_table
 
 # Error of x and y (%, 95th percentile) and roughness (L) that a tier promises: design.md section 4.
 PROMISES = {"draft": (3.0, 0.03), "standard": (0.5, 0.005), "reference": (0.05, 0.0005)}
-CHOSEN = ("integrator", "stepping", "discretization", "friction", "sim")
+# What a tier chooses; all else, such as the friction threshold, is the physical model's.
+CHOSEN: dict[str, tuple[str, ...] | None] = {
+    "integrator": None,
+    "stepping": None,
+    "discretization": None,
+    "friction": ("name",),
+    "sim": ("start_fraction",),
+}
 BLOCK = "tiers"
 
 
@@ -27,7 +34,11 @@ def tier_groups(base: Groups, name: str) -> Groups:
     tier = described(with_tier(name))
     if name == "paper":
         return {**tier, "robot": base["robot"]}
-    return changed(base, {group: tier[group] for group in CHOSEN})
+    return changed(
+        base,
+        {group: {key: tier[group][key] for key in keys or tier[group]}
+         for group, keys in CHOSEN.items()},
+    )  # fmt: skip
 
 
 def finest(base: Groups) -> Groups:

@@ -125,6 +125,17 @@ def test_models_differ_in_one_number() -> None:
         assert len(different) == 1
 
 
+def test_a_tier_leaves_the_physical_model_alone() -> None:
+    model = {"friction": {"velocity_threshold_m_s": 1e-3}, "contact": {"distance_m": 1e-3}}
+    base = changed(described(with_tier("draft")), model)
+    groups = tiers.tier_groups(base, "reference")
+    assert groups["friction"]["velocity_threshold_m_s"] == 1e-3
+    assert groups["contact"]["distance_m"] == 1e-3
+    assert groups["discretization"] == described(with_tier("reference"))["discretization"]
+    assert groups["stepping"] == described(with_tier("reference"))["stepping"]
+    assert tiers.tier_groups(base, "paper")["friction"]["name"] == "lagged"
+
+
 def test_bad_numbers_of_designs() -> None:
     for key, value in (("designs", 1), ("tier_designs", "many"), ("designs", 2000)):
         with pytest.raises(ParameterError, match=f"task.{key} = "):
