@@ -8,7 +8,7 @@ import json
 from dataclasses import replace
 
 from experiments.designs import spread_designs
-from experiments.tiers import relative_errors
+from experiments.errors import relative_errors
 from snapjump.batch import simulate_batch, variants
 from snapjump.composition import with_tier
 
@@ -29,7 +29,8 @@ def main() -> None:
     }
     report = {}
     for share, batch in batches.items():
-        x, y = relative_errors(batch, batches[SHARES[0]])
+        earliest = batches[SHARES[0]]
+        x, y = relative_errors(batch.x_bar, batch.y_bar, earliest.x_bar, earliest.y_bar)
         report[f"{share:g}"] = {
             "x_change_max_percent": float(f"{x.max():.3g}"),
             "y_change_max_percent": float(f"{y.max():.3g}"),

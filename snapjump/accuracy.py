@@ -2,7 +2,7 @@
 
 The physical model (damping, K_c, d_hat) is the same in draft, standard and reference; ``paper``
 is the paper's own choice, for comparison. The figures in ``known_error`` are those of
-``python -m experiments.tiers``.
+``python run.py task=tradeoff``.
 """
 
 from dataclasses import dataclass

@@ -23,7 +23,7 @@ PACKAGES = (
 )
 SOURCES = Path(__file__).resolve().parents[1]
 # Packages that only show, keep or ask for results: a change in them changes no number.
-NOT_PHYSICS = ("files", "plots", "tasks", "terminal", "tracking")
+NOT_PHYSICS = ("files", "plots", "studies", "tasks", "terminal", "tracking")
 
 
 def now() -> str:

@@ -1,6 +1,7 @@
 """One job around its task: checks, files, and a status whatever happens."""
 
 import signal
+import sys
 import threading
 import time
 import traceback
@@ -8,12 +9,22 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
-from snapjump.checks import ParameterError, check_integer
+from snapjump.checks import ParameterError, check_choice, check_integer
 from snapjump.files.atomic import write_text
 from snapjump.files.json_file import finite
 from snapjump.files.provenance import now, provenance
 from snapjump.files.result_folder import ResultFolder
-from snapjump.tasks.base import BAD_INPUT, ERROR, INTERRUPTED, NOT_FINITE, OK, Outcome, Task
+from snapjump.tasks.base import (
+    BAD_INPUT,
+    ERROR,
+    INTERRUPTED,
+    NOT_FINITE,
+    OK,
+    Outcome,
+    Progress,
+    Task,
+)
+from snapjump.tasks.publish import check_publish, publish
 from snapjump.tasks.registry import find_task
 from snapjump.terminal.progress import ProgressBar
 
@@ -35,7 +46,8 @@ SECTIONS = (
     "backend",
     "tracking",
 )
-SWITCHES = ("figures", "seed")
+SWITCHES = ("figures", "seed", "effort", "publish")
+EFFORTS = ("quick", "full")
 LARGEST_SEED = 2**32 - 1
 
 
@@ -51,10 +63,10 @@ def execute(
     try:
         check_run(config)
         task = find_task(config["task"]["name"])
-        with heeded():
+        with heeded() as noticed:
             task.prepare(config)
             folder.write_config(config)
-            outcome = task.run(folder, bar)
+            outcome = task.run(folder, stopping(bar, noticed))
     except ParameterError as error:
         return Outcome(BAD_INPUT, str(error)), task
     except KeyboardInterrupt:
@@ -67,7 +79,18 @@ def execute(
     with uninterrupted():
         outcome.summary.setdefault("wall_seconds", time.perf_counter() - clock)
         write_outcome(config, folder, command, started_at, outcome)
+        if config["publish"] is not None and outcome.finished:
+            _publish(config, folder)
     return outcome, task
+
+
+def _publish(config: Mapping[str, Any], folder: ResultFolder) -> None:
+    try:
+        written = publish(config, folder)
+    except OSError as error:
+        print(f"not published: {error}; the report is in {folder.path}", file=sys.stderr)
+    else:
+        print("published " + ", ".join(str(path) for path in written), file=sys.stderr)
 
 
 def write_outcome(
@@ -105,16 +128,18 @@ def check_run(config: Mapping[str, Any]) -> None:
     check_integer("seed", config["seed"], 0, LARGEST_SEED)
     if not isinstance(config["figures"], bool):
         raise ParameterError("figures", config["figures"], "true or false")
+    check_choice("effort", config["effort"], EFFORTS)
+    check_publish(config)
 
 
 @contextmanager
-def heeded() -> Iterator[None]:
+def heeded() -> Iterator[list[int]]:
     """Let Ctrl-C stop the block, at its end if need be: raised inside a callback of a library,
-    KeyboardInterrupt may be swallowed there."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
+    KeyboardInterrupt may be swallowed there. Yields the signals that have come."""
     noticed: list[int] = []
+    if threading.current_thread() is not threading.main_thread():
+        yield noticed
+        return
 
     def stop(number: int, frame: Any) -> None:
         noticed.append(number)
@@ -122,11 +147,22 @@ def heeded() -> Iterator[None]:
 
     before = signal.signal(signal.SIGINT, stop)
     try:
-        yield
+        yield noticed
     finally:
         signal.signal(signal.SIGINT, before)
     if noticed:
         raise KeyboardInterrupt
+
+
+def stopping(progress: Progress, noticed: list[int]) -> Progress:
+    """The progress of a task that Ctrl-C stops when it is told next, if it was swallowed."""
+
+    def tell(done: float, text: str) -> None:
+        if noticed:
+            raise KeyboardInterrupt
+        progress(done, text)
+
+    return tell
 
 
 @contextmanager

@@ -25,7 +25,7 @@ from snapjump.terminal.block import block, number
 from snapjump.terminal.progress import ProgressBar
 from snapjump.tracking.base import Tracker, TrackingError
 from snapjump.tracking.registry import find_tracker
-from snapjump.tracking.tracked import MARK, record_folder
+from snapjump.tracking.tracked import CHILDREN, MARK, record_folder
 
 # A worker process of a parallel sweep imports this module, and nothing before it.
 register_resolvers()
@@ -75,7 +75,7 @@ def run_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[st
         return EXIT_OK
     folder.forget()
     started_at = now()
-    outcome, _ = execute(config, folder, command(overrides), ProgressBar(visible=False))
+    outcome = _do_cell(config, folder, overrides)
     if outcome.status == BAD_INPUT:
         write_outcome(config, folder, command(overrides), started_at, outcome)
     _record(tracker, folder, name, parent_id)
@@ -85,6 +85,15 @@ def run_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[st
     if outcome.status == INTERRUPTED:
         raise KeyboardInterrupt
     return exit_code(outcome.status)
+
+
+def _do_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[str]) -> Outcome:
+    if config.get("publish") is not None:
+        wrong = ParameterError(
+            "publish", config["publish"], "null in a sweep, whose cells would replace each other's"
+        )
+        return Outcome(BAD_INPUT, str(wrong))
+    return execute(config, folder, command(overrides), ProgressBar(visible=False))[0]
 
 
 def command(overrides: list[str]) -> str:
@@ -113,7 +122,7 @@ def _refused(message: str, folder: ResultFolder) -> int:
 
 
 def _tell(task: Task, outcome: Outcome, folder: ResultFolder, place: str) -> None:
-    names = [file.name for file in folder.files() if file.name != MARK]
+    names = [file.name for file in folder.files() if file.name not in (MARK, CHILDREN)]
     lines = [
         *task.report(outcome),
         ("files", f"{os.path.relpath(folder.path)}: {', '.join(names)}"),

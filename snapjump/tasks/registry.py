@@ -1,4 +1,7 @@
-"""Tasks by name. A new one is a file here, a YAML in ``conf/task`` and a line in TASKS."""
+"""Tasks by name. A new one is a file here, a YAML in ``conf/task`` and a line in TASKS.
+
+Studies live in ``experiments`` (:mod:`snapjump.studies`); all else is the same.
+"""
 
 from importlib import import_module
 
@@ -7,7 +10,10 @@ from snapjump.tasks.base import Task
 
 TASKS = {
     "simulate": "snapjump.tasks.simulate:Simulate",
+    "tradeoff": "experiments.tradeoff.study:Tradeoff",
+    "convergence": "experiments.convergence.study:Convergence",
 }
+STUDIES = "experiments."
 
 
 def find_task(name: str) -> Task:
@@ -16,3 +22,8 @@ def find_task(name: str) -> Task:
     module, cls = TASKS[name].split(":")
     task: Task = getattr(import_module(module), cls)()
     return task
+
+
+def is_study(name: object) -> bool:
+    """Whether a task leaves a report that can be published."""
+    return str(TASKS.get(str(name), "")).startswith(STUDIES)

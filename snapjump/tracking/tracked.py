@@ -1,6 +1,6 @@
 """A record made from the files of a job, so that it can be written at any time after."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from datetime import datetime
 from typing import Any
 
@@ -9,6 +9,7 @@ from snapjump.files.result_folder import ResultFolder
 from snapjump.tracking.base import Record, State, Tracker
 
 MARK = "tracking.json"
+CHILDREN = "children.json"
 STATES: dict[str, State] = {"ok": "FINISHED", "no_jump": "FINISHED", "interrupted": "KILLED"}
 
 
@@ -23,9 +24,39 @@ def record_folder(tracker: Tracker, folder: ResultFolder, name: str, parent_id: 
         run_id = tracker.record(make_record(folder, name, parent_id), earlier)
         if run_id is None:
             return ""
-        mark = {**place, "finished_at": finished_at, "run_id": run_id}
+        below = mark.get("children", {}) if same_place and earlier == run_id else {}
+        below = record_children(tracker, folder, run_id, below)
+        mark = {**place, "finished_at": finished_at, "run_id": run_id, "children": below}
         write_json(folder.path / MARK, mark)
     return f"{mark['place']} run {mark['run_id']}"
+
+
+def write_children(folder: ResultFolder, children: Sequence[Mapping[str, Any]]) -> None:
+    """Leave what is to be recorded below a job's own record.
+
+    Each child has a name, a status, a message, started_at, finished_at, params and metrics.
+    """
+    write_json(folder.path / CHILDREN, {"children": list(children)})
+
+
+def record_children(
+    tracker: Tracker, folder: ResultFolder, parent_id: str, earlier: Mapping[str, str]
+) -> dict[str, str]:
+    """Record what a job left with :func:`write_children`; returns the ids by name."""
+    found = {}
+    for child in (read_json(folder.path / CHILDREN) or {}).get("children", []):
+        record = Record(
+            name=child["name"],
+            state=STATES.get(child["status"], "FAILED"),
+            started_ms=milliseconds(child["started_at"]),
+            ended_ms=milliseconds(child["finished_at"]),
+            params=flat(child["params"]),
+            metrics=child["metrics"],
+            tags={"status": child["status"], "message": child["message"]},
+            parent_id=parent_id,
+        )
+        found[child["name"]] = str(tracker.record(record, earlier.get(child["name"])))
+    return found
 
 
 def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Record:
@@ -55,7 +86,7 @@ def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Recor
             "mlflow.source.name": "run.py",
             "source_sha256": str(origin.get("source_sha256")),
         },
-        files=[file for file in folder.files() if file.name != MARK],
+        files=[file for file in folder.files() if file.name not in (MARK, CHILDREN)],
         parent_id=parent_id,
     )
 

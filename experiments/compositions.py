@@ -1,0 +1,48 @@
+"""Compositions as plain groups, changed by plain groups: what the cells of studies are made of."""
+
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import Any
+
+from snapjump.composition import Simulation
+from snapjump.families import FAMILIES, name_of
+from snapjump.simulation import PLAIN, build
+
+Groups = dict[str, dict[str, Any]]
+
+
+def groups_of(config: Mapping[str, Any]) -> Groups:
+    """The groups of a configuration that a simulation is built from."""
+    groups = {key: dict(config[key]) for key in (*PLAIN, *FAMILIES)}
+    return {**groups, "accuracy": {"name": config["accuracy"]["name"]}}
+
+
+def changed(groups: Mapping[str, Mapping[str, Any]], changes: Mapping[str, Any]) -> Groups:
+    """Other values in some groups; another member's name drops the values of the old one."""
+    result = {key: dict(values) for key, values in groups.items()}
+    for group, values in changes.items():
+        before = result.get(group, {})
+        same = "name" not in values or values["name"] == before.get("name")
+        result[group] = {**before, **values} if same else dict(values)
+    return result
+
+
+def has_field(groups: Mapping[str, Mapping[str, Any]], group: str, key: str) -> bool:
+    """Whether the member that is chosen in a family has such a value."""
+    members = FAMILIES[group]
+    member = members.get(groups[group]["name"])
+    return member is not None and key in getattr(member, "__dataclass_fields__", {})
+
+
+def composed(groups: Mapping[str, Mapping[str, Any]]) -> Simulation:
+    """The simulation; raises ParameterError for what cannot be composed."""
+    return build(groups)
+
+
+def described(simulation: Simulation) -> Groups:
+    """The groups that a simulation would be built from."""
+    groups: Groups = {key: asdict(getattr(simulation, key)) for key in PLAIN}
+    for family in FAMILIES:
+        options = getattr(simulation, family)
+        groups[family] = {"name": name_of(family, options), **asdict(options)}
+    return {**groups, "accuracy": {"name": simulation.accuracy}}

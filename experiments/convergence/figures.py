@@ -1,0 +1,79 @@
+"""ladders.png: a panel for each thing that is refined, a line for each observable."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from experiments.convergence.ladders import Ladder
+from experiments.convergence.verdict import Verdict
+from snapjump.plots import palette
+from snapjump.plots.saving import picture
+
+COLUMNS = 3
+PANEL = (4.3, 4.2)  # inches
+TOP = 0.6
+HEADLINE = "Error against refinement; fitted order in brackets; dashed: not in the asymptotic range"
+LOOKS = {
+    "snap_time_s": ("snap time", palette.BEAM, "o"),
+    "peak_force_N": ("peak force", palette.FORCE, "s"),
+    "liftoff_speed_m_s": ("lift-off speed", palette.CENTRE, "^"),
+    "x_bar": ("apex x", palette.PLUM, "D"),
+    "y_bar": ("apex y", palette.CLAMP, "v"),
+}
+
+
+def draw_ladders(ladders: Sequence[Ladder], verdicts: Sequence[Verdict], path: Path) -> None:
+    """Log-log errors in percent; orders are those of the fit, dashed where not asymptotic."""
+    rows = -(-len(ladders) // COLUMNS)
+    size = (PANEL[0] * COLUMNS, PANEL[1] * rows + TOP)
+    with picture(path, size, HEADLINE) as figure:
+        for k, ladder in enumerate(ladders):
+            row, column = divmod(k, COLUMNS)
+            left = (column * PANEL[0] + 0.75) / size[0]
+            bottom = ((rows - 1 - row) * PANEL[1] + 0.65) / size[1]
+            axes = figure.add_axes(
+                (left, bottom, (PANEL[0] - 0.9) / size[0], (PANEL[1] - 1.05) / size[1])
+            )
+            for verdict in verdicts:
+                if verdict.ladder is ladder:
+                    _draw(axes, verdict)
+            axes.set_xscale("log")
+            axes.set_yscale("log")
+            axes.grid(True)
+            axes.set_title(ladder.name, loc="left", fontweight="bold")
+            axes.set_xlabel(ladder.label)
+            label_decades(axes)
+            if column == 0:
+                axes.set_ylabel("error (%)")
+            low, high = axes.get_ylim()
+            axes.set_ylim(low, high * (high / low) ** 0.45)  # room for the legend
+            axes.legend(loc="upper left", fontsize=8.5, ncols=1, handlelength=2.2)
+
+
+def label_decades(axes: Any) -> None:
+    """Label 1, 2 and 5 of each decade where the axis has less than two, else the decades."""
+    from matplotlib.ticker import LogLocator, NullFormatter
+
+    low, high = axes.get_xlim()
+    subs = (1.0, 2.0, 5.0) if high < 100.0 * low else (1.0,)
+    axes.xaxis.set_major_locator(LogLocator(subs=subs))
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    axes.xaxis.set_major_formatter("{x:.0e}")
+
+
+def _draw(axes: Any, verdict: Verdict) -> None:
+    name, colour, marker = LOOKS[verdict.observable]
+    order = "no order" if np.isnan(verdict.fitted) else f"{verdict.fitted:.1f}"
+    good = np.isfinite(verdict.errors) & (verdict.errors > 0.0)
+    axes.plot(
+        verdict.sizes[good],
+        verdict.errors[good],
+        marker=marker,
+        ms=5,
+        color=colour,
+        lw=1.6,
+        ls="-" if verdict.limit.asymptotic else "--",
+        label=f"{name} ({order})",
+    )

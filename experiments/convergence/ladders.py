@@ -1,0 +1,140 @@
+"""What is refined, one thing at a time, and by what the finest levels are judged."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from experiments.compositions import Groups, changed, composed, has_field
+from snapjump.checks import ParameterError
+from snapjump.families import FAMILIES
+
+# In everything but the ladder of time, time is resolved so finely that it does not matter.
+TIGHT = {"name": "adaptive", "tolerance": 2e-10, "contact_steps": 1.0}
+TIGHTER = 100.0  # of the reference in time, against the finest level
+LOOSER = 10.0  # of the reference, to see how far it is converged itself
+TIGHTEST = 2e-12  # rounding comes through below
+# Other methods, the first that there is and that is not the method itself.
+OTHER_INTEGRATORS = ("esdirk3", "sdirk2", "tr_bdf2")
+ACCURATE = "tr_bdf2"
+# Factors of the configured values, coarsest first.
+FACTORS = {
+    "distance_m": tuple(4.0 * 2.0**-k for k in range(10)),
+    "stiffness_N_m": tuple(4.0 ** (k - 3) for k in range(10)),
+    "velocity_threshold_m_s": tuple(64.0 * 4.0**-k for k in range(10)),
+}
+NAMES = {
+    "distance_m": "barrier",
+    "stiffness_N_m": "stiffness",
+    "velocity_threshold_m_s": "threshold",
+}
+LABELS = {
+    "distance_m": "barrier distance d_hat (m)",
+    "stiffness_N_m": "inverse contact stiffness 1/K (m/N)",
+    "velocity_threshold_m_s": "friction threshold eps_v (m/s)",
+}
+
+
+@dataclass(frozen=True)
+class Ladder:
+    """Levels by value, coarsest first, each with its groups.
+
+    ``size``: what tends to zero: the value, its inverse, or the inverse number of steps.
+    ``references``: cells that the levels are judged by, the best that succeeds first; without
+    any, the levels' own limit. ``declared``: the order that the method promises, if it does.
+    """
+
+    name: str
+    label: str
+    size: str
+    levels: Mapping[float, Groups]
+    references: Mapping[str, Groups] = field(default_factory=dict)
+    declared: float | None = None
+
+    def cell(self, value: float) -> str:
+        """Name of the cell of a level."""
+        return f"{self.name} {value:.4g}"
+
+
+def resolved(groups: Groups) -> Groups:
+    """The same with time resolved tightly, by the method itself if it is of second order."""
+    integrator: Any = FAMILIES["integrator"][groups["integrator"]["name"]]
+    if getattr(integrator, "order", 2) >= 2:
+        tight = changed(groups, {"stepping": TIGHT})
+        try:
+            composed(tight)
+        except ParameterError:
+            pass  # not every method can adapt its steps
+        else:
+            return tight
+    return changed(groups, {"stepping": TIGHT, "integrator": {"name": ACCURATE}})
+
+
+def ladders(groups: Groups, count: int) -> list[Ladder]:
+    """All ladders of at most ``count`` levels that the composition has."""
+    found = [in_time(groups, count), in_space(resolved(groups), count)]
+    for family, key in (
+        ("contact", "distance_m"),
+        ("contact", "stiffness_N_m"),
+        ("friction", "velocity_threshold_m_s"),
+    ):
+        if has_field(groups, family, key):
+            found.append(in_model(resolved(groups), family, key, count))
+    return found
+
+
+def in_time(groups: Groups, count: int) -> Ladder:
+    """Halved steps, or tolerances divided by four; judged by another, much tighter method."""
+    name = groups["integrator"]["name"]
+    fixed = groups["stepping"]["name"] == "fixed"
+    key, ratio = ("step_s", 2.0) if fixed else ("tolerance", 4.0)
+    base = float(groups["stepping"][key])
+    first = base if fixed else 16.0 * base
+    values = [first * ratio**-k for k in range(count)]
+    # Fixed steps have no tolerance: theirs is tighter than that of any ladder.
+    tolerance = TIGHTEST if fixed else max(values[-1] / TIGHTER, TIGHTEST)
+    other = next(n for n in OTHER_INTEGRATORS if n in FAMILIES["integrator"] and n != name)
+    references = {
+        f"time reference {label}": changed(
+            groups,
+            {
+                "integrator": {"name": other},
+                "stepping": {"name": "adaptive", "tolerance": tight, "contact_steps": 0.5},
+            },
+        )
+        for label, tight in (("tight", tolerance), ("looser", LOOSER * tolerance))
+    }
+    return Ladder(
+        name="time",
+        label="time step (s)" if fixed else "1/steps, by tolerance",
+        size="value" if fixed else "steps",
+        levels={v: changed(groups, {"stepping": {key: v}}) for v in values},
+        references=references,
+        declared=getattr(FAMILIES["integrator"][name], "order", None),
+    )
+
+
+def in_space(groups: Groups, count: int) -> Ladder:
+    """Elements by factors of sqrt(2); judged by another discretization twice as fine as the
+    finest where there is one, else by the same."""
+    base = int(groups["discretization"]["elements"])
+    values = [max(8, 2 * round(base * 2.0 ** (0.5 * k) / 4.0)) for k in range(count)]
+    finest = 2 * values[-1]
+    own = groups["discretization"]["name"]
+    references = {}
+    for other in [*(n for n in FAMILIES["discretization"] if n != own), own]:
+        change = {"discretization": {"name": other, "elements": finest}}
+        references[f"nodes reference {other}"] = changed(groups, change)
+    levels = {float(v): changed(groups, {"discretization": {"elements": v}}) for v in values}
+    return Ladder("nodes", "1/elements", "inverse", levels, references, declared=2.0)
+
+
+def in_model(groups: Groups, family: str, key: str, count: int) -> Ladder:
+    """A number of the contact or friction law towards the limit it stands for."""
+    base = float(groups[family][key])
+    values = [base * factor for factor in FACTORS[key][:count]]
+    return Ladder(
+        name=NAMES[key],
+        label=LABELS[key],
+        size="inverse" if key == "stiffness_N_m" else "value",
+        levels={v: changed(groups, {family: {key: v}}) for v in values},
+    )

@@ -1,0 +1,98 @@
+"""``python run.py task=convergence``: refine one thing at a time, and see what results tend to."""
+
+from collections.abc import Mapping
+from functools import partial
+from typing import Any
+
+from experiments.compositions import composed, groups_of
+from experiments.convergence.cells import OBSERVABLES, observed_row
+from experiments.convergence.figures import draw_ladders
+from experiments.convergence.ladders import Ladder, ladders
+from experiments.convergence.verdict import Verdict, judged
+from snapjump.checks import ParameterError, check_integer
+from snapjump.studies.base import Cell, Conclusion, Done, Figure, Row, Table
+from snapjump.studies.study import Study
+
+QUICK_LEVELS, FULL_LEVELS = 6, 9
+FEWEST_LEVELS, MOST_LEVELS = 3, 10
+
+
+class Convergence(Study):
+    """Ladders of time, mesh, barrier distance, contact stiffness and friction threshold."""
+
+    options = ("levels",)
+    sources = ("experiments.convergence.cells",)
+
+    def plan(self, config: Mapping[str, Any]) -> list[Cell]:
+        """Every level and every reference of every ladder of the configured composition."""
+        if config["sim"]["name"] != "jump":
+            raise ParameterError("sim", config["sim"]["name"], "jump with task=convergence")
+        levels = config["task"]["levels"]
+        if levels is None:
+            levels = FULL_LEVELS if self.full else QUICK_LEVELS
+        check_integer("task.levels", levels, FEWEST_LEVELS, MOST_LEVELS)
+        groups = groups_of(config)
+        composed(groups)
+        self.ladders: list[Ladder] = ladders(groups, levels)
+        cells = []
+        for ladder in self.ladders:
+            cells += [Cell(ladder.cell(value), g) for value, g in ladder.levels.items()]
+            cells += [Cell(name, g) for name, g in ladder.references.items()]
+        return cells
+
+    def compute(self, cell: Cell) -> list[Row]:
+        """One jump."""
+        return [observed_row(cell.inputs)]
+
+    def conclude(self, done: Mapping[str, Done]) -> Conclusion:
+        """Orders, limits and what they are worth."""
+        verdicts = [judged(ladder, done, key) for ladder in self.ladders for key in OBSERVABLES]
+        base = {k: self.config[k]["name"] for k in ("integrator", "stepping", "discretization")}
+        return Conclusion(
+            title="Convergence of " + ", ".join(base.values()),
+            findings=[finding(ladder, verdicts) for ladder in self.ladders],
+            tables={
+                "orders": Table(
+                    "Observed orders and limits. Errors are in percent of the reference (those "
+                    "of x of max(|x|, 0.1 y)): the reference cell of time and nodes, else the "
+                    "limit, or the finest level where nothing is approached",
+                    [v.row() for v in verdicts],
+                    digits={"limit": 8, "reference": 8, "limit_uncertainty": 2},
+                ),
+                "levels": Table(
+                    "Every level and reference",
+                    [*map(level_row, done.values())],
+                    digits=dict.fromkeys(OBSERVABLES, 7),
+                ),
+            },
+            figures={
+                "ladders": Figure(
+                    "Error against refinement, with fitted orders",
+                    partial(draw_ladders, self.ladders, verdicts),
+                )
+            },
+            summary={
+                f"{v.ladder.name}_{v.observable}_{key}": value
+                for v in verdicts
+                for key, value in (("order", v.fitted), ("limit", v.limit.value))
+            },
+        )
+
+
+def level_row(done: Done) -> Row:
+    """A line of the table of levels."""
+    values = done.rows[0] if done.rows else {"status": f"{done.status}: {done.message}"}
+    return {"cell": done.cell.name, **values}
+
+
+def finding(ladder: Ladder, verdicts: list[Verdict]) -> str:
+    """What a ladder shows, in a sentence."""
+    own = [v for v in verdicts if v.ladder is ladder]
+    orders = ", ".join(f"{v.observable} {v.fitted:.2g}" for v in own)
+    irregular = [v.observable for v in own if not v.limit.asymptotic]
+    promise = "" if ladder.declared is None else f" (declared {ladder.declared:g})"
+    text = f"{ladder.name}: observed orders {orders}{promise}."
+    if irregular:
+        text += f" Not in the asymptotic range: {', '.join(irregular)}."
+    judge = own[0].reference_name
+    return text + (f" Judged by the cell '{judge}'." if judge else "")

@@ -1,0 +1,124 @@
+"""The accuracy tiers as compositions, their promises, and their table for README.md."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from experiments.compositions import Groups, changed, described
+from experiments.errors import (
+    FINEST_ELEMENTS,
+    FINEST_START,
+    FINEST_STEPPING,
+    relative_errors,
+)
+from experiments.tradeoff.points import Point, split
+from snapjump.accuracy import TIERS
+from snapjump.composition import with_tier
+from snapjump.studies.base import OK, Done
+from snapjump.terminal.block import markdown_table
+
+# Error of x and y (%, 95th percentile) and roughness (L) that a tier promises: design.md section 4.
+PROMISES = {"draft": (3.0, 0.03), "standard": (0.5, 0.005), "reference": (0.05, 0.0005)}
+# What a tier chooses; all else, such as the friction threshold, is the physical model's.
+CHOSEN: dict[str, tuple[str, ...] | None] = {
+    "integrator": None,
+    "stepping": None,
+    "discretization": None,
+    "friction": ("name",),
+    "sim": ("start_fraction",),
+}
+BLOCK = "tiers"
+
+
+def tier_groups(base: Groups, name: str) -> Groups:
+    """A tier of the configured physical model; ``paper`` is a model of its own."""
+    tier = described(with_tier(name))
+    if name == "paper":
+        return {**tier, "robot": base["robot"]}
+    return changed(
+        base,
+        {group: {key: tier[group][key] for key in keys or tier[group]}
+         for group, keys in CHOSEN.items()},
+    )  # fmt: skip
+
+
+def finest(base: Groups) -> Groups:
+    """The limit that all others are judged by."""
+    return changed(
+        tier_groups(base, "reference"),
+        {
+            "discretization": {"elements": FINEST_ELEMENTS},
+            "stepping": FINEST_STEPPING,
+            "sim": {"start_fraction": FINEST_START},
+        },
+    )
+
+
+def kept(point: Point, name: str) -> str:
+    """Whether a tier keeps its promise, or what it breaks."""
+    if name not in PROMISES:
+        return "none made"
+    error, rough = PROMISES[name]
+    figures = {
+        "x error": (point.x_p95_percent, error),
+        "y error": (point.y_p95_percent, error),
+        "x roughness": (point.x_roughness_bar, rough),
+        "y roughness": (point.y_roughness_bar, rough),
+    }
+    broken = [key for key, (value, most) in figures.items() if not value <= most]
+    return "kept" if not broken else "broken: " + ", ".join(broken)
+
+
+def tier_rows(points: Mapping[str, Point]) -> list[dict[str, Any]]:
+    """A row a tier."""
+    return [
+        {
+            "tier": name,
+            **{k: v for k, v in points[name].row().items() if k not in ("curve", "level")},
+            "promise": kept(points[name], name),
+        }
+        for name in TIERS
+    ]
+
+
+def beyond(done: Mapping[str, Done], limit: Done) -> list[dict[str, Any]]:
+    """The designs at which a tier (the keys) is further off than it promises."""
+    found = []
+    x_limit, y_limit = split(limit)["design"]
+    for name, cell in done.items():
+        if name not in PROMISES or cell.status != OK:
+            continue
+        errors = relative_errors(*split(cell)["design"], x_limit, y_limit)
+        rows = [row for row in cell.rows if row["kind"] == "design"]
+        for row, x, y in zip(rows, *errors, strict=True):
+            if not max(x, y) <= PROMISES[name][0]:
+                design = {k: row[k] for k in ("delta_alpha_rad", "epsilon", "mass_bar", "mu")}
+                off = {"x_error_percent": float(x), "y_error_percent": float(y)}
+                found.append({"tier": name, "status": row["status"], **design, **off})
+    return found
+
+
+def tier_block(points: Mapping[str, Point], designs: int) -> str:
+    """The table of README.md, with what its columns mean."""
+    header = ["tier", "error of x, y: median", "95 % of designs", "roughness of x, y (L)",
+              "ms a jump and core"]  # fmt: skip
+    order = [name for name in PROMISES if name in points] + ["paper"]
+    rows = []
+    for name in order:
+        p = points[name]
+        rows.append(
+            [
+                f"`{name}`" + (" (default)" if name == "standard" else ""),
+                f"{p.x_median_percent:.2g} %, {p.y_median_percent:.2g} %",
+                f"{p.x_p95_percent:.2g} %, {p.y_p95_percent:.2g} %",
+                f"{p.x_roughness_bar:.1g}, {p.y_roughness_bar:.1g}",
+                f"{p.ms:.2g}",
+            ]
+        )
+    return (
+        f"{markdown_table(header, rows)}\n\n"
+        f"Errors are against the converged limit of the model, over {designs} designs spread over\n"
+        "the paper's ranges; those of x relative to max(|x|, 0.1 y). Roughness is the standard\n"
+        "deviation of the result about the converged one when delta_alpha moves in steps of\n"
+        "0.001. Times are of one core with eight lanes, starts included.\n"
+        "`python run.py task=tradeoff publish=docs/studies` measures all of it."
+    )

@@ -1,0 +1,1 @@
+"""Studies: many computations, kept one by one, that come to tables, figures and a finding."""

@@ -1,0 +1,68 @@
+"""Filling the documentation from a run: ``publish=docs/studies`` writes ``<task>.md`` there."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from snapjump.checks import ParameterError
+from snapjump.files.atomic import atomic_file, write_text
+from snapjump.files.result_folder import ResultFolder
+from snapjump.tasks.registry import is_study
+
+REPORT = "report.md"
+BLOCK_SUFFIX = ".block.md"
+README = Path("README.md")
+
+
+def check_publish(config: Mapping[str, Any]) -> None:
+    """Raise ParameterError for a folder that cannot be one, or a task that has no report."""
+    target, task = config["publish"], config["task"].get("name")
+    if target is None:
+        return
+    if not isinstance(target, str) or not target:
+        raise ParameterError("publish", target, "null, or a folder such as docs/studies")
+    if Path(target).exists() and not Path(target).is_dir():
+        raise ParameterError("publish", target, "a folder, and this is a file")
+    if not is_study(task):
+        raise ParameterError("publish", target, f"null with task={task}, which is no study")
+
+
+def publish(config: Mapping[str, Any], folder: ResultFolder) -> list[Path]:
+    """Copy report and figures of a study, with the command that made them; what was written.
+
+    Sections of README.md that the study has text for are replaced, where it has their markers.
+    """
+    target, task = Path(config["publish"]), config["task"]["name"]
+    target.mkdir(parents=True, exist_ok=True)
+    origin = folder.provenance() or {}
+    title, _, rest = (folder.path / REPORT).read_text(encoding="utf-8").partition("\n")
+    revision = str(origin.get("git_revision"))[:10] + (" and changes" * bool(origin["git_dirty"]))
+    machine = origin["machine"]["processor"]
+    made = f"`{origin['command']}`\n\nRevision {revision}, {origin['finished_at'][:10]}, {machine}."
+    written = []
+    for picture in sorted(folder.path.glob("*.png")):
+        rest = rest.replace(f"({picture.name})", f"({task}-{picture.name})")
+        written.append(target / f"{task}-{picture.name}")
+        with atomic_file(written[-1], "wb") as file:
+            file.write(picture.read_bytes())
+    written.append(target / f"{task}.md")
+    write_text(written[-1], f"{title}\n\n{made}\n{rest}")
+    for block in sorted(folder.path.glob(f"*{BLOCK_SUFFIX}")):
+        name = block.name.removesuffix(BLOCK_SUFFIX)
+        if README.exists():
+            before = README.read_text(encoding="utf-8")
+            after = replaced(before, name, block.read_text(encoding="utf-8"))
+            if after is not None:
+                write_text(README, after)
+                written.append(README)
+    return written
+
+
+def replaced(text: str, name: str, content: str) -> str | None:
+    """The text with other content between the markers of that name; None if it lacks them."""
+    begin, end = f"<!-- {name}:begin -->", f"<!-- {name}:end -->"
+    head, opened, tail = text.partition(begin)
+    _, closed, foot = tail.partition(end)
+    if not opened or not closed:
+        return None
+    return f"{head}{begin}\n{content.strip()}\n{end}{foot}"

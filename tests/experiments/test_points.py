@@ -1,0 +1,73 @@
+"""Errors with failures, the Pareto front, and what is recommended."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from experiments.errors import baseline_sweep, percentile, relative_errors, roughness
+from experiments.tradeoff.points import cheapest, make_point, pareto
+from snapjump.studies.base import Cell, Done
+
+LIMIT_ROWS = [
+    {"kind": "design", "status": "ok", "x_bar": 2.0, "y_bar": 10.0},
+    {"kind": "design", "status": "ok", "x_bar": 0.0, "y_bar": 5.0},
+    *[{"kind": "sweep", "status": "ok", "x_bar": 1.0 * k, "y_bar": 1.0} for k in range(5)],
+]
+
+
+def done(rows: list[dict[str, Any]], status: str = "ok") -> Done:
+    full = [{"ms": 2.0, "newton_iterations": 10.0, **row} for row in rows]
+    return Done(Cell("a", {}), status, "why", full, "run", "", "")
+
+
+def test_the_front_is_what_nothing_beats() -> None:
+    costs = [1.0, 2.0, 3.0, 4.0, 5.0, math.nan]
+    errors = [9.0, 10.0, 4.0, 4.0, 1.0, 0.0]
+    assert pareto(costs, errors) == [0, 2, 4]
+    assert pareto([1.0, 1.0], [2.0, 1.0]) == [1]
+    assert pareto([1.0], [math.inf]) == []
+
+
+def test_failures_are_infinite_errors() -> None:
+    errors = np.array([1.0, 2.0, 3.0, np.nan])
+    assert percentile(errors, 50.0) == pytest.approx(2.5)
+    assert percentile(errors, 95.0) == math.inf
+    assert percentile(errors[:3], 50.0) == pytest.approx(np.percentile(errors[:3], 50.0))
+
+
+def test_errors_of_x_are_bounded_where_x_goes_through_zero() -> None:
+    x, y = relative_errors(
+        np.array([2.1, 0.1]), np.array([10.0, 5.05]), np.array([2.0, 0.0]), np.array([10.0, 5.0])
+    )
+    np.testing.assert_allclose(x, [5.0, 20.0])
+    np.testing.assert_allclose(y, [0.0, 1.0])
+
+
+def test_roughness_is_what_a_line_leaves() -> None:
+    assert roughness(np.array([1.0, 2.0, 3.0, 4.0])) == pytest.approx(0.0, abs=1e-12)
+    assert roughness(np.array([0.0, 1.0, 0.0, 1.0])) == pytest.approx(np.sqrt(0.2))
+    assert math.isnan(roughness(np.array([0.0, np.nan, 0.0, 1.0])))
+    lags = [design[0] for design in baseline_sweep(5)]
+    np.testing.assert_allclose(lags, [0.098, 0.099, 0.1, 0.101, 0.102])
+
+
+def test_a_point_compares_with_the_limit() -> None:
+    off = [{**row, "x_bar": row["x_bar"] + 0.05} for row in LIMIT_ROWS]
+    point = make_point("a", "b", done(off), done(LIMIT_ROWS))
+    assert point.x_median_percent == pytest.approx(0.5 * (2.5 + 10.0))
+    assert point.y_p95_percent == 0.0 and point.x_roughness_bar == pytest.approx(0.0, abs=1e-12)
+    assert (point.ms, point.newton_iterations, point.failed, point.jumps) == (2.0, 10.0, 0, 7)
+
+
+def test_a_failed_jump_and_a_refused_cell() -> None:
+    lost = [{**LIMIT_ROWS[0], "status": "step_underflow", "x_bar": None}, *LIMIT_ROWS[1:]]
+    point = make_point("a", "b", done(lost), done(LIMIT_ROWS))
+    assert point.failed == 1 and point.remark == "1 step_underflow"
+    assert point.row()["x_p95_percent"] is None
+    refused = make_point("a", "b", done([], "refused"), done(LIMIT_ROWS))
+    assert refused.jumps == 0 and refused.remark == "refused: why"
+    good = make_point("good", "b", done(LIMIT_ROWS), done(LIMIT_ROWS))
+    assert cheapest([point, refused, good], 1.0) is good
+    assert cheapest([point, refused], 1.0) is None

@@ -1,0 +1,58 @@
+"""Records nested below a job's own, made from the file that the job left."""
+
+import dataclasses
+from pathlib import Path
+
+from snapjump.files.result_folder import ResultFolder
+from snapjump.tracking.base import Record
+from snapjump.tracking.off import Off
+from snapjump.tracking.tracked import record_folder, write_children
+
+
+class Memory(Off):
+    """A store in memory."""
+
+    place = "memory"
+
+    def __init__(self) -> None:
+        self.records: dict[str, Record] = {}
+
+    def record(self, record: Record, run_id: str | None = None) -> str:
+        run_id = run_id or f"run {len(self.records)}"
+        self.records[run_id] = record
+        return run_id
+
+
+def job(path: Path) -> ResultFolder:
+    folder = ResultFolder(path)
+    folder.write_config({"seed": 0})
+    folder.write_result({"status": "ok"})
+    child = {
+        "name": "a cell",
+        "status": "refused",
+        "message": "why",
+        "started_at": "2026-01-01T00:00:00+00:00",
+        "finished_at": "2026-01-01T00:00:01+00:00",
+        "params": {"integrator": {"name": "sdirk2"}},
+        "metrics": {"error": 0.5},
+    }
+    write_children(folder, [child, {**child, "name": "another", "status": "ok"}])
+    return folder
+
+
+def test_children_are_recorded_below_their_job_and_once(tmp_path: Path) -> None:
+    store, folder = Memory(), job(tmp_path)
+    for time in ("1", "1", "2"):
+        folder.write_provenance({"finished_at": f"2026-01-01T00:00:0{time}+00:00"})
+        record_folder(store, folder, "study", None)
+    parent, first, second = store.records.values()
+    assert parent.parent_id is None and "children.json" not in {f.name for f in parent.files}
+    assert {first.parent_id, second.parent_id} == {"run 0"}
+    assert (first.state, second.state) == ("FAILED", "FINISHED")
+    assert first.params == {"integrator.name": "sdirk2"} and first.metrics == {"error": 0.5}
+    assert dataclasses.asdict(first)["ended_ms"] - first.started_ms == 1000
+
+
+def test_without_tracking_nothing_is_recorded(tmp_path: Path) -> None:
+    assert record_folder(Off(), job(tmp_path), "study", None) == ""
+    assert not (tmp_path / "tracking.json").exists()
