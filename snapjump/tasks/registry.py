@@ -12,6 +12,7 @@ TASKS = {
     "simulate": "snapjump.tasks.simulate:Simulate",
     "tradeoff": "experiments.tradeoff.study:Tradeoff",
     "convergence": "experiments.convergence.study:Convergence",
+    "released": "experiments.released.study:Released",
 }
 STUDIES = "experiments."
 
