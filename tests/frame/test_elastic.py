@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from plain_python import assembled, complex_step, plain_work, residual_of
 
+from snapjump.checks import ParameterError
 from snapjump.clamp.base import clamp_angles
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation, with_tier
@@ -18,6 +19,7 @@ from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.newton import solve_linearised
 from snapjump.engine.powers import powers
+from snapjump.families import FAMILIES
 from snapjump.frame.base import (
     STILL,
     end_tangents,
@@ -29,6 +31,7 @@ from snapjump.frame.base import (
     place_ends,
     point_weight,
 )
+from snapjump.frame.elastic_mesh import right_mount
 from snapjump.friction.none import NoFriction
 from snapjump.options.discretization import DiscreteElasticRodOptions
 from snapjump.options.frame import ElasticFrameOptions
@@ -205,3 +208,40 @@ def test_no_node_falls_below_its_share_of_the_gap():
     drop[1] = 4.0 * state[1]
     share = limit_frame_step(case.model.frame, case.mesh, state, drop, 0.15)
     assert state[1] - share * drop[1] == pytest.approx(0.15 * state[1])
+
+
+def test_a_clamp_that_does_not_follow_its_leg_turns_with_the_mounts_line():
+    """Only the right tangent changes; a share of one is the mount's own edge."""
+    all_of_it, none = (Case(small_robot(right_follow=share)) for share in (1.0, 0.0))
+    state = all_of_it.state(all_of_it.free)
+    flat = clamp_angles(ConstantRate(0.0, 1.0, 1.0, 0.0), 0.0)
+    with_leg, without = (
+        end_tangents(c.model.frame, c.mesh, c.model.load, flat, state, STILL)
+        for c in (all_of_it, none)
+    )
+    assert without[:3] == with_leg[:3]
+    first, last = (2 * int(edge) for edge in (all_of_it.mesh[1], right_mount(all_of_it.mesh)))
+    middle = [0.5 * (state[i : i + 2] + state[i + 2 : i + 4]) for i in (first, last)]
+    line = middle[1] - middle[0]
+    angle = np.arctan2(line[1], line[0])
+    assert np.arctan2(without.right_y, without.right_x) == pytest.approx(angle, abs=1e-6)
+    assert np.arctan2(with_leg.right_y, with_leg.right_x) != pytest.approx(angle, abs=1e-6)
+
+
+def test_the_beam_s_mass_on_top_of_the_robot_s():
+    rest, on_top = (small_robot(beam_on_top=value) for value in (False, True))
+    frames = [jump_model(s).frame for s in (rest, on_top)]
+    assert frames[1].mass - frames[0].mass == pytest.approx(1.0, rel=1e-12)
+
+
+def test_elements_with_rotations_are_refused_by_name():
+    others = [n for n in FAMILIES["discretization"] if n != "der"]
+    for name in others:
+        with pytest.raises(ParameterError, match="der with frame=elastic"):
+            replace(small_robot(), discretization=FAMILIES["discretization"][name]())
+
+
+def test_an_inset_beyond_the_beam_s_compression_is_refused():
+    simulation = small_robot(inset_m=3e-3)
+    with pytest.raises(ParameterError, match=r"frame.inset_m = 0.003 .* \[0, 0.002\] m"):
+        jump_model(simulation)
