@@ -30,7 +30,9 @@ from snapjump.frame.base import (
     mount_turning,
     place_ends,
     point_weight,
+    rest_frame,
 )
+from snapjump.frame.elastic_chain import add_chain_forces
 from snapjump.frame.elastic_mesh import right_mount
 from snapjump.friction.none import NoFriction
 from snapjump.options.discretization import DiscreteElasticRodOptions
@@ -245,3 +247,36 @@ def test_an_inset_beyond_the_beam_s_compression_is_refused():
     simulation = small_robot(inset_m=3e-3)
     with pytest.raises(ParameterError, match=r"frame.inset_m = 0.003 .* \[0, 0.002\] m"):
         jump_model(simulation)
+
+
+def test_the_legs_open_like_beams_under_a_thrust_between_the_mounts():
+    """P (2 a^3/3 + a^2 w)/B: two cantilevers of length a and the top w that bends with them."""
+    bending = 1000.0
+    simulation = small_robot(
+        bending_ratio=bending, stretching_ratio=10.0, leg_elements=24, top_elements=20, inset_m=0.0
+    )
+    frame = jump_model(simulation).frame
+    mesh = frame_mesh(simulation, frame)
+    dofs = int(mesh[0])
+    rest = np.zeros(dofs)
+    rest_frame(frame, mesh, rest, 1.0)
+
+    def gradient(state):
+        residual = np.zeros(dofs, state.dtype)
+        band = np.zeros((dofs, 6), state.dtype)
+        add_chain_forces(frame, mesh, NoDamping(), state, state, 0.0, residual, band)
+        return residual
+
+    assert np.abs(gradient(rest)).max() < 1e-13 * frame.stretching / frame.low_length
+    stiffness = complex_step(gradient, rest)
+    # Three rigid motions, and nothing else, cost no energy.
+    assert (np.linalg.eigvalsh(stiffness) < 1e-4 * bending).sum() == 3
+    thrust = np.zeros(dofs)
+    left, right = 2 * int(mesh[1]), 2 * int(right_mount(mesh))
+    thrust[[left, left + 2]], thrust[[right, right + 2]] = -0.5, 0.5
+    moved = np.linalg.pinv(stiffness, rcond=1e-13, hermitian=True) @ thrust
+    a, w = frame.top_y - frame.mount_y, 2.0 * frame.half_span
+    # A corner's hinge gives a quarter of what its length of beam would (see elastic_chain).
+    corner = 0.5 * (frame.high_length + frame.top_length)
+    expected = (2.0 / 3.0 * a**3 + a * a * (w - 1.5 * corner)) / bending
+    assert thrust @ moved == pytest.approx(expected, rel=0.01)
