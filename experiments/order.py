@@ -46,7 +46,8 @@ def observed_order(sizes: Sequence[float], values: Sequence[float]) -> float:
     from scipy.optimize import brentq
 
     (h1, h2, h3), (f1, f2, f3) = sizes, values
-    if not np.isfinite([f1, f2, f3]).all() or (f2 - f1) * (f3 - f2) <= 0.0:
+    approaching = (f2 - f1) * (f3 - f2) > 0.0
+    if not (approaching and h1 > h2 > h3 > 0.0):  # NaN neither approaches nor falls
         return math.nan
     wanted = math.log((f2 - f1) / (f3 - f2))
 

@@ -9,10 +9,12 @@ from numpy.typing import NDArray
 from snapjump.composition import Simulation
 from snapjump.ending.flight import FlightEnding
 from snapjump.engine import clock as c
+from snapjump.engine.model import Model
 from snapjump.engine.status import NAMES, NO_JUMP, OK
 from snapjump.error_estimate import ErrorEstimate, error_estimate
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
+from snapjump.scenes.frame_body import frame_mesh
 from snapjump.scenes.jump_start import jump_model, resting_guess
 from snapjump.scenes.runner import MOST_ITERATIONS, March
 
@@ -55,24 +57,48 @@ def variants(
     ]
 
 
-def simulate_batch(
-    simulations: Sequence[Simulation], lanes: int = 8, most_iterations: float = MOST_ITERATIONS
-) -> Batch:
-    """Simulate jumps that differ in design and environment only, ``lanes`` at a time."""
+def march_together(
+    simulations: Sequence[Simulation],
+    models: Sequence[Model],
+    lanes: int,
+    most_iterations: float,
+) -> tuple[Array, float]:
+    """Outcome (R, ROWS) of jumps whose frames have one mesh, and the kernel's seconds."""
     base = simulations[0]
-    models = [jump_model(s) for s in simulations]
     states = np.array([resting_guess(s, m) for s, m in zip(simulations, models, strict=True)])
     march = March(
-        models=models,
+        models=list(models),
         masses=base.discretization.masses(),
         states=states,
         simulation=base,
         ending=FlightEnding(base.sim.time_limit_s / base.robot.scales.time_s),
         lanes=lanes,
         most_iterations=most_iterations,
+        mesh=frame_mesh(base, models[0].frame),
     )
     march.find_starts()
-    outcome = march.run()
+    return march.run(), march.kernel_seconds
+
+
+def simulate_batch(
+    simulations: Sequence[Simulation], lanes: int = 8, most_iterations: float = MOST_ITERATIONS
+) -> Batch:
+    """Simulate jumps that differ in design and environment only, ``lanes`` at a time.
+
+    Frames whose mesh depends on the design march with those of the same mesh.
+    """
+    base = simulations[0]
+    models = [jump_model(s) for s in simulations]
+    groups: dict[tuple[int, ...], list[int]] = {}
+    for k, (simulation, model) in enumerate(zip(simulations, models, strict=True)):
+        groups.setdefault(tuple(frame_mesh(simulation, model.frame)), []).append(k)
+    outcome = np.zeros((len(models), c.ROWS))
+    kernel_seconds = 0.0
+    for chosen in groups.values():
+        outcome[chosen], seconds = march_together(
+            [simulations[k] for k in chosen], [models[k] for k in chosen], lanes, most_iterations
+        )
+        kernel_seconds += seconds
     status = outcome[:, c.STATUS].astype(int)
     fall = np.array([m.load.acceleration for m in models])
     rise = np.where(status == OK, np.maximum(outcome[:, c.COM_VY], 0.0), 0.0)
@@ -87,7 +113,7 @@ def simulate_batch(
         status=[NAMES[k] for k in status],
         newton_iterations=outcome[:, c.ITERATIONS],
         steps=outcome[:, c.STEPS],
-        kernel_seconds=march.kernel_seconds,
+        kernel_seconds=kernel_seconds,
         min_gap_m=np.where(outcome[:, c.STEPS] > 0.0, gap, np.nan),
         error_sum_bar=outcome[:, c.ERROR_SUM],
         coarsest_contact_step=outcome[:, c.COARSEST],

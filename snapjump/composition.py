@@ -37,7 +37,13 @@ class Simulation:
         check_choice("accuracy.name", self.accuracy, tuple(TIERS))
         scene = self.scene_name
         if scene == "jump":
-            self._require("frame", ("rigid",))
+            self._require("frame", ("rigid", "elastic"))
+            if self.name("frame") == "elastic" and self.name("discretization") != "der":
+                raise ParameterError(
+                    "discretization",
+                    self.name("discretization"),
+                    "der with frame=elastic, whose mounts have no angle for nodes that turn",
+                )
             self._require("contact", LAWS)
             self.environment.mass_kg(self.robot)
         if scene in ("snap", "static", "cantilever"):
@@ -79,6 +85,13 @@ class Simulation:
 
     def _check_explicit_damping(self) -> None:
         """Material damping stiffens the stretching so much that explicit steps lead nowhere."""
+        if self.name("frame") == "elastic":
+            raise ParameterError(
+                "frame",
+                "elastic",
+                "rigid with integrator=central_difference, whose stable step an elastic frame's "
+                "short stiff elements would make hopeless",
+            )
         eta = getattr(self.damping, "relaxation_time_s", 0.0)
         if self.scene_name not in ("jump", "snap") or eta == 0.0:
             return

@@ -14,7 +14,7 @@ from snapjump.options.discretization import (
     DiscreteElasticRodOptions,
     GeometricallyExactOptions,
 )
-from snapjump.options.frame import FixedFrameOptions, RigidFrameOptions
+from snapjump.options.frame import ElasticFrameOptions, FixedFrameOptions, RigidFrameOptions
 from snapjump.options.friction import (
     ImplicitFrictionOptions,
     LaggedFrictionOptions,
@@ -52,7 +52,11 @@ FAMILIES: dict[str, dict[str, type]] = {
         "corotational": CorotationalOptions,
         "geometrically_exact": GeometricallyExactOptions,
     },
-    "frame": {"rigid": RigidFrameOptions, "fixed": FixedFrameOptions},
+    "frame": {
+        "rigid": RigidFrameOptions,
+        "elastic": ElasticFrameOptions,
+        "fixed": FixedFrameOptions,
+    },
     "contact": {
         "logbarrier": LogBarrierOptions,
         "penalty": PenaltyOptions,

@@ -67,7 +67,7 @@ def test_groups_that_are_no_family_of_the_library() -> None:
     assert files("task") == set(TASKS)
     assert files("tracking") == set(TRACKERS)
     assert files("accuracy") == set(TIERS)
-    others = {"task", "tracking", "accuracy", "robot"}
+    others = {"task", "tracking", "accuracy", "robot", "experiment"}
     assert {path.name for path in CONF.iterdir() if path.is_dir()} == set(FAMILIES) | others
 
 

@@ -14,6 +14,7 @@ from snapjump.plots.saving import picture
 COLUMNS = 3
 PANEL = (4.3, 4.2)  # inches
 TOP = 0.6
+HEADLINE = "Error against refinement; fitted order in brackets; dashed: not in the asymptotic range"
 LOOKS = {
     "snap_time_s": ("snap time", palette.BEAM, "o"),
     "peak_force_N": ("peak force", palette.FORCE, "s"),
@@ -27,7 +28,7 @@ def draw_ladders(ladders: Sequence[Ladder], verdicts: Sequence[Verdict], path: P
     """Log-log errors in percent; orders are those of the fit, dashed where not asymptotic."""
     rows = -(-len(ladders) // COLUMNS)
     size = (PANEL[0] * COLUMNS, PANEL[1] * rows + TOP)
-    with picture(path, size, "Error against refinement: fitted orders in brackets") as figure:
+    with picture(path, size, HEADLINE) as figure:
         for k, ladder in enumerate(ladders):
             row, column = divmod(k, COLUMNS)
             left = (column * PANEL[0] + 0.75) / size[0]

@@ -5,24 +5,23 @@ from functools import partial
 from typing import Any
 
 from experiments.compositions import composed, groups_of
+from experiments.convergence.cells import OBSERVABLES, observed_row
 from experiments.convergence.figures import draw_ladders
 from experiments.convergence.ladders import Ladder, ladders
-from experiments.convergence.verdict import OBSERVABLES, Verdict, judged
+from experiments.convergence.verdict import Verdict, judged
 from snapjump.checks import ParameterError, check_integer
-from snapjump.scenes.observed import observe_jump
 from snapjump.studies.base import Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
 
 QUICK_LEVELS, FULL_LEVELS = 6, 9
 FEWEST_LEVELS, MOST_LEVELS = 3, 10
-KEPT = (*OBSERVABLES, "steps", "newton_iterations", "kernel_seconds")
 
 
 class Convergence(Study):
     """Ladders of time, mesh, barrier distance, contact stiffness and friction threshold."""
 
     options = ("levels",)
-    sources = ("experiments.convergence.ladders", "snapjump.scenes.observed")
+    sources = ("experiments.convergence.cells",)
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
         """Every level and every reference of every ladder of the configured composition."""
@@ -43,8 +42,7 @@ class Convergence(Study):
 
     def compute(self, cell: Cell) -> list[Row]:
         """One jump."""
-        seen = observe_jump(composed(cell.inputs))
-        return [{"status": seen["status"], **{key: seen[key] for key in KEPT}}]
+        return [observed_row(cell.inputs)]
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
         """Orders, limits and what they are worth."""
@@ -74,7 +72,7 @@ class Convergence(Study):
                 )
             },
             summary={
-                f"{v.ladder.name}_{key}_{v.observable}": value
+                f"{v.ladder.name}_{v.observable}_{key}": value
                 for v in verdicts
                 for key, value in (("order", v.fitted), ("limit", v.limit.value))
             },

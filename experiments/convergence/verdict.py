@@ -9,7 +9,6 @@ from experiments.convergence.ladders import Ladder
 from experiments.order import Array, Limit, fitted_order, richardson
 from snapjump.studies.base import Done, Row
 
-OBSERVABLES = ("snap_time_s", "peak_force_N", "liftoff_speed_m_s", "x_bar", "y_bar")
 # Errors this close to the reference's own uncertainty say nothing about an order.
 CLEAR = 3.0
 
@@ -61,11 +60,12 @@ def judged(ladder: Ladder, done: Mapping[str, Done], key: str) -> Verdict:
     name = next(iter(known), "")
     reference = known[name] if name else limit.value
     others = [value for other, value in known.items() if other != name]
-    scale = scale_of(done[name] if name else cells[int(np.flatnonzero(good)[-1])], key, reference)
+    finest = int(np.flatnonzero(good)[-1]) if good.any() else -1
+    scale = scale_of(done[name] if name else cells[finest], key, reference)
     doubt = 100.0 * abs(others[0] - reference) / scale if others else np.nan
     errors = 100.0 * np.abs(values - reference) / scale
     if not name and not limit.asymptotic:
-        errors[-1] = np.nan  # the finest level is the reference itself
+        errors[finest] = np.nan  # the finest level is the reference itself
     clear = np.where(errors > CLEAR * np.nan_to_num(doubt), errors, np.nan)
     fitted = fitted_order(list(sizes), list(clear))
     return Verdict(ladder, key, sizes, errors, fitted, limit, reference, name, doubt)

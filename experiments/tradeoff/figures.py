@@ -31,7 +31,6 @@ COLOURS = (
     palette.FRAME,
     "#8c510a",
     "#01665e",
-    "#b2182b",
     "#4d9221",
     "#999999",
 )
@@ -39,7 +38,10 @@ VARIANTS = {"adaptive": "-", "fixed": "--"}
 OTHER = ":"
 PANEL = (6.0, 4.0)  # inches
 SIDE, TOP, FOOT = 2.6, 0.6, 0.35
+# Larger errors (%) and roughness (L) are no answers any more, and are drawn like failures.
+LARGEST = {"percent": 100.0, "bar": 1.0}
 TIER_COLOUR = palette.INK
+FAILED_COLOUR = "#c1121f"
 
 
 def draw_precision(
@@ -121,30 +123,21 @@ def _panel(
 
 
 def _failures(axes: Any, points: Sequence[Point], cost: str, error: str) -> None:
-    """A cross where a jump failed: at its error if most others did not, else at the top."""
+    """A cross where jumps failed: at the error if it is known in spite of them, else at the top."""
+    look = {"marker": "x", "ms": 8, "mew": 2, "color": FAILED_COLOUR, "zorder": 5}
     for p in points:
         spent = getattr(p, cost)
-        if p.failed and math.isfinite(spent) and spent > 0.0:
-            value = getattr(p, error)
-            if drawable(p, cost, error):
-                axes.plot(spent, value, "x", ms=8, mew=2, color=palette.FORCE, zorder=5)
-            else:
-                axes.plot(
-                    spent,
-                    0.975,
-                    "x",
-                    ms=8,
-                    mew=2,
-                    color=palette.FORCE,
-                    transform=axes.get_xaxis_transform(),
-                    zorder=5,
-                )
+        if p.failed and drawable(p, cost, error):
+            axes.plot(spent, getattr(p, error), **look)
+        elif p.jumps and not drawable(p, cost, error) and math.isfinite(spent):
+            axes.plot(spent, 0.975, transform=axes.get_xaxis_transform(), **look)
 
 
 def drawable(point: Point, cost: str, error: str) -> bool:
     """Whether a point has a place on logarithmic axes."""
-    values = (getattr(point, cost), getattr(point, error))
-    return all(math.isfinite(v) and v > 0.0 for v in values)
+    spent, value = getattr(point, cost), getattr(point, error)
+    # An infinite or unknown error is not below the largest either.
+    return math.isfinite(spent) and spent > 0.0 and 0.0 < value <= LARGEST[error.split("_")[-1]]
 
 
 def _legend(figure: Any, colours: Mapping[str, str], size: tuple[float, float]) -> None:
@@ -158,7 +151,16 @@ def _legend(figure: Any, colours: Mapping[str, str], size: tuple[float, float]) 
         Line2D([], [], color=ink, lw=0.9, ls=":", label="variants (see table)"),
         Line2D([], [], color=palette.INK, lw=5, alpha=0.18, label="Pareto front"),
         Line2D([], [], color=TIER_COLOUR, marker="*", ms=12, ls="", label="tiers"),
-        Line2D([], [], color=palette.FORCE, marker="x", ms=8, mew=2, ls="", label="jumps failed"),
+        Line2D(
+            [],
+            [],
+            color=palette.FORCE,
+            marker="x",
+            ms=8,
+            mew=2,
+            ls="",
+            label="jumps failed, or\nerror above 100 % (1 L)",
+        ),
     ]
     figure.legend(
         handles=handles,

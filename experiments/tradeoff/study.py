@@ -14,7 +14,7 @@ from experiments.tradeoff.figures import ERRORS_MEDIAN, ERRORS_P95, draw_precisi
 from experiments.tradeoff.modelling import models, shifts, tier_errors
 from experiments.tradeoff.modelling_figure import draw_modelling
 from experiments.tradeoff.points import Point, cheapest, make_point, pareto, split
-from experiments.tradeoff.tiers import BLOCK, finest, tier_block, tier_groups, tier_rows
+from experiments.tradeoff.tiers import BLOCK, beyond, finest, tier_block, tier_groups, tier_rows
 from snapjump.accuracy import TIERS
 from snapjump.checks import ParameterError, check_integer
 from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
@@ -25,17 +25,15 @@ LIMIT, CHECK = "limit", "limit by another method"
 OTHER_METHOD = "sdirk2"
 # Designs of the curves and the models, and of the tiers and the limit: (quick, full).
 DESIGNS, TIER_DESIGNS = (16, 64), (64, 128)
+# Points of the sweep that every level of a curve is tried at; the tiers are at all of them.
+QUICK_SWEEP = 11
 
 
 class Tradeoff(Study):
     """Error, roughness and cost of many compositions; the tiers; what the model contributes."""
 
-    options = ("designs", "tier_designs", "sweep")
-    sources = (
-        "experiments.tradeoff.batches",
-        "experiments.tradeoff.curves",
-        "experiments.errors",
-    )
+    options = ("designs", "tier_designs")
+    sources = ("experiments.tradeoff.batches",)
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
         """The limit, its check, the tiers, the models, and every level of every curve."""
@@ -47,27 +45,26 @@ class Tradeoff(Study):
         many = self._option("tier_designs", TIER_DESIGNS, 2, 4096)
         if many < count:
             raise ParameterError("task.tier_designs", many, f"at least task.designs = {count}")
-        sweep = config["task"]["sweep"] or SWEEP
-        check_integer("task.sweep", sweep, 3, 1001)
+        part = SWEEP if self.full else QUICK_SWEEP
         self.curves: list[Curve] = curves(base, self.full)
         self.models = {f"model: {name}": name for name in models(base)}
         seed = config["seed"]
         limit = finest(base)
         other = changed(limit, {"integrator": {"name": OTHER_METHOD}})
         cells = [
-            Cell(LIMIT, plan_batch(limit, many, sweep, seed)),
+            Cell(LIMIT, plan_batch(limit, many, SWEEP, seed)),
             Cell(CHECK, plan_batch(other, count, 0, seed)),
         ]
         for name in TIERS:
             cells.append(
-                Cell(f"tier {name}", plan_batch(tier_groups(base, name), many, sweep, seed))
+                Cell(f"tier {name}", plan_batch(tier_groups(base, name), many, SWEEP, seed))
             )
         for cell, name in self.models.items():
             groups = tier_groups(models(base)[name], "reference")
             cells.append(Cell(cell, plan_batch(groups, count, 0, seed)))
         for curve in self.curves:
             for level, groups in curve.levels.items():
-                inputs = plan_batch(groups, count, sweep, seed, curve.lanes)
+                inputs = plan_batch(groups, count, part, seed, curve.lanes)
                 cells.append(Cell(curve.cell(level), inputs))
         return cells
 
@@ -113,6 +110,8 @@ class Tradeoff(Study):
                 "front": Table("Pareto front: milliseconds against the larger of the errors of "
                                "x and y (95th percentile)", [p.row() for p in front]),
                 "tiers": Table(f"Tiers over {designs} designs", tier_rows(tiers)),
+                "beyond": Table("Designs at which a tier is further off than it promises",
+                                beyond({name: done[f"tier {name}"] for name in TIERS}, limit)),
                 "modelling": Table("How far results move with what is modelled, and how far "
                                    "numerics are off", model_rows),
                 "failures": Table("Levels with failed jumps, or refused",

@@ -4,15 +4,28 @@ from collections.abc import Mapping
 from typing import Any
 
 from experiments.compositions import Groups, changed, described
-from experiments.errors import FINEST_ELEMENTS, FINEST_START, FINEST_STEPPING
-from experiments.tradeoff.points import Point
+from experiments.errors import (
+    FINEST_ELEMENTS,
+    FINEST_START,
+    FINEST_STEPPING,
+    relative_errors,
+)
+from experiments.tradeoff.points import Point, split
 from snapjump.accuracy import TIERS
 from snapjump.composition import with_tier
+from snapjump.studies.base import OK, Done
 from snapjump.terminal.block import markdown_table
 
 # Error of x and y (%, 95th percentile) and roughness (L) that a tier promises: design.md section 4.
 PROMISES = {"draft": (3.0, 0.03), "standard": (0.5, 0.005), "reference": (0.05, 0.0005)}
-CHOSEN = ("integrator", "stepping", "discretization", "friction", "sim")
+# What a tier chooses; all else, such as the friction threshold, is the physical model's.
+CHOSEN: dict[str, tuple[str, ...] | None] = {
+    "integrator": None,
+    "stepping": None,
+    "discretization": None,
+    "friction": ("name",),
+    "sim": ("start_fraction",),
+}
 BLOCK = "tiers"
 
 
@@ -21,7 +34,11 @@ def tier_groups(base: Groups, name: str) -> Groups:
     tier = described(with_tier(name))
     if name == "paper":
         return {**tier, "robot": base["robot"]}
-    return changed(base, {group: tier[group] for group in CHOSEN})
+    return changed(
+        base,
+        {group: {key: tier[group][key] for key in keys or tier[group]}
+         for group, keys in CHOSEN.items()},
+    )  # fmt: skip
 
 
 def finest(base: Groups) -> Groups:
@@ -61,6 +78,23 @@ def tier_rows(points: Mapping[str, Point]) -> list[dict[str, Any]]:
         }
         for name in TIERS
     ]
+
+
+def beyond(done: Mapping[str, Done], limit: Done) -> list[dict[str, Any]]:
+    """The designs at which a tier (the keys) is further off than it promises."""
+    found = []
+    x_limit, y_limit = split(limit)["design"]
+    for name, cell in done.items():
+        if name not in PROMISES or cell.status != OK:
+            continue
+        errors = relative_errors(*split(cell)["design"], x_limit, y_limit)
+        rows = [row for row in cell.rows if row["kind"] == "design"]
+        for row, x, y in zip(rows, *errors, strict=True):
+            if not max(x, y) <= PROMISES[name][0]:
+                design = {k: row[k] for k in ("delta_alpha_rad", "epsilon", "mass_bar", "mu")}
+                off = {"x_error_percent": float(x), "y_error_percent": float(y)}
+                found.append({"tier": name, "status": row["status"], **design, **off})
+    return found
 
 
 def tier_block(points: Mapping[str, Point], designs: int) -> str:

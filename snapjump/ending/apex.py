@@ -31,7 +31,7 @@ def _leniency(ending: ApexEnding, model: Any, work: Any) -> float:
 def _judge(ending: ApexEnding, model: Any, masses: Any, work: Any, ended: Any) -> Any:
     clock = work.clock
     over = clock[TIME] >= ending.duration * (1.0 - 1e-12)
-    x, y, vx, vy = centre_of_mass(model, masses, work.state, work.velocity[0])
+    x, y, vx, vy = centre_of_mass(model, masses, work.mesh, work.state, work.velocity[0])
     clock[COM_X] = where(ended, x, clock[COM_X])
     clock[COM_Y] = where(ended, y, clock[COM_Y])
     clock[COM_VX] = where(ended, vx, clock[COM_VX])

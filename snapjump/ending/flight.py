@@ -15,9 +15,10 @@ from snapjump.ending.base import judge, leniency, time_limit
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clock import COM_VX, COM_VY, COM_X, COM_Y, GAP, TIME
 from snapjump.engine.status import NO_JUMP, OK, RUNNING, TIME_LIMIT
+from snapjump.frame.base import frame_box
 from snapjump.load.base import gravity
 from snapjump.number.dispatch import kernel
-from snapjump.number.functions import absolute, any_true, cos, maximum, minimum, sin, sqrt, where
+from snapjump.number.functions import absolute, any_true, maximum, minimum, sqrt, where
 
 # The beam's vibration makes the frame's rotation waver; its mass is a few percent of the frame's.
 TURN_MARGIN = 0.25
@@ -42,13 +43,12 @@ def _time_limit(ending: FlightEnding) -> Any:
 @kernel
 def clear_of_ground(model: Any, work: Any, com_x: Any, com_y: Any, rise: Any) -> Any:
     """Whether the box cannot touch the ground before the apex (see the module's text)."""
-    frame = model.frame
-    state = work.state
+    frame = frame_box(model.frame, work.mesh, work.state, work.velocity[0])
     fall = gravity(model.load)
     reach = clearance(model.contact)
-    turn = work.velocity[0, 2]
-    c = cos(state[2])
-    s = sin(state[2])
+    turn = frame.turn_rate
+    c = frame.cosine
+    s = frame.sine
     depth = 0.5 * REACH_MARGIN * sqrt(1.0 - 4.0 * frame.half_span * frame.half_span)
     low = minimum(frame.foot_y, frame.mount_y - depth)
     high = maximum(frame.top_y, frame.mount_y + depth)
@@ -58,8 +58,8 @@ def clear_of_ground(model: Any, work: Any, com_x: Any, com_y: Any, rise: Any) ->
     for corner in range(4):
         x = -half_width if corner < 2 else half_width
         y = low if corner % 2 == 0 else high
-        rx = state[0] + c * x - s * y - com_x
-        ry = state[1] + s * x + c * y - com_y
+        rx = frame.x + c * x - s * y - com_x
+        ry = frame.y + s * x + c * y - com_y
         radius = maximum(radius, sqrt(rx * rx + ry * ry))
     missing = maximum(radius + reach - com_y, 0.0 * c)
     discriminant = rise * rise - 2.0 * fall * missing
@@ -69,8 +69,8 @@ def clear_of_ground(model: Any, work: Any, com_x: Any, com_y: Any, rise: Any) ->
     for corner in range(4):
         x = -half_width if corner < 2 else half_width
         y = low if corner % 2 == 0 else high
-        rx = state[0] + c * x - s * y - com_x
-        height = state[1] + s * x + c * y - reach
+        rx = frame.x + c * x - s * y - com_x
+        height = frame.y + s * x + c * y - reach
         climb = rise + turn * rx - TURN_MARGIN * absolute(turn) * radius
         bend = fall + turn * turn * radius
         later = height + climb * horizon - 0.5 * bend * horizon * horizon
@@ -98,7 +98,7 @@ def _judge(ending: FlightEnding, model: Any, masses: Any, work: Any, ended: Any)
     status = where(over, where(turned, 1.0 * NO_JUMP, 1.0 * TIME_LIMIT), 1.0 * RUNNING)
     known = ended & (airborne | over)
     if any_true(known):
-        x, y, vx, vy = centre_of_mass(model, masses, work.state, work.velocity[0])
+        x, y, vx, vy = centre_of_mass(model, masses, work.mesh, work.state, work.velocity[0])
         clock[COM_X] = where(known, x, clock[COM_X])
         clock[COM_Y] = where(known, y, clock[COM_Y])
         clock[COM_VX] = where(known, vx, clock[COM_VX])

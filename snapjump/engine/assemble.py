@@ -7,16 +7,7 @@ A = (v - drift) inertia_rate; a static equilibrium is the same with both rates 0
 from typing import Any, NamedTuple
 
 from snapjump.clamp.base import clamp_angles
-from snapjump.contact.base import (
-    Approach,
-    acts,
-    bounce_rate_squared,
-    contact_weights,
-    force_if_acting,
-    has_contact,
-    note_contact,
-    pressing_force,
-)
+from snapjump.contact.base import contact_weights, has_contact
 from snapjump.damping.base import mass_damping
 from snapjump.discretization.base import (
     TURN_INERTIA,
@@ -28,16 +19,21 @@ from snapjump.discretization.base import (
     turn_length,
 )
 from snapjump.frame.base import (
+    FrameForces,
+    Turning,
     add_frame_forces,
+    border_width,
     condense_first,
     condense_last,
+    contact_points,
     end_tangents,
     frame_dofs,
+    mount_turning,
 )
-from snapjump.friction.base import has_friction, is_lagged, slip
+from snapjump.frame.point_contact import add_point_contact
 from snapjump.load.base import gravity, pull, tip_load
 from snapjump.number.dispatch import kernel
-from snapjump.number.functions import absolute, any_true, maximum, minimum, where
+from snapjump.number.functions import absolute, maximum
 
 
 class Motion(NamedTuple):
@@ -72,18 +68,9 @@ class Sweep(NamedTuple):
 
 
 @kernel
-def clear_frame(system: Any, zero: Any) -> None:
-    """Zero the frame's own block and residual."""
-    for k in range(3):
-        system.frame_residual[k] = zero
-        for m in range(3):
-            system.square[k, m] = zero
-
-
-@kernel
-def clear_border(system: Any, dofs: Any, node: Any, zero: Any) -> None:
-    """Zero the frame's rows in the columns of a node of ``dofs`` coordinates."""
-    for k in range(3):
+def clear_border(system: Any, dofs: Any, node: Any, width: Any, zero: Any) -> None:
+    """Zero the mounts' rows in the columns of a node of ``dofs`` coordinates."""
+    for k in range(width):
         for i in range(dofs):
             system.border[dofs * node + i, k] = zero
 
@@ -97,7 +84,7 @@ def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any) -> Any:
     band = work.system.band
     residual = work.system.residual
     row = node_dofs(model.discretization) * node
-    i = row + frame_dofs(model.frame)
+    i = row + frame_dofs(model.frame, work.mesh)
     vx = (work.state[i] - work.origin[i]) * rate
     vy = (work.state[i + 1] - work.origin[i + 1]) * rate
     ax = (vx - work.drift[i]) * motion.inertia_rate
@@ -119,63 +106,38 @@ def add_node_contact(
     model: Any, motion: Any, mass: Any, node: Any, work: Any, figures: Assembly
 ) -> Assembly:
     """Add contact and friction of a free node; returns the figures with its own."""
-    contact = model.contact
-    friction = model.friction
-    weight, _ = contact_weights(contact)
-    rate = motion.rate_factor
-    residual = work.system.residual
-    band = work.system.band
+    weight, _ = contact_weights(model.contact)
     row = node_dofs(model.discretization) * node
-    i = row + frame_dofs(model.frame)
-    gap = work.state[i + 1]
-    begun = work.start[i + 1]
-    begun_speed = work.velocity[0, i + 1]
-    speed = (gap - work.origin[i + 1]) * rate
-    approach = Approach(speed, rate, begun, begun_speed, mass * rate * motion.inertia_rate)
-    largest = figures.largest_force
-    smallest = minimum(figures.smallest_gap, gap)
-    fastest = figures.contact_rate_squared
-    if has_friction(friction) and is_lagged(friction):
-        before = Approach(begun_speed, 0.0 * rate, begun, begun_speed, 0.0 * rate)
-        if any_true(acts(contact, begun, before)):
-            _, normal, _ = force_if_acting(contact, begun, before)
-            velocity = work.velocity[0, i]
-            ratio, _ = slip(friction, velocity, 0.0 * velocity)
-            residual[row] += ratio * normal * weight
-    near = acts(contact, gap, approach)
-    if any_true(near):
-        _, force, stiffness = force_if_acting(contact, gap, approach)
-        force = force * weight
-        stiffness = stiffness * weight
-        residual[row + 1] -= force
-        band[row + 1, 0] += stiffness
-        largest = maximum(largest, force)
-        fastest = maximum(fastest, bounce_rate_squared(contact, stiffness, mass, speed))
-        if has_friction(friction) and not is_lagged(friction):
-            normal = pressing_force(contact, work, node + 4, force)
-            velocity = (work.state[i] - work.origin[i]) * rate
-            previous = work.slip[node + 4]
-            ratio, slope = slip(friction, velocity, previous)
-            work.slip[node + 4] = where(near, velocity, previous)
-            # d(drag)/d(gap) is left out: it alone would make the band unsymmetric.
-            residual[row] += ratio * normal
-            band[row, 0] += normal * slope * rate
-    note_contact(contact, work, node + 4, near)
-    return Assembly(largest, smallest, fastest)
+    touch = add_point_contact(
+        model,
+        motion,
+        work,
+        mass,
+        weight,
+        row + frame_dofs(model.frame, work.mesh),
+        row,
+        node + contact_points(model.frame, work.mesh),
+        work.system.residual,
+        work.system.band,
+        FrameForces(figures.largest_force, figures.smallest_gap, figures.contact_rate_squared),
+    )
+    return Assembly(touch.largest_force, touch.smallest_gap, touch.contact_rate_squared)
 
 
 @kernel
 def begin_assembly(model: Any, motion: Any, work: Any) -> Sweep:
     """Start a sweep over the nodes: the frame's own forces, the clamps, the first edge."""
-    zero = 0.0 * motion.rate_factor
-    dofs = frame_dofs(model.frame)
-    turn_rate = zero
-    if dofs > 0:
-        clear_frame(work.system, zero)
-        turn_rate = (work.state[2] - work.origin[2]) * motion.rate_factor
+    mesh = work.mesh
+    dofs = frame_dofs(model.frame, mesh)
+    now = mount_turning(model.frame, mesh, work.state, work.state)
+    before = mount_turning(model.frame, mesh, work.state, work.origin)
+    turning = Turning(
+        (now.left - before.left) * motion.rate_factor,
+        (now.right - before.right) * motion.rate_factor,
+    )
     frame = add_frame_forces(model.frame, model, motion, work)
     angles = clamp_angles(model.clamp, motion.time)
-    tangents = end_tangents(model.frame, model.load, angles, work.state, turn_rate)
+    tangents = end_tangents(model.frame, mesh, model.load, angles, work.state, turning)
     chain, left = begin_chain(
         model.discretization,
         model.damping,
@@ -197,7 +159,9 @@ def assemble_node(
     The border of a node is complete when the next two nodes have been assembled.
     """
     system = work.system
-    dofs = frame_dofs(model.frame)
+    mesh = work.mesh
+    dofs = frame_dofs(model.frame, mesh)
+    width = border_width(model.frame)
     per_node = node_dofs(model.discretization)
     last = masses.shape[0] - 1
     mass = masses[node]
@@ -213,8 +177,8 @@ def assemble_node(
     if has_contact(model.contact):
         if mass > 0.0:
             figures = add_node_contact(model, motion, mass, node, work, figures)
-    if dofs > 0:
-        clear_border(system, per_node, node, 0.0 * motion.rate_factor)
+    if width > 0:
+        clear_border(system, per_node, node, width, 0.0 * motion.rate_factor)
     if node < last:
         chain, right = add_node_forces(
             model.discretization,
@@ -239,11 +203,17 @@ def assemble_node(
     if has_elements(model.discretization):
         if node == 2:
             condense_first(
-                model.frame, sweep.tangents, model.discretization, sweep.left, work.state, system
+                model.frame,
+                mesh,
+                sweep.tangents,
+                model.discretization,
+                sweep.left,
+                work.state,
+                system,
             )
         if node == last:
             condense_last(
-                model.frame, sweep.tangents, model.discretization, right, work.state, system
+                model.frame, mesh, sweep.tangents, model.discretization, right, work.state, system
             )
     return Sweep(sweep.tangents, chain, sweep.left, right, figures)
 

@@ -3,21 +3,20 @@
 from typing import Any
 
 from snapjump.discretization.base import node_dofs
+from snapjump.frame.base import frame_dofs, frame_moments
 from snapjump.number.dispatch import routine
 
 
 @routine
-def centre_of_mass(model: Any, masses: Any, state: Any, velocity: Any) -> Any:
-    """Position (x, y) and velocity (vx, vy) for a rigid frame with coordinates (x, y, theta)."""
+def centre_of_mass(model: Any, masses: Any, mesh: Any, state: Any, velocity: Any) -> Any:
+    """Position (x, y) and velocity (vx, vy)."""
     mass = model.frame.mass
-    x = mass * state[0]
-    y = mass * state[1]
-    vx = mass * velocity[0]
-    vy = mass * velocity[1]
+    x, y = frame_moments(model.frame, mesh, state)
+    vx, vy = frame_moments(model.frame, mesh, velocity)
     beam = 0.0
     for node in range(masses.shape[0]):
         weight = masses[node]
-        i = node_dofs(model.discretization) * node + 3
+        i = node_dofs(model.discretization) * node + frame_dofs(model.frame, mesh)
         x = x + weight * state[i]
         y = y + weight * state[i + 1]
         vx = vx + weight * velocity[i]

@@ -27,9 +27,9 @@ def settle(model: Any, masses: Any, work: Any, time: Any) -> Any:
     clock[ITERATION] = zero
     clock[SIZE] = zero
     clock[BACKTRACKS] = zero
-    dofs = frame_dofs(model.frame)
+    dofs = frame_dofs(model.frame, work.mesh)
     angles = clamp_angles(model.clamp, motion.time)
-    place_ends(model.frame, model.discretization, angles, work.state)
+    place_ends(model.frame, work.mesh, model.discretization, angles, work.state)
     for i in range(dofs, work.state.shape[0]):
         work.origin[i] = work.state[i]
     negative = zero

@@ -35,9 +35,10 @@ def row_sum(system: Any, row: Any) -> Any:
 
 
 @routine
-def largest_rate_squared(model: Any, masses: Any, system: Any, zero: Any) -> Any:
-    """Bound (Gershgorin) on the eigenvalues of M^-1 K (1/T^2)."""
-    dofs = frame_dofs(model.frame)
+def largest_rate_squared(model: Any, masses: Any, work: Any, zero: Any) -> Any:
+    """Bound (Gershgorin) on the eigenvalues of M^-1 K (1/T^2); the frame being rigid."""
+    system = work.system
+    dofs = frame_dofs(model.frame, work.mesh)
     per_node = node_dofs(model.discretization)
     border = system.padded_border
     bound = zero
@@ -56,7 +57,7 @@ def largest_rate_squared(model: Any, masses: Any, system: Any, zero: Any) -> Any
             total = total + absolute(system.square[k, m])
         for row in range(border.shape[0]):
             total = total + absolute(border[row, k])
-        bound = maximum(bound, total / frame_mass(model.frame, k))
+        bound = maximum(bound, total / frame_mass(model.frame, work.mesh, k))
     return bound
 
 
@@ -64,14 +65,14 @@ def largest_rate_squared(model: Any, masses: Any, system: Any, zero: Any) -> Any
 def evaluate_forces(model: Any, motion: Any, masses: Any, work: Any, mask: Any) -> Correction:
     """Leave the acceleration of every coordinate in ``work.change``, and the stable step."""
     clock = work.clock
-    dofs = frame_dofs(model.frame)
+    dofs = frame_dofs(model.frame, work.mesh)
     per_node = node_dofs(model.discretization)
     step = clock[STEP]
     assembly = assemble(model, motion, masses, work)
     system = work.system
     total = 0.0 * step
     for k in range(dofs):
-        work.change[k] = -system.frame_residual[k] / frame_mass(model.frame, k)
+        work.change[k] = -system.frame_residual[k] / frame_mass(model.frame, work.mesh, k)
         total = total + absolute(work.change[k])
     for node in range(masses.shape[0]):
         for axis in range(per_node):
@@ -82,7 +83,7 @@ def evaluate_forces(model: Any, motion: Any, masses: Any, work: Any, mask: Any) 
             else:
                 work.change[i] = slave_acceleration(work, i, step)
             total = total + absolute(work.change[i])
-    rate_squared = largest_rate_squared(model, masses, system, 0.0 * step)
+    rate_squared = largest_rate_squared(model, masses, work, 0.0 * step)
     clock[STABLE_STEP] = 2.0 / sqrt(maximum(rate_squared, 1e-300 + 0.0 * step))
     clock[GAP] = assembly.smallest_gap
     clock[FASTEST] = assembly.contact_rate_squared

@@ -21,13 +21,14 @@ from snapjump.engine.clock import (
     SHARE,
     SIZE,
 )
-from snapjump.frame.base import frame_dofs, limit_frame_step, place_ends
-from snapjump.linear_solver.banded import (
-    begin_elimination,
-    eliminate_node,
+from snapjump.frame.base import (
+    border_width,
+    frame_dofs,
+    limit_frame_step,
+    place_ends,
     solve_frame,
-    substitute_back,
 )
+from snapjump.linear_solver.banded import begin_elimination, eliminate_node, substitute_back
 from snapjump.linear_solver.banded_turning import eliminate_turning_node, substitute_back_turning
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, any_true, maximum, minimum, negate, where
@@ -46,12 +47,14 @@ class Correction(NamedTuple):
 
 
 @kernel
-def allowed_share(model: Any, masses: Any, state: Any, frame_drop: Any, drop: Any) -> Any:
+def allowed_share(
+    model: Any, masses: Any, mesh: Any, state: Any, frame_drop: Any, drop: Any
+) -> Any:
     """Share of ``state -= drop`` (at most 1) by which no gap shrinks below GAP_FRACTION."""
     share = 1.0 + 0.0 * state[0]
     if has_contact(model.contact) and keeps_open(model.contact):
-        share = limit_frame_step(model.frame, state, frame_drop, GAP_FRACTION)
-        offset = frame_dofs(model.frame)
+        share = limit_frame_step(model.frame, mesh, state, frame_drop, GAP_FRACTION)
+        offset = frame_dofs(model.frame, mesh)
         dofs = node_dofs(model.discretization)
         for node in range(masses.shape[0]):
             if masses[node] == 0.0:
@@ -65,9 +68,9 @@ def allowed_share(model: Any, masses: Any, state: Any, frame_drop: Any, drop: An
 
 
 @kernel
-def largest_of_three(values: Any, largest: Any) -> Any:
-    """The largest absolute value of three, or ``largest`` if that is larger."""
-    for k in range(3):
+def largest_of(values: Any, count: Any, largest: Any) -> Any:
+    """The largest absolute value of the first few, or ``largest`` if that is larger."""
+    for k in range(count):
         largest = maximum(largest, absolute(values[k]))
     return largest
 
@@ -89,7 +92,8 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
     A node is eliminated as soon as it is complete, while its columns are still in fast memory.
     """
     system = work.system
-    bordered = frame_dofs(model.frame) > 0
+    dofs = frame_dofs(model.frame, work.mesh)
+    bordered = border_width(model.frame) > 0
     turning = node_dofs(model.discretization) == 3
     nodes = masses.shape[0]
     zero = 0.0 * motion.rate_factor
@@ -107,13 +111,14 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
     negative = done.negative
     correction = zero
     if bordered:
-        residual = largest_of_three(system.frame_residual, residual)
-        negative = negative + solve_frame(system, done)
-        correction = largest_of_three(system.frame_residual, correction)
+        residual = largest_of(system.frame_residual, dofs, residual)
+        negative = negative + solve_frame(model.frame, work.mesh, work.state, system, done)
+        correction = largest_of(system.frame_residual, dofs, correction)
+    remains = border_width(model.frame) == 3
     if turning:
-        correction = maximum(correction, substitute_back_turning(system, bordered, zero))
+        correction = maximum(correction, substitute_back_turning(system, remains, zero))
     else:
-        correction = maximum(correction, substitute_back(system, bordered, zero))
+        correction = maximum(correction, substitute_back(system, remains, zero))
     return Solution(end_assembly(sweep), residual, correction, negative)
 
 
@@ -131,7 +136,7 @@ def newton_iteration(
     """Correct ``work.state`` in the masked lanes; what is returned of the others is void."""
     clock = work.clock
     size = work.state.shape[0]
-    dofs = frame_dofs(model.frame)
+    dofs = frame_dofs(model.frame, work.mesh)
     tiny = 1e-300 + 0.0 * motion.rate_factor
     x = work.system.residual
     y = work.system.frame_residual
@@ -148,7 +153,7 @@ def newton_iteration(
     # A correction that outgrows the last one tells that the last one went too far: halve that.
     half = 0.5 * clock[SHARE]
     share = minimum(
-        allowed_share(model, masses, work.state, y, x),
+        allowed_share(model, masses, work.mesh, work.state, y, x),
         LARGEST_CORRECTION / maximum(correction, tiny),
     )
     share = where(finite & mask, share, 0.0)
@@ -161,7 +166,7 @@ def newton_iteration(
         work.change[i] = where(back, work.change[i], step)
     if has_elements(model.discretization):
         angles = clamp_angles(model.clamp, motion.time)
-        place_ends(model.frame, model.discretization, angles, work.state)
+        place_ends(model.frame, work.mesh, model.discretization, angles, work.state)
 
     # The error left is about the correction times the rate of convergence.
     rate = where(first, 1.0, minimum(correction / maximum(clock[SIZE], tiny), 1.0 + 0.0 * tiny))

@@ -20,7 +20,17 @@ from snapjump.discretization.base import (
     has_elements,
     node_dofs,
 )
-from snapjump.frame.base import corner_mass, corner_point, end_tangents, frame_dofs, frame_mass
+from snapjump.frame.base import (
+    contact_point,
+    contact_points,
+    end_tangents,
+    frame_dissipation,
+    frame_dofs,
+    frame_mass,
+    mount_turning,
+    point_mass,
+    point_weight,
+)
 from snapjump.friction.base import has_friction, is_lagged, slip
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import where
@@ -44,16 +54,16 @@ class Point(NamedTuple):
 
 
 @kernel
-def node_point(model: Any, node: Any, state: Any, velocity: Any) -> Point:
-    """A node as a point."""
-    i = node_dofs(model.discretization) * node + frame_dofs(model.frame)
+def node_point(model: Any, mesh: Any, node: Any, state: Any, velocity: Any) -> Point:
+    """A node of the beam as a point."""
+    i = node_dofs(model.discretization) * node + frame_dofs(model.frame, mesh)
     return Point(state[i + 1], velocity[i], velocity[i + 1])
 
 
 @kernel
-def corner_of(model: Any, corner: Any, state: Any, velocity: Any) -> Point:
-    """A corner of the frame as a point."""
-    _, gap, vx, vy = corner_point(model.frame, corner, state, velocity)
+def frame_point(model: Any, mesh: Any, point: Any, state: Any, velocity: Any) -> Point:
+    """One of the frame's own points."""
+    _, gap, vx, vy = contact_point(model.frame, mesh, point, state, velocity)
     return Point(gap, vx, vy)
 
 
@@ -91,32 +101,34 @@ def contact_powers(
     model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity: Any
 ) -> Any:
     """Power that friction and contact take out, all points together."""
-    by_node, by_corner = contact_weights(model.contact)
+    mesh = work.mesh
+    by_node, _ = contact_weights(model.contact)
     friction = 0.0 * state[0]
     contact = 0.0 * state[0]
     before = work.velocity[0]
     for node in range(masses.shape[0]):
         if masses[node] > 0.0:
-            now = node_point(model, node, state, velocity)
-            begun = node_point(model, node, work.start, before)
+            now = node_point(model, mesh, node, state, velocity)
+            begun = node_point(model, mesh, node, work.start, before)
             rubbed, lost = point_losses(model, motion, now, begun, masses[node], by_node)
             friction = friction + rubbed
             contact = contact + lost
-    if frame_dofs(model.frame) > 0:
-        for corner in range(4):
-            now = corner_of(model, corner, state, velocity)
-            begun = corner_of(model, corner, work.start, before)
-            mass = corner_mass(model.frame, corner, state)
-            rubbed, lost = point_losses(model, motion, now, begun, mass, by_corner)
-            friction = friction + rubbed
-            contact = contact + lost
+    for point in range(contact_points(model.frame, mesh)):
+        now = frame_point(model, mesh, point, state, velocity)
+        begun = frame_point(model, mesh, point, work.start, before)
+        mass = point_mass(model.frame, mesh, point, state)
+        weight = point_weight(model.frame, mesh, point, model.contact)
+        rubbed, lost = point_losses(model, motion, now, begun, mass, weight)
+        friction = friction + rubbed
+        contact = contact + lost
     return friction, contact
 
 
 @routine
 def powers(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity: Any) -> Powers:
     """The :class:`Powers` of a stage's state and velocity."""
-    offset = frame_dofs(model.frame)
+    mesh = work.mesh
+    offset = frame_dofs(model.frame, mesh)
     dofs = node_dofs(model.discretization)
     friction = 0.0 * state[0]
     contact = 0.0 * state[0]
@@ -132,11 +144,13 @@ def powers(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity
             speed_squared = speed_squared + TURN_INERTIA * velocity[i + 2] * velocity[i + 2]
         damping = damping + drag * masses[node] * speed_squared
     for k in range(offset):
-        damping = damping + drag * frame_mass(model.frame, k) * velocity[k] * velocity[k]
+        mass = frame_mass(model.frame, mesh, k)
+        damping = damping + drag * mass * velocity[k] * velocity[k]
+    damping = damping + frame_dissipation(model.frame, model.damping, mesh, state, velocity)
     if has_elements(model.discretization):
         angles = clamp_angles(model.clamp, motion.time)
-        turn_rate = velocity[2] if offset > 0 else 0.0 * state[0]
-        tangents = end_tangents(model.frame, model.load, angles, state, turn_rate)
+        turning = mount_turning(model.frame, mesh, state, velocity)
+        tangents = end_tangents(model.frame, mesh, model.load, angles, state, turning)
         chain = chain_powers(
             model.discretization, model.damping, state[offset:], velocity[offset:], tangents
         )

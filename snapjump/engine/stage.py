@@ -18,7 +18,13 @@ from snapjump.engine.clock import (
     TIME,
 )
 from snapjump.engine.newton import GAP_FRACTION, allowed_share
-from snapjump.frame.base import corner_point, frame_dofs, place_ends
+from snapjump.frame.base import (
+    contact_point,
+    contact_points,
+    frame_dofs,
+    place_ends,
+    point_weight,
+)
 from snapjump.integrator.base import (
     Rates,
     end_step,
@@ -64,18 +70,18 @@ def keep_stage(scheme: Any, work: Any, motion: Any, mask: Any) -> Any:
 
 
 @kernel
-def smallest_gap(model: Any, masses: Any, state: Any) -> Any:
+def smallest_gap(model: Any, masses: Any, mesh: Any, state: Any) -> Any:
     """Of all points that can touch the ground (L)."""
-    dofs = frame_dofs(model.frame)
+    dofs = frame_dofs(model.frame, mesh)
     stride = node_dofs(model.discretization)
     smallest = 1.0e30 + 0.0 * state[0]
     for node in range(masses.shape[0]):
         if masses[node] > 0.0:
             smallest = minimum(smallest, state[stride * node + 1 + dofs])
-    if dofs > 0:
-        for corner in range(4):
-            _, height, _, _ = corner_point(model.frame, corner, state, state)
-            smallest = minimum(smallest, height)
+    for point in range(contact_points(model.frame, mesh)):
+        _, height, _, _ = contact_point(model.frame, mesh, point, state, state)
+        weight = point_weight(model.frame, mesh, point, model.contact) + 0.0 * height
+        smallest = minimum(smallest, where(weight > 0.0, height, smallest))
     return smallest
 
 
@@ -86,7 +92,8 @@ def reach_end(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> Any
     Returns the mask of lanes whose step must be repeated: the end closed a gap.
     """
     clock = work.clock
-    dofs = frame_dofs(model.frame)
+    mesh = work.mesh
+    dofs = frame_dofs(model.frame, mesh)
     drop = work.system.residual
     frame_drop = work.system.frame_residual
     for i in range(work.state.shape[0]):
@@ -98,16 +105,16 @@ def reach_end(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> Any
     if has_elements(model.discretization):
         share = where(mask, 1.0, stage_node(scheme, clock[STAGE]))
         angles = clamp_angles(model.clamp, clock[TIME] + share * clock[STEP])
-        place_ends(model.frame, model.discretization, angles, work.state)
+        place_ends(model.frame, mesh, model.discretization, angles, work.state)
     # Of its gap at the stage every point must keep GAP_FRACTION; said of the gap at the end.
     for i in range(work.state.shape[0]):
         if i < dofs:
             frame_drop[i] = GAP_FRACTION * (frame_drop[i] - work.state[i])
         else:
             drop[i - dofs] = GAP_FRACTION * (drop[i - dofs] - work.state[i])
-    closed = mask & (allowed_share(model, masses, work.state, frame_drop, drop) < 1.0)
-    clock[GAP] = where(mask, smallest_gap(model, masses, work.state), clock[GAP])
-    return closed
+    allowed = allowed_share(model, masses, mesh, work.state, frame_drop, drop)
+    clock[GAP] = where(mask, smallest_gap(model, masses, mesh, work.state), clock[GAP])
+    return mask & (allowed < 1.0)
 
 
 @routine
@@ -142,8 +149,9 @@ def begin_stage(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> N
         work.drift[i] = where(mask, drift, work.drift[i])
         work.state[i] = state
         work.change[i] = where(mask, state - aim, work.change[i])
-    dofs = frame_dofs(model.frame)
-    allowed = allowed_share(model, masses, work.state, work.change, work.change[dofs:])
+    mesh = work.mesh
+    drop = work.change[frame_dofs(model.frame, mesh) :]
+    allowed = allowed_share(model, masses, mesh, work.state, work.change, drop)
     allowed = where(mask, allowed, 0.0)
     for i in range(size):
         work.state[i] = work.state[i] - allowed * work.change[i]
@@ -157,7 +165,7 @@ def begin_stage(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> N
     if has_elements(model.discretization):
         time = clock[TIME] + stage_node(scheme, stage) * step
         angles = clamp_angles(model.clamp, time)
-        place_ends(model.frame, model.discretization, angles, work.state)
+        place_ends(model.frame, mesh, model.discretization, angles, work.state)
 
 
 @kernel

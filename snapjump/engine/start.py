@@ -12,7 +12,7 @@ from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.equilibrium import settle
 from snapjump.engine.model import Model
 from snapjump.engine.status import NO_EQUILIBRIUM, RUNNING
-from snapjump.frame.base import frame_dofs
+from snapjump.frame.base import frame_dofs, slide_frame
 from snapjump.friction.base import holds
 from snapjump.friction.none import NoFriction
 from snapjump.number.dispatch import kernel, routine
@@ -43,15 +43,16 @@ def with_angles(model: Any, left: Any, lag: Any) -> Any:
 def stay_in_place(model: Any, masses: Any, work: Any) -> None:
     """Where no friction holds the frame, keep the centre of mass in place instead of it."""
     free = negate(holds(model.friction))
-    _, _, speed, _ = centre_of_mass(model, masses, work.start, work.velocity[0])
-    _, _, push, _ = centre_of_mass(model, masses, work.start, work.acceleration[0])
+    mesh = work.mesh
+    _, _, speed, _ = centre_of_mass(model, masses, mesh, work.start, work.velocity[0])
+    _, _, push, _ = centre_of_mass(model, masses, mesh, work.start, work.acceleration[0])
     zero = 0.0 * speed
     speed = where(free, speed, zero)
     push = where(free, push, zero)
-    work.velocity[0, 0] = work.velocity[0, 0] - speed
-    work.acceleration[0, 0] = work.acceleration[0, 0] - push
+    slide_frame(model.frame, mesh, work.velocity[0], -speed)
+    slide_frame(model.frame, mesh, work.acceleration[0], -push)
     for node in range(masses.shape[0]):
-        i = 3 + node_dofs(model.discretization) * node
+        i = frame_dofs(model.frame, mesh) + node_dofs(model.discretization) * node
         work.velocity[0, i] = work.velocity[0, i] - speed
         work.acceleration[0, i] = work.acceleration[0, i] - push
 
@@ -110,9 +111,10 @@ def follow_branch(model: Any, masses: Any, work: Any) -> Any:
         work.velocity[0, i] = (after - before) / (2.0 * difference)
         work.acceleration[0, i] = (after - 2.0 * now + before) / (difference * difference)
         state[i] = now
-    if frame_dofs(model.frame) > 0:
+    dofs = frame_dofs(model.frame, work.mesh)
+    if dofs > 0:
         stay_in_place(model, masses, work)
-    first = 1 + frame_dofs(model.frame)
+    first = 1 + dofs
     middle = (masses.shape[0] - 1) // 2 * node_dofs(model.discretization) + first
     lost = lost | (state[middle] < state[first])
     return where(lost, 1.0 * NO_EQUILIBRIUM, 1.0 * RUNNING)

@@ -19,6 +19,13 @@ def view_work(work: Any, lanes: Any) -> Work:
         view_numbers(work.system.padded_border, lanes),
         view_numbers(work.system.frame_residual, lanes),
         view_numbers(work.system.square, lanes),
+        view_numbers(work.system.mounts, lanes),
+        view_numbers(work.system.padded_frame_residual, lanes),
+        view_numbers(work.system.frame_band, lanes),
+        view_numbers(work.system.frame_border, lanes),
+        view_numbers(work.system.levers, lanes),
+        view_numbers(work.system.last_residual, lanes),
+        view_numbers(work.system.last_square, lanes),
     )
     return Work(
         view_numbers(work.state, lanes),
@@ -33,5 +40,6 @@ def view_work(work: Any, lanes: Any) -> Work:
         view_numbers(work.clock, lanes),
         view_numbers(work.numbers, lanes),
         view_numbers(work.weights, lanes),
+        work.mesh,
         system,
     )

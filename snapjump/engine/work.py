@@ -9,15 +9,19 @@ from snapjump.discretization.base import HALF_BANDWIDTH
 from snapjump.number.memory import aligned_zeros
 
 CORNERS = 4
+NO_MESH: NDArray[np.int64] = np.zeros(0, dtype=np.int64)
 
 
 class System(NamedTuple):
     """The linear system of a Newton iteration, for B coordinates of nodes and F of the frame.
 
-    residual (B), band (B, 6), border (B, 3): of the nodes, two or three coordinates each; these
-    are views into the padded arrays of B + 10 rows, whose five zero rows before and after spare
-    the solver its edge cases.
-    frame_residual (F) and square (3, 3): of the frame.
+    residual (B), band (B, 6), border (B, W): of the nodes, two or three coordinates each, W being
+    the coordinates of the mounts that they are condensed onto; these are views into the padded
+    arrays of B + 10 rows, whose five zero rows before and after spare the solver its edge cases.
+    frame_residual (F) and square (W, W): of a rigid frame, or of an elastic one and its mounts.
+    The rest is an elastic one's (see :mod:`snapjump.frame.elastic_solve`): mounts (W),
+    padded_frame_residual (F + 10), frame_band (F + 10, 6), frame_border (F + 10, 4), levers
+    (8, 3), last_residual (4), last_square (4, 4).
     """
 
     residual: Any
@@ -28,6 +32,13 @@ class System(NamedTuple):
     padded_border: Any
     frame_residual: Any
     square: Any
+    mounts: Any
+    padded_frame_residual: Any
+    frame_band: Any
+    frame_border: Any
+    levers: Any
+    last_residual: Any
+    last_square: Any
 
 
 class Work(NamedTuple):
@@ -36,10 +47,10 @@ class Work(NamedTuple):
     state: current Newton iterate (D); start: state at the step's beginning (D); origin, drift:
     the stage's position and velocity before its own share (D); change: last Newton correction
     (D); velocity, acceleration: of every stage, the first being the step's beginning (S, D);
-    slip: sliding velocities at the last iterate, corners first (4 + nodes); held: 1 where a
-    constraint held a point at the last iterate (4 + nodes); clock: scalars by
+    slip: sliding velocities at the last iterate, the frame's points first; held: 1 where a
+    constraint held such a point at the last iterate; clock: scalars by
     lane (see :mod:`snapjump.engine.clock`); numbers: of the model (P); weights: of earlier
-    stages (S).
+    stages (S); mesh: of the frame, the same for all lanes (see :mod:`snapjump.frame.base`).
     """
 
     state: Any
@@ -54,6 +65,7 @@ class Work(NamedTuple):
     clock: Any
     numbers: Any
     weights: Any
+    mesh: Any
     system: System
 
 
@@ -65,8 +77,11 @@ def make_work(
     numbers: int,
     lanes: int,
     node_dofs: int = 2,
+    mesh: NDArray[np.int64] = NO_MESH,
 ) -> Work:
     """Zeroed memory of shape (..., lanes)."""
+    chain = frame_dofs if len(mesh) else 0
+    width = 6 if chain else 3
     beam = node_dofs * nodes
     size = frame_dofs + beam
 
@@ -76,7 +91,8 @@ def make_work(
     pad = HALF_BANDWIDTH
     residual = zeros(beam + 2 * pad)
     band = zeros(beam + 2 * pad, pad + 1)
-    border = zeros(beam + 2 * pad, 3)
+    border = zeros(beam + 2 * pad, width)
+    frame = zeros(max(frame_dofs, 3) + 2 * pad)
     system = System(
         residual[pad : pad + beam],
         band[pad : pad + beam],
@@ -84,8 +100,15 @@ def make_work(
         residual,
         band,
         border,
-        zeros(3),
-        zeros(3, 3),
+        frame[pad : pad + max(frame_dofs, 3)],
+        zeros(width, width),
+        zeros(width),
+        frame,
+        zeros(chain + 2 * pad, pad + 1),
+        zeros(chain + 2 * pad, 4),
+        zeros(8, 3),
+        zeros(4),
+        zeros(4, 4),
     )
     return Work(
         state=zeros(size),
@@ -95,10 +118,11 @@ def make_work(
         change=zeros(size),
         velocity=zeros(stages, size),
         acceleration=zeros(stages, size),
-        slip=zeros(CORNERS + nodes),
-        held=zeros(CORNERS + nodes),
+        slip=zeros(max(CORNERS, chain // 2) + nodes),
+        held=zeros(max(CORNERS, chain // 2) + nodes),
         clock=zeros(clocks),
         numbers=zeros(numbers),
         weights=zeros(stages),
+        mesh=mesh,
         system=system,
     )

@@ -21,22 +21,36 @@ from snapjump.discretization.base import (
     turn_length,
 )
 from snapjump.frame.base import (
+    FrameBox,
     FrameForces,
+    Turning,
     add_frame_forces,
+    border_width,
     condense_first,
     condense_last,
-    corner_mass,
+    contact_point,
+    contact_points,
     corner_point,
     end_tangents,
+    frame_box,
+    frame_dissipation,
     frame_dofs,
+    frame_energy,
     frame_mass,
+    frame_moments,
     limit_frame_step,
+    mount_turning,
     place_ends,
+    point_mass,
+    point_weight,
+    rest_frame,
+    slide_frame,
+    solve_frame,
 )
-from snapjump.frame.ends import release_first_node, release_last_node
+from snapjump.frame.ends import move_first, move_last
 from snapjump.frame.rigid_corners import add_corner_friction, corner_approach, corner_arm
-from snapjump.frame.rigid_ends import add_border, condense_hinged_node, condense_turning_node
 from snapjump.friction.base import has_friction
+from snapjump.linear_solver import banded
 from snapjump.load.base import gravity
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, any_true, cos, maximum, minimum, sin, where
@@ -55,21 +69,33 @@ class RigidFrame(NamedTuple):
 
 
 @frame_dofs.member(RigidFrame)
-def _frame_dofs(frame: RigidFrame) -> int:
+def _frame_dofs(frame: RigidFrame, mesh: Any) -> int:
     return 3
 
 
+@border_width.member(RigidFrame)
+def _border_width(frame: RigidFrame) -> int:
+    return 3
+
+
+@mount_turning.member(RigidFrame)
+def _mount_turning(frame: RigidFrame, mesh: Any, state: Any, vector: Any) -> Turning:
+    return Turning(vector[2], vector[2])
+
+
 @end_tangents.member(RigidFrame)
-def _end_tangents(frame: RigidFrame, load: Any, angles: Any, state: Any, velocity: Any) -> Any:
+def _end_tangents(
+    frame: RigidFrame, mesh: Any, load: Any, angles: Any, state: Any, turning: Turning
+) -> Any:
     left = state[2] - angles.left
     right = state[2] + angles.right
     return EndTangents(
         cos(left),
         sin(left),
-        velocity - angles.left_rate,
+        turning.left - angles.left_rate,
         cos(right),
         sin(right),
-        velocity + angles.right_rate,
+        turning.right + angles.right_rate,
         0.0 * left,
         0.0 * left,
     )
@@ -98,8 +124,9 @@ def last_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Any:
 
 
 @place_ends.member(RigidFrame)
-def _place_ends(frame: RigidFrame, discretization: Any, angles: Any, state: Any) -> None:
-    tangents = _end_tangents(frame, 0.0, angles, state, 0.0 * state[2])
+def _place_ends(frame: RigidFrame, mesh: Any, discretization: Any, angles: Any, state: Any) -> None:
+    still = Turning(0.0 * state[2], 0.0 * state[2])
+    tangents = _end_tangents(frame, mesh, 0.0, angles, state, still)
     dofs = node_dofs(discretization)
     offset = clamp_offset(discretization)
     lx, ly = first_arm(frame, offset, tangents, state[2])
@@ -116,48 +143,40 @@ def _place_ends(frame: RigidFrame, discretization: Any, angles: Any, state: Any)
 
 @condense_first.member(RigidFrame)
 def _condense_first(
-    frame: RigidFrame, tangents: Any, discretization: Any, hinge: Any, state: Any, system: Any
+    frame: RigidFrame,
+    mesh: Any,
+    tangents: Any,
+    discretization: Any,
+    hinge: Any,
+    state: Any,
+    system: Any,
 ) -> None:
     arm_x, arm_y = first_arm(frame, clamp_offset(discretization), tangents, state[2])
-    if node_dofs(discretization) == 3:
-        condense_turning_node(0, turn_length(discretization), arm_x, arm_y, system)
-        for row in range(3, 6):
-            bx, by, bt = system.band[0, row], system.band[1, row - 1], system.band[2, row - 2]
-            add_border(bx, by, arm_x, arm_y, system.border, row)
-            system.border[row, 2] += turn_length(discretization) * bt
-        release_first_node(3, system.residual, system.band)
-    else:
-        condense_hinged_node(0, hinge, -1.0, arm_x, arm_y, system)
-        for row in range(2, 6):
-            bx, by = system.band[0, row], system.band[1, row - 1]
-            add_border(bx, by, arm_x, arm_y, system.border, row)
-        system.border[2, 2] -= hinge.stiffness * hinge.slope_x
-        system.border[3, 2] -= hinge.stiffness * hinge.slope_y
-        release_first_node(2, system.residual, system.band)
+    move_first(discretization, hinge, arm_x, arm_y, system.frame_residual, system)
 
 
 @condense_last.member(RigidFrame)
 def _condense_last(
-    frame: RigidFrame, tangents: Any, discretization: Any, hinge: Any, state: Any, system: Any
+    frame: RigidFrame,
+    mesh: Any,
+    tangents: Any,
+    discretization: Any,
+    hinge: Any,
+    state: Any,
+    system: Any,
 ) -> None:
     arm_x, arm_y = last_arm(frame, clamp_offset(discretization), tangents, state[2])
-    band = system.band
-    border = system.border
-    dofs = node_dofs(discretization)
-    last = (state.shape[0] - 3) // dofs - 1
-    row = dofs * last
-    if dofs == 3:
-        condense_turning_node(row, turn_length(discretization), arm_x, arm_y, system)
-        for k in range(1, 4):
-            add_border(band[row - k, k], band[row - k, k + 1], arm_x, arm_y, border, row - k)
-            border[row - k, 2] += turn_length(discretization) * band[row - k, k + 2]
-    else:
-        condense_hinged_node(row, hinge, 1.0, arm_x, arm_y, system)
-        for k in range(1, 5):
-            add_border(band[row - k, k], band[row - k, k + 1], arm_x, arm_y, border, row - k)
-        border[row - 2, 2] += hinge.stiffness * hinge.slope_x
-        border[row - 1, 2] += hinge.stiffness * hinge.slope_y
-    release_last_node(dofs, system.residual, band, last)
+    last = (state.shape[0] - 3) // node_dofs(discretization) - 1
+    move_last(discretization, last, hinge, arm_x, arm_y, system.frame_residual, system, 0)
+
+
+@kernel
+def clear(residual: Any, square: Any, zero: Any) -> None:
+    """Zero the frame's own block and residual."""
+    for k in range(3):
+        residual[k] = zero
+        for m in range(3):
+            square[k, m] = zero
 
 
 @add_frame_forces.member(RigidFrame)
@@ -168,6 +187,7 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
     rate = motion.rate_factor
     drag = mass_damping(model.damping)
     largest = 0.0 * rate
+    clear(residual, square, largest)
     for k in range(3):
         mass = frame.inertia if k == 2 else frame.mass
         velocity = (state[k] - work.origin[k]) * rate
@@ -218,7 +238,7 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
 
 
 @limit_frame_step.member(RigidFrame)
-def _limit_frame_step(frame: RigidFrame, state: Any, drop: Any, fraction: Any) -> Any:
+def _limit_frame_step(frame: RigidFrame, mesh: Any, state: Any, drop: Any, fraction: Any) -> Any:
     c = cos(state[2])
     s = sin(state[2])
     share = 1.0 + 0.0 * state[0]
@@ -232,19 +252,79 @@ def _limit_frame_step(frame: RigidFrame, state: Any, drop: Any, fraction: Any) -
     return share
 
 
+@solve_frame.member(RigidFrame)
+def _solve_frame(frame: RigidFrame, mesh: Any, state: Any, system: Any, done: Any) -> Any:
+    return banded.solve_frame(system, done)
+
+
+@contact_points.member(RigidFrame)
+def _contact_points(frame: RigidFrame, mesh: Any) -> int:
+    return 4
+
+
+@contact_point.member(RigidFrame)
 @corner_point.member(RigidFrame)
-def _corner_point(frame: RigidFrame, corner: Any, state: Any, velocity: Any) -> Any:
+def _corner_point(frame: RigidFrame, mesh: Any, corner: Any, state: Any, velocity: Any) -> Any:
     rx, ry = corner_arm(frame, corner, cos(state[2]), sin(state[2]))
     vx = velocity[0] - ry * velocity[2]
     return state[0] + rx, state[1] + ry, vx, velocity[1] + rx * velocity[2]
 
 
-@corner_mass.member(RigidFrame)
-def _corner_mass(frame: RigidFrame, corner: Any, state: Any) -> Any:
-    rx, _ = corner_arm(frame, corner, cos(state[2]), sin(state[2]))
+@point_mass.member(RigidFrame)
+def _point_mass(frame: RigidFrame, mesh: Any, point: Any, state: Any) -> Any:
+    rx, _ = corner_arm(frame, point, cos(state[2]), sin(state[2]))
     return 1.0 / (1.0 / frame.mass + rx * rx / frame.inertia)
 
 
+@point_weight.member(RigidFrame)
+def _point_weight(frame: RigidFrame, mesh: Any, point: Any, contact: Any) -> Any:
+    return contact_weights(contact)[1]
+
+
+@frame_box.member(RigidFrame)
+def _frame_box(frame: RigidFrame, mesh: Any, state: Any, velocity: Any) -> FrameBox:
+    return FrameBox(
+        state[0],
+        state[1],
+        cos(state[2]),
+        sin(state[2]),
+        velocity[2],
+        frame.half_span,
+        frame.mount_y,
+        frame.foot_y,
+        frame.top_y,
+    )
+
+
+@rest_frame.member(RigidFrame)
+def _rest_frame(frame: RigidFrame, mesh: Any, state: Any, gap: Any) -> None:
+    state[0] = 0.0
+    state[1] = gap - frame.foot_y
+    state[2] = 0.0
+
+
 @frame_mass.member(RigidFrame)
-def _frame_mass(frame: RigidFrame, coordinate: Any) -> Any:
+def _frame_mass(frame: RigidFrame, mesh: Any, coordinate: Any) -> Any:
     return where(coordinate == 2, frame.inertia, frame.mass)
+
+
+@frame_moments.member(RigidFrame)
+def _frame_moments(frame: RigidFrame, mesh: Any, vector: Any) -> Any:
+    return frame.mass * vector[0], frame.mass * vector[1]
+
+
+@slide_frame.member(RigidFrame)
+def _slide_frame(frame: RigidFrame, mesh: Any, vector: Any, along_x: Any) -> None:
+    vector[0] = vector[0] + along_x
+
+
+@frame_energy.member(RigidFrame)
+def _frame_energy(frame: RigidFrame, mesh: Any, state: Any) -> Any:
+    return 0.0 * state[0]
+
+
+@frame_dissipation.member(RigidFrame)
+def _frame_dissipation(
+    frame: RigidFrame, damping: Any, mesh: Any, state: Any, velocity: Any
+) -> Any:
+    return 0.0 * state[0]

@@ -17,7 +17,7 @@ class Robot:
 
     ``mount_height`` is the height of the clamps above the feet: a number in metres, or
     ``"optimal"`` for the depth h1(epsilon) of the beam's lowest point as it snaps, so that it
-    just touches the ground then.
+    just touches the ground then, or ``"fitted"`` for the released program's fit of that.
     """
 
     length_m: float = 0.02
@@ -29,7 +29,7 @@ class Robot:
     gravity_m_s2: float = 10.0
     rotation_rate_rad_s: float = 20.0
     rotation_end_rad: float = 1.5
-    mount_height: float | Literal["optimal"] = "optimal"
+    mount_height: float | Literal["optimal", "fitted"] = "optimal"
 
     def __post_init__(self) -> None:
         for name in (
@@ -54,10 +54,9 @@ class Robot:
                 f"a slender beam: at most a tenth of robot.length_m = {self.length_m:g} m",
             )
         if isinstance(self.mount_height, str):
-            if self.mount_height != "optimal":
-                raise ParameterError(
-                    "robot.mount_height", self.mount_height, "'optimal' or a number of metres"
-                )
+            if self.mount_height not in ("optimal", "fitted"):
+                allowed = "'optimal', 'fitted' or a number of metres"
+                raise ParameterError("robot.mount_height", self.mount_height, allowed)
         else:
             check_number(
                 "robot.mount_height",
@@ -65,7 +64,7 @@ class Robot:
                 0.0,
                 self.frame_height_m,
                 above=True,
-                unit="m (up to robot.frame_height_m), or 'optimal'",
+                unit="m (up to robot.frame_height_m), or 'optimal' or 'fitted'",
             )
 
     @property

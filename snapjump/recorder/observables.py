@@ -14,14 +14,19 @@ from snapjump.contact.base import contact_weights, force_if_acting, has_contact
 from snapjump.discretization.base import clamp_offset
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import STAGE, TIME
-from snapjump.engine.powers import approach_of, corner_of, node_point
-from snapjump.frame.base import corner_mass, end_tangents, frame_dofs
+from snapjump.engine.powers import approach_of, frame_point, node_point
+from snapjump.frame.base import (
+    STILL,
+    contact_points,
+    end_tangents,
+    frame_dofs,
+    point_mass,
+    point_weight,
+)
 from snapjump.integrator.base import stage_count
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import any_true, sqrt
 from snapjump.recorder.base import record_stage, record_start, record_step
-
-CORNERS = 4
 
 
 class ObservablesRecorder(NamedTuple):
@@ -53,13 +58,12 @@ def make_observables(steps: int) -> ObservablesRecorder:
 
 
 @kernel
-def middle_height(model: Any, time: Any, state: Any, nodes: Any) -> Any:
+def middle_height(model: Any, mesh: Any, time: Any, state: Any, nodes: Any) -> Any:
     """Distance (L) of the beam's middle from the line through both mounts, positive above."""
-    dofs = frame_dofs(model.frame)
+    dofs = frame_dofs(model.frame, mesh)
     stride = (state.shape[0] - dofs) // nodes
-    tangents = end_tangents(
-        model.frame, model.load, clamp_angles(model.clamp, time), state, 0.0 * state[0]
-    )
+    angles = clamp_angles(model.clamp, time)
+    tangents = end_tangents(model.frame, mesh, model.load, angles, state, STILL)
     offset = clamp_offset(model.discretization)
     first = dofs
     last = dofs + stride * (nodes - 1)
@@ -79,22 +83,23 @@ def ground_force(model: Any, motion: Any, masses: Any, work: Any, state: Any, ve
     """Sum of the normal forces (EI/L^2) at all nodes and corners."""
     total = 0.0 * state[0]
     if has_contact(model.contact):
-        by_node, by_corner = contact_weights(model.contact)
+        mesh = work.mesh
+        by_node, _ = contact_weights(model.contact)
         before = work.velocity[0]
         for node in range(masses.shape[0]):
             if masses[node] > 0.0:
-                now = node_point(model, node, state, velocity)
-                begun = node_point(model, node, work.start, before)
+                now = node_point(model, mesh, node, state, velocity)
+                begun = node_point(model, mesh, node, work.start, before)
                 approach = approach_of(motion, now, begun, masses[node])
                 _, force, _ = force_if_acting(model.contact, now.gap, approach)
                 total += by_node * force
-        if frame_dofs(model.frame) > 0:
-            for corner in range(CORNERS):
-                now = corner_of(model, corner, state, velocity)
-                begun = corner_of(model, corner, work.start, before)
-                approach = approach_of(motion, now, begun, corner_mass(model.frame, corner, state))
-                _, force, _ = force_if_acting(model.contact, now.gap, approach)
-                total += by_corner * force
+        for point in range(contact_points(model.frame, mesh)):
+            now = frame_point(model, mesh, point, state, velocity)
+            begun = frame_point(model, mesh, point, work.start, before)
+            mass = point_mass(model.frame, mesh, point, state)
+            approach = approach_of(motion, now, begun, mass)
+            _, force, _ = force_if_acting(model.contact, now.gap, approach)
+            total += point_weight(model.frame, mesh, point, model.contact) * force
     return total
 
 
@@ -104,7 +109,7 @@ def observe(
 ) -> None:
     """Keep the figures of a state until it is known whether its step stands."""
     recorder.pending[0] = motion.time
-    recorder.pending[1] = middle_height(model, motion.time, state, masses.shape[0])
+    recorder.pending[1] = middle_height(model, work.mesh, motion.time, state, masses.shape[0])
     recorder.pending[2] = ground_force(model, motion, masses, work, state, velocity)
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.clock import LARGEST_RESIDUAL, STAGE, STEP, TIME
 from snapjump.engine.powers import powers
-from snapjump.frame.base import frame_dofs
+from snapjump.frame.base import border_width
 from snapjump.integrator.base import is_explicit, quadrature_weight
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, any_true, maximum
@@ -104,7 +104,7 @@ def _record_stage(
     if not is_explicit(scheme):
         assembly = assemble(model, motion, masses, work)
         left = 0.0
-        if frame_dofs(model.frame) > 0:
+        if border_width(model.frame) > 0:
             left = largest_entry(work.system.frame_residual, left)
         left = largest_entry(work.system.residual, left) / (assembly.largest_force + 1e-300)
         work.clock[LARGEST_RESIDUAL] = maximum(work.clock[LARGEST_RESIDUAL], left)

@@ -14,8 +14,8 @@ from snapjump.discretization.base import internal_energy, node_dofs
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import Model, numbers_of
-from snapjump.engine.work import make_work
-from snapjump.frame.base import end_tangents
+from snapjump.engine.work import NO_MESH, make_work
+from snapjump.frame.base import STILL, end_tangents
 from snapjump.frame.cantilever import CantileverFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.tip import TipLoad
@@ -54,7 +54,8 @@ def bend_cantilever(
         if failed:
             raise ArithmeticError(f"no equilibrium at {k} / {steps} of the tip load")
     state = memory.state[:, 0].copy()
-    tangents = end_tangents(CantileverFrame(), load, ClampAngles(0.0, 0.0, 0.0, 0.0), state, 0.0)
+    flat = ClampAngles(0.0, 0.0, 0.0, 0.0)
+    tangents = end_tangents(CantileverFrame(), NO_MESH, load, flat, state, STILL)
     energy = float(internal_energy(rod, state, tangents))
     return state.reshape(-1, dofs)[:, :2], energy, int(negative)
 

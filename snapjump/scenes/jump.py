@@ -15,6 +15,7 @@ from snapjump.options.backend import ScalarBackend
 from snapjump.recorder.none import NoRecorder
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
+from snapjump.scenes.frame_body import frame_mesh
 from snapjump.scenes.jump_start import jump_model, resting_guess
 from snapjump.scenes.runner import March, Progress
 from snapjump.scenes.trajectory import trajectory_arrays
@@ -40,6 +41,7 @@ def simulate_jump_scene(simulation: Simulation, progress: Progress | None = None
         ending=FlightEnding(duration),
         recorder=make_recorder(len(state), duration, interval) if alone else NoRecorder(),
         lanes=1 if alone else simulation.backend.width,
+        mesh=frame_mesh(simulation, model.frame),
     )
     march.find_starts()
     outcome = march.run(progress)[0]

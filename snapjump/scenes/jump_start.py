@@ -17,8 +17,9 @@ from snapjump.contact.base import (
 )
 from snapjump.discretization.base import clamp_offset
 from snapjump.engine.model import Model
+from snapjump.frame.base import frame_dofs, rest_frame
 from snapjump.load.gravity import Gravity
-from snapjump.scenes.frame_body import rigid_frame
+from snapjump.scenes.frame_body import compression, frame_mesh, frame_model
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.chain_state import chain_state
 from snapjump.statics.elastica import buckled_arch, resampled
@@ -31,7 +32,7 @@ def critical(simulation: Simulation) -> Threshold:
     """The symmetric arch's critical angle and depth. Raises ParameterError where it has none."""
     robot, mesh = simulation.robot, simulation.discretization
     try:
-        return symmetric_threshold(robot, mesh, simulation.design.epsilon)
+        return symmetric_threshold(robot, mesh, compression(simulation))
     except (ArithmeticError, ValueError) as error:  # numpy's LinAlgError is a ValueError
         raise ParameterError(
             "design.epsilon",
@@ -41,9 +42,16 @@ def critical(simulation: Simulation) -> Threshold:
         ) from error
 
 
+def fitted_mount_height_bar(epsilon: float) -> float:
+    """The released program's height of the clamps (in L): a fit of its own h1(epsilon)."""
+    return 1.01 * (0.02951 + 0.3156 * epsilon - 0.3707 * epsilon**2)
+
+
 def mount_height_bar(simulation: Simulation) -> float:
     """Height of the clamps above the feet (in L): given, or h1(epsilon) of our static solution."""
     robot = simulation.robot
+    if robot.mount_height == "fitted":
+        return fitted_mount_height_bar(simulation.design.epsilon)
     if robot.mount_height != "optimal":
         return float(robot.mount_height) / robot.length_m
     return critical(simulation).h1_bar
@@ -70,15 +78,17 @@ def resting_gap(contact: Any, weight: float, points: float) -> float:
 
 def start_angle_rad(simulation: Simulation) -> float:
     """Left clamp angle at which the motion starts."""
+    if simulation.sim.start_fraction == 0.0:
+        return 0.0
     return simulation.sim.start_fraction * critical(simulation).alpha_rad
 
 
 def check_mount_height(simulation: Simulation, start: float) -> None:
     """Require a given mount height to keep the arch above the ground where the motion starts."""
     robot = simulation.robot
-    if robot.mount_height == "optimal":
+    if isinstance(robot.mount_height, str):
         return
-    arch = StaticArch(robot, simulation.discretization, simulation.design.epsilon)
+    arch = StaticArch(robot, simulation.discretization, compression(simulation))
     state = arch.settle(arch.guess(), 0.0, 0.0)
     steps = max(8, int(np.ceil(start / 0.05)))
     right = start - simulation.design.delta_alpha
@@ -107,7 +117,7 @@ def jump_model(simulation: Simulation) -> Model:
         )
     return Model(
         discretization=simulation.discretization.member(robot),
-        frame=rigid_frame(simulation, mount_height_bar(simulation)),
+        frame=frame_model(simulation, mount_height_bar(simulation)),
         clamp=ConstantRate(
             start=start,
             end=robot.rotation_end_rad,
@@ -122,19 +132,21 @@ def jump_model(simulation: Simulation) -> Model:
 
 
 def resting_guess(simulation: Simulation, model: Model) -> Array:
-    """State of the robot at rest with flat clamps: frame (3), then nodes (2 or 3 each)."""
+    """State of the robot at rest with flat clamps: frame, then nodes (2 or 3 each)."""
     discretization = simulation.discretization
     frame = model.frame
     weight = (frame.mass + float(np.sum(discretization.masses()))) * model.load.acceleration
     _, by_corner = contact_weights(model.contact)
     gap = resting_gap(model.contact, weight, 2.0 * by_corner)
-    x, y = buckled_arch(simulation.design.epsilon, discretization.elements)
+    x, y = buckled_arch(compression(simulation), discretization.elements)
     chain = discretization.moving_elements
     skipped = clamp_offset(model.discretization)
-    centre = gap - frame.foot_y
     beam = chain_state(
         model.discretization,
         resampled(x, skipped, chain),
-        resampled(y, skipped, chain) + centre + frame.mount_y,
+        resampled(y, skipped, chain) + (gap - frame.foot_y) + frame.mount_y,
     )
-    return np.concatenate([[0.0, centre, 0.0], beam])
+    mesh = frame_mesh(simulation, frame)
+    state = np.concatenate([np.zeros(frame_dofs(frame, mesh)), beam])
+    rest_frame(frame, mesh, state, gap)
+    return state

@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,7 @@ from snapjump.discretization.base import node_dofs
 from snapjump.engine.clock import ROWS, TIME
 from snapjump.engine.march import Limits, Queue, find_starts, march
 from snapjump.engine.model import Model, numbers_of
-from snapjump.engine.work import Work, make_work
+from snapjump.engine.work import NO_MESH, Work, make_work
 from snapjump.frame.base import frame_dofs
 from snapjump.integrator.base import slots
 from snapjump.number.announcement import load
@@ -28,7 +28,8 @@ PASSES_PER_SLICE = 2000
 
 @dataclass
 class March:
-    """Robots of one composition, their beginnings, and the memory they are simulated in."""
+    """Robots of one composition and one mesh of their frames, their beginnings, and the memory they
+    are simulated in."""
 
     models: list[Model]
     masses: Array
@@ -40,6 +41,7 @@ class March:
     velocities: Array | None = None
     accelerations: Array | None = None
     most_iterations: float = MOST_ITERATIONS
+    mesh: NDArray[np.int64] = field(default_factory=lambda: NO_MESH)
 
     def __post_init__(self) -> None:
         robots, size = self.states.shape
@@ -59,12 +61,13 @@ class March:
         self.stepping = self.simulation.stepping.member(self.simulation.robot.scales)
         self.memory: Work = make_work(
             len(self.masses),
-            frame_dofs(self.models[0].frame),
+            frame_dofs(self.models[0].frame, self.mesh),
             slots(self.scheme),
             ROWS,
             self.numbers.shape[1],
             self.lanes,
             node_dofs(self.models[0].discretization),
+            self.mesh,
         )
         self.kernel_seconds = 0.0
 

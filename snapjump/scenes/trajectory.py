@@ -1,7 +1,5 @@
 """A recorded march as arrays in SI units, with contact forces and the energy ledger."""
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,8 +15,21 @@ from snapjump.contact.base import (
     is_impulsive,
 )
 from snapjump.discretization.base import TURN_INERTIA, has_elements, internal_energy, node_dofs
+from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.model import Model
-from snapjump.frame.base import corner_point, end_tangents, frame_dofs, frame_mass
+from snapjump.frame.base import (
+    STILL,
+    contact_point,
+    contact_points,
+    corner_point,
+    end_tangents,
+    frame_box,
+    frame_dofs,
+    frame_energy,
+    frame_mass,
+    frame_moments,
+    point_weight,
+)
 from snapjump.friction.base import has_friction, slip
 from snapjump.load.base import gravity, pull
 from snapjump.scenes.runner import March
@@ -45,7 +56,7 @@ def trajectory_arrays(simulation: Simulation, model: Model, march: March) -> dic
     """Everything that ``trajectory.npz`` holds; S samples, N + 1 nodes, 4 corners."""
     scales = simulation.robot.scales
     times, states, velocities, works = samples_of(march)
-    dofs = frame_dofs(model.frame)
+    dofs = frame_dofs(model.frame, march.mesh)
     stride = node_dofs(model.discretization)
     nodes, speeds = states[:, dofs:], velocities[:, dofs:]
     begun = model.clamp.start / model.clamp.rate if model.clamp.rate else 0.0
@@ -60,40 +71,65 @@ def trajectory_arrays(simulation: Simulation, model: Model, march: March) -> dic
         "clamp_right_rad": np.array([float(a.right) for a in angles]),
     }
     if dofs:
-        arrays |= frame_arrays(model, march.masses, states, velocities, scales)
+        arrays |= frame_arrays(march, states, velocities)
     if has_contact(model.contact):
-        arrays |= contact_arrays(model, march.masses, states, velocities, scales)
-    arrays |= energy_arrays(model, march.masses, times, states, velocities, works, scales)
+        arrays |= contact_arrays(march, states, velocities)
+        if dofs:
+            arrays |= frame_contact_arrays(march, states, velocities)
+    arrays |= energy_arrays(march, times, states, velocities, works)
     return arrays
 
 
-def frame_arrays(
-    model: Model, masses: Array, states: Array, velocities: Array, scales: Any
-) -> dict[str, Array]:
+def frame_arrays(march: March, states: Array, velocities: Array) -> dict[str, Array]:
     """Pose of the frame, its corners, and the centre of mass of frame and beam."""
-    stride = node_dofs(model.discretization)
-    weights = np.concatenate([[model.frame.mass], masses])
-    xs = np.column_stack([states[:, 0], states[:, 3::stride]])
-    ys = np.column_stack([states[:, 1], states[:, 4::stride]])
-    vxs = np.column_stack([velocities[:, 0], velocities[:, 3::stride]])
-    vys = np.column_stack([velocities[:, 1], velocities[:, 4::stride]])
-    share = weights / weights.sum()
+    model, mesh, masses = march.models[0], march.mesh, march.masses
+    scales = march.simulation.robot.scales
+    rows = list(zip(states, velocities, strict=True))
+    boxes = [frame_box(model.frame, mesh, q, v) for q, v in rows]
+    angle = np.unwrap([np.arctan2(float(b.sine), float(b.cosine)) for b in boxes])
+    x, y, vx, vy = centre_of_mass(model, masses, mesh, states.T, velocities.T)
     corners = np.array(
+        [[corner_point(model.frame, mesh, k, q, v)[:2] for k in range(4)] for q, v in rows]
+    )
+    return {
+        "frame_x_m": np.array([b.x for b in boxes]) * scales.length_m,
+        "frame_y_m": np.array([b.y for b in boxes]) * scales.length_m,
+        "frame_angle_rad": angle,
+        "corner_x_m": corners[:, :, 0] * scales.length_m,
+        "corner_y_m": corners[:, :, 1] * scales.length_m,
+        "com_x_m": x * scales.length_m,
+        "com_y_m": y * scales.length_m,
+        "com_vx_m_s": vx * scales.velocity_m_s,
+        "com_vy_m_s": vy * scales.velocity_m_s,
+    }
+
+
+def frame_contact_arrays(march: March, states: Array, velocities: Array) -> dict[str, Array]:
+    """Gaps and forces at the frame's corners; a node of an elastic frame counts to the nearest."""
+    model, mesh = march.models[0], march.mesh
+    frame, scales = model.frame, march.simulation.robot.scales
+    count = contact_points(frame, mesh)
+    points = np.array(
         [
-            [corner_point(model.frame, k, q, v)[:2] for k in range(4)]
+            [contact_point(frame, mesh, k, q, v) for k in range(count)]
             for q, v in zip(states, velocities, strict=True)
         ]
     )
+    weights = np.array([point_weight(frame, mesh, k, model.contact) for k in range(count)])
+    first = points[0, :, :2]
+    corners = np.array([corner_point(frame, mesh, k, states[0], states[0])[:2] for k in range(4)])
+    nearest = np.argmin(np.linalg.norm(first[:, None] - corners, axis=2), axis=1)
+    belongs = (nearest[:, None] == np.arange(4)) * weights[:, None]
+    gaps = [points[:, nearest == k, 1].min(axis=1) for k in range(4)]
+    arrays = {"corner_gap_m": np.column_stack(gaps) * scales.length_m}
+    if is_impulsive(model.contact):
+        return arrays
+    slides, speeds = points[:, :, 2], points[:, :, 3]
+    normal, drag = point_forces(model, points[:, :, 1], slides, speeds, 1.0)
     return {
-        "frame_x_m": states[:, 0] * scales.length_m,
-        "frame_y_m": states[:, 1] * scales.length_m,
-        "frame_angle_rad": states[:, 2].copy(),
-        "corner_x_m": corners[:, :, 0] * scales.length_m,
-        "corner_y_m": corners[:, :, 1] * scales.length_m,
-        "com_x_m": xs @ share * scales.length_m,
-        "com_y_m": ys @ share * scales.length_m,
-        "com_vx_m_s": vxs @ share * scales.velocity_m_s,
-        "com_vy_m_s": vys @ share * scales.velocity_m_s,
+        **arrays,
+        "corner_normal_N": normal @ belongs * scales.force_N,
+        "corner_friction_N": drag @ belongs * scales.force_N,
     }
 
 
@@ -116,66 +152,51 @@ def point_forces(
     return normal, drag
 
 
-def contact_arrays(
-    model: Model, masses: Array, states: Array, velocities: Array, scales: Any
-) -> dict[str, Array]:
-    """Gaps, normal forces and friction (along +x) at nodes and corners; slave nodes have none.
+def contact_arrays(march: March, states: Array, velocities: Array) -> dict[str, Array]:
+    """Gaps, normal forces and friction (along +x) at the beam's nodes; slave nodes have none.
 
     The forces of a constraint are none of the state, and are left out.
     """
-    dofs = frame_dofs(model.frame)
+    model, scales = march.models[0], march.simulation.robot.scales
+    dofs = frame_dofs(model.frame, march.mesh)
     stride = node_dofs(model.discretization)
-    by_node, by_corner = contact_weights(model.contact)
+    weight, _ = contact_weights(model.contact)
     gaps = states[:, dofs + 1 :: stride]
-    held = np.where(masses > 0.0, gaps, np.inf)
-    places = {
-        "node": (held, velocities[:, dofs::stride], velocities[:, dofs + 1 :: stride], by_node)
-    }
     arrays = {"node_gap_m": gaps * scales.length_m}
-    if dofs:
-        points = np.array(
-            [
-                [corner_point(model.frame, k, q, v) for k in range(4)]
-                for q, v in zip(states, velocities, strict=True)
-            ]
-        )
-        places["corner"] = (points[:, :, 1], points[:, :, 2], points[:, :, 3], by_corner)
-        arrays["corner_gap_m"] = points[:, :, 1] * scales.length_m
     if is_impulsive(model.contact):
         return arrays
-    for name, (heights, slides, speeds, weight) in places.items():
-        normal, drag = point_forces(model, heights, slides, speeds, weight)
-        arrays[f"{name}_normal_N"] = normal * scales.force_N
-        arrays[f"{name}_friction_N"] = drag * scales.force_N
-    return arrays
+    held = np.where(march.masses > 0.0, gaps, np.inf)
+    slides, speeds = velocities[:, dofs::stride], velocities[:, dofs + 1 :: stride]
+    normal, drag = point_forces(model, held, slides, speeds, weight)
+    return {
+        **arrays,
+        "node_normal_N": normal * scales.force_N,
+        "node_friction_N": drag * scales.force_N,
+    }
 
 
-def stored_contact_energy(model: Model, masses: Array, state: Array) -> float:
+def stored_contact_energy(march: March, state: Array) -> float:
     """Energy in the barrier (EI/L)."""
-    dofs = frame_dofs(model.frame)
-    by_node, by_corner = contact_weights(model.contact)
+    model, mesh = march.models[0], march.mesh
+    weight, _ = contact_weights(model.contact)
     reach = contact_reach(model.contact)
-    heights = state[dofs + 1 :: node_dofs(model.discretization)]
-    points = [(by_node, gap) for mass, gap in zip(masses, heights, strict=True) if mass > 0.0]
-    if dofs:
-        points += [(by_corner, corner_point(model.frame, k, state, state)[1]) for k in range(4)]
+    heights = state[frame_dofs(model.frame, mesh) + 1 :: node_dofs(model.discretization)]
+    points = [(weight, gap) for mass, gap in zip(march.masses, heights, strict=True) if mass > 0.0]
+    for k in range(contact_points(model.frame, mesh)):
+        gap = contact_point(model.frame, mesh, k, state, state)[1]
+        points.append((point_weight(model.frame, mesh, k, model.contact), gap))
     return float(sum(w * contact_energy(model.contact, float(g)) for w, g in points if g < reach))
 
 
 def energy_arrays(
-    model: Model,
-    masses: Array,
-    times: Array,
-    states: Array,
-    velocities: Array,
-    works: Array,
-    scales: Any,
+    march: March, times: Array, states: Array, velocities: Array, works: Array
 ) -> dict[str, Array]:
     """The ledger: stored energies, works and losses since the beginning, in J.
 
     What the integrator itself dissipated is what the other entries leave unexplained.
     """
-    dofs = frame_dofs(model.frame)
+    model, mesh, masses = march.models[0], march.mesh, march.masses
+    dofs = frame_dofs(model.frame, mesh)
     stride = node_dofs(model.discretization)
     weights = np.outer(masses, [1.0, 1.0, TURN_INERTIA][:stride]).ravel()
     kinetic = 0.5 * (velocities[:, dofs:] ** 2) @ weights
@@ -183,18 +204,20 @@ def energy_arrays(
     tug = pull(model.load)
     potential = (fall * states[:, dofs + 1 :: stride] - tug * states[:, dofs::stride]) @ masses
     for k in range(dofs):
-        kinetic = kinetic + 0.5 * float(frame_mass(model.frame, k)) * velocities[:, k] ** 2
+        mass = float(frame_mass(model.frame, mesh, k))
+        kinetic = kinetic + 0.5 * mass * velocities[:, k] ** 2
     if dofs:
-        potential = potential + fall * model.frame.mass * states[:, 1]
+        potential = potential + fall * frame_moments(model.frame, mesh, states.T)[1]
     elastic = np.zeros(len(times))
     if has_elements(model.discretization):
         for n, (time, state) in enumerate(zip(times, states, strict=True)):
             angles = clamp_angles(model.clamp, time)
-            tangents = end_tangents(model.frame, model.load, angles, state, 0.0)
+            tangents = end_tangents(model.frame, mesh, model.load, angles, state, STILL)
             elastic[n] = internal_energy(model.discretization, state[dofs:], tangents)
+            elastic[n] += frame_energy(model.frame, mesh, state)
     contact = np.zeros(len(times))
     if has_contact(model.contact):
-        contact = np.array([stored_contact_energy(model, masses, q) for q in states])
+        contact = np.array([stored_contact_energy(march, q) for q in states])
     stored = elastic + kinetic + potential + contact
     friction, damping, clamps, impacts = works.T
     numerical = stored[0] + clamps - friction - damping - impacts - stored
@@ -209,4 +232,5 @@ def energy_arrays(
         "contact_loss_J": impacts,
         "numerical_loss_J": numerical,
     }
-    return {name: values * scales.energy_J for name, values in ledger.items()}
+    energy_J = march.simulation.robot.scales.energy_J  # noqa: N806
+    return {name: values * energy_J for name, values in ledger.items()}

@@ -14,8 +14,8 @@ from snapjump.discretization.base import clamp_offset, internal_energy, node_dof
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import Model, numbers_of
-from snapjump.engine.work import make_work
-from snapjump.frame.base import end_tangents
+from snapjump.engine.work import NO_MESH, make_work
+from snapjump.frame.base import STILL, end_tangents
 from snapjump.frame.fixed import FixedFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.none import NoLoad
@@ -135,7 +135,7 @@ class StaticArch:
     def equilibrium(self, state: Array, left: float, right: float) -> Equilibrium:
         """Describe a settled state."""
         angles = ClampAngles(left, right, 0.0, 0.0)
-        tangents = end_tangents(self.frame, NoLoad(), angles, state, 0.0)
+        tangents = end_tangents(self.frame, NO_MESH, NoLoad(), angles, state, STILL)
         energy = float(internal_energy(self.rod, state, tangents))
         return Equilibrium(
             state[0 :: self.node_dofs].copy(),

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from snapjump.files.atomic import write_text
+from snapjump.files.json_file import finite
 from snapjump.files.result_folder import ResultFolder
 from snapjump.studies.base import Conclusion, Table
 from snapjump.tasks.publish import BLOCK_SUFFIX, REPORT
@@ -39,18 +40,21 @@ def markdown(table: Table) -> str:
 
     def text(key: str, value: Any) -> str:
         if isinstance(value, float):
-            return "" if math.isnan(value) else f"{value:.{table.digits.get(key, 4)}g}"
+            return "" if not math.isfinite(value) else f"{value:.{table.digits.get(key, 4)}g}"
         return number(value)
 
+    if not table.rows:
+        return "None."
     header = table.header
     rows = [[text(key, row.get(key)) for key in header] for row in table.rows]
     return markdown_table(header, rows)
 
 
 def csv_text(table: Table) -> str:
-    """The table with all digits."""
+    """The table with all digits, and nothing where there is no finite number."""
+    rows, _ = finite(list(table.rows))
     file = io.StringIO()
     writer = csv.DictWriter(file, table.header, restval="", lineterminator="\n")
     writer.writeheader()
-    writer.writerows(table.rows)
+    writer.writerows(rows)
     return file.getvalue()

@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 
 from snapjump.checks import ParameterError
 from snapjump.files.atomic import write_text
+from snapjump.files.json_file import finite
 from snapjump.files.provenance import now
 from snapjump.files.result_folder import ResultFolder
 from snapjump.studies import base
@@ -95,7 +96,8 @@ class Study(ABC):
             ("cells", ", ".join(words).replace("cells", "in all")),
             *[("finding" if k == 0 else "", text) for k, text in enumerate(conclusion.findings)],
         ]
-        summary = {**conclusion.summary, **counts}
+        # An order that cannot be observed is no failure of the study.
+        summary, _ = finite({**conclusion.summary, **counts})
         if failures:
             return Outcome(CELLS_FAILED, f"{len(failures)} cells: see failures.txt", summary)
         return Outcome(OK, "", summary)

@@ -14,7 +14,16 @@ from snapjump.files.atomic import write_text
 from snapjump.files.json_file import finite
 from snapjump.files.provenance import now, provenance
 from snapjump.files.result_folder import ResultFolder
-from snapjump.tasks.base import BAD_INPUT, ERROR, INTERRUPTED, NOT_FINITE, OK, Outcome, Task
+from snapjump.tasks.base import (
+    BAD_INPUT,
+    ERROR,
+    INTERRUPTED,
+    NOT_FINITE,
+    OK,
+    Outcome,
+    Progress,
+    Task,
+)
 from snapjump.tasks.publish import check_publish, publish
 from snapjump.tasks.registry import find_task
 from snapjump.terminal.progress import ProgressBar
@@ -54,10 +63,10 @@ def execute(
     try:
         check_run(config)
         task = find_task(config["task"]["name"])
-        with heeded():
+        with heeded() as noticed:
             task.prepare(config)
             folder.write_config(config)
-            outcome = task.run(folder, bar)
+            outcome = task.run(folder, stopping(bar, noticed))
     except ParameterError as error:
         return Outcome(BAD_INPUT, str(error)), task
     except KeyboardInterrupt:
@@ -124,13 +133,13 @@ def check_run(config: Mapping[str, Any]) -> None:
 
 
 @contextmanager
-def heeded() -> Iterator[None]:
+def heeded() -> Iterator[list[int]]:
     """Let Ctrl-C stop the block, at its end if need be: raised inside a callback of a library,
-    KeyboardInterrupt may be swallowed there."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
+    KeyboardInterrupt may be swallowed there. Yields the signals that have come."""
     noticed: list[int] = []
+    if threading.current_thread() is not threading.main_thread():
+        yield noticed
+        return
 
     def stop(number: int, frame: Any) -> None:
         noticed.append(number)
@@ -138,11 +147,22 @@ def heeded() -> Iterator[None]:
 
     before = signal.signal(signal.SIGINT, stop)
     try:
-        yield
+        yield noticed
     finally:
         signal.signal(signal.SIGINT, before)
     if noticed:
         raise KeyboardInterrupt
+
+
+def stopping(progress: Progress, noticed: list[int]) -> Progress:
+    """The progress of a task that Ctrl-C stops when it is told next, if it was swallowed."""
+
+    def tell(done: float, text: str) -> None:
+        if noticed:
+            raise KeyboardInterrupt
+        progress(done, text)
+
+    return tell
 
 
 @contextmanager

@@ -15,6 +15,7 @@ TASKS = {
     "stability": "experiments.stability.study:Stability",
     "robustness": "experiments.robustness.study:Robustness",
     "scenes": "experiments.scenes.study:Scenes",
+    "released": "experiments.released.study:Released",
 }
 STUDIES = "experiments."
 

@@ -41,6 +41,10 @@ def test_orders_that_differ_are_no_range_of_convergence() -> None:
     assert not richardson(sizes, values).asymptotic
 
 
+def test_sizes_that_do_not_fall_have_no_order() -> None:
+    assert math.isnan(observed_order([0.2, 0.1, 0.1], [1.0, 1.5, 1.7]))
+
+
 def test_too_few_values_have_no_limit() -> None:
     assert not richardson([0.2, 0.1], [1.0, 2.0]).asymptotic
     assert math.isnan(fitted_order([0.1], [0.2]))

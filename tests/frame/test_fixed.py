@@ -4,7 +4,8 @@ import pytest
 from snapjump.clamp.base import ClampAngles
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
-from snapjump.frame.base import end_tangents, frame_dofs, place_ends
+from snapjump.engine.work import NO_MESH
+from snapjump.frame.base import STILL, end_tangents, frame_dofs, place_ends
 from snapjump.frame.cantilever import CantileverFrame
 from snapjump.frame.fixed import FixedFrame
 from snapjump.load.none import NoLoad
@@ -16,15 +17,15 @@ ANGLES = ClampAngles(0.3, 0.2, 5.0, 4.0)
 
 def test_fixed_frame_holds_both_ends_and_turns_them_down():
     frame = FixedFrame(0.4, 0.7)
-    assert frame_dofs(frame) == 0
+    assert frame_dofs(frame, NO_MESH) == 0
     state = np.full(8, 9.0)
-    place_ends(frame, ROD, ANGLES, state)
+    place_ends(frame, NO_MESH, ROD, ANGLES, state)
     left = np.array([-0.4, 0.7]) + 0.05 * np.array([np.cos(0.3), -np.sin(0.3)])
     right = np.array([0.4, 0.7]) - 0.05 * np.array([np.cos(0.2), np.sin(0.2)])
     np.testing.assert_allclose(state[:2], left, rtol=1e-15)
     np.testing.assert_allclose(state[-2:], right, rtol=1e-15)
     assert (state[2:-2] == 9.0).all()
-    tangents = end_tangents(frame, NoLoad(), ANGLES, state, 0.0)
+    tangents = end_tangents(frame, NO_MESH, NoLoad(), ANGLES, state, STILL)
     assert np.arctan2(tangents.left_y, tangents.left_x) == pytest.approx(-0.3)
     assert np.arctan2(tangents.right_y, tangents.right_x) == pytest.approx(0.2)
     assert (tangents.left_rate, tangents.right_rate) == (-5.0, 4.0)
@@ -34,10 +35,10 @@ def test_fixed_frame_holds_both_ends_and_turns_them_down():
 def test_cantilever_holds_the_left_end_only():
     frame = CantileverFrame()
     state = np.full(8, 9.0)
-    place_ends(frame, ROD, ANGLES, state)
+    place_ends(frame, NO_MESH, ROD, ANGLES, state)
     np.testing.assert_allclose(state[:2], [0.05 * np.cos(0.3), -0.05 * np.sin(0.3)])
     assert (state[2:] == 9.0).all()
-    tangents = end_tangents(frame, TipLoad(1.0, 2.0, 3.0), ANGLES, state, 0.0)
+    tangents = end_tangents(frame, NO_MESH, TipLoad(1.0, 2.0, 3.0), ANGLES, state, STILL)
     assert (tangents.right_free, tangents.right_moment) == (1.0, 3.0)
 
 

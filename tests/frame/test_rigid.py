@@ -19,6 +19,8 @@ from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.model import Model
 from snapjump.engine.powers import powers
+from snapjump.engine.work import NO_MESH
+from snapjump.frame.base import STILL as NOT_TURNING
 from snapjump.frame.base import corner_point, end_tangents, limit_frame_step, place_ends
 from snapjump.frame.rigid import RigidFrame
 from snapjump.friction.implicit import ImplicitFriction
@@ -85,7 +87,7 @@ def full_state(model: Model, free: Any, angles: Any) -> Any:
     free = np.asarray(free)
     zero = np.zeros(node_dofs(model.discretization), free.dtype)
     state = np.concatenate([free[:3], zero, free[3:], zero])
-    place_ends(model.frame, model.discretization, angles, state)
+    place_ends(model.frame, NO_MESH, model.discretization, angles, state)
     return state
 
 
@@ -148,11 +150,11 @@ def test_residual_is_the_gradient_of_the_whole_energy(clamp):
 
     def potential(z):
         state = full_state(model, z, angles)
-        tangents = end_tangents(FRAME, model.load, angles, state, 0.0)
+        tangents = end_tangents(FRAME, NO_MESH, model.load, angles, state, NOT_TURNING)
         energy = internal_energy(model.discretization, state[3:], tangents)
         heights = state[4 :: node_dofs(model.discretization)]
         energy = energy + 20.0 * (FRAME.mass * state[1] + masses @ heights)
-        points = [(corner_point(FRAME, k, state, 0 * state)[1], 1.5) for k in range(4)]
+        points = [(corner_point(FRAME, NO_MESH, k, state, 0 * state)[1], 1.5) for k in range(4)]
         points += [(y, 7.0) for y in heights[1:-1]]
         near = [(gap, weight) for gap, weight in points if gap.real < BARRIER.distance]
         assert len(near) >= 4
@@ -282,7 +284,7 @@ def test_clamps_give_the_power_that_the_energy_gains(clamp):
         # The right clamp turns along with the left one, at the same rate.
         moved = angles._replace(left=angles.left + turned[0], right=angles.right + turned[0])
         at = full_state(model, np.asarray(free, complex), moved)
-        tangents = end_tangents(FRAME, model.load, moved, at, 0.0)
+        tangents = end_tangents(FRAME, NO_MESH, model.load, moved, at, NOT_TURNING)
         return internal_energy(model.discretization, at[3:], tangents)
 
     gain = complex_step(energy, [0.0])[0] * CLAMP.rate
@@ -333,16 +335,18 @@ def test_a_step_leaves_every_corner_its_share_of_gap(turn):
     limited = 0
     for _ in range(200):
         state = np.array([0.0, 0.5 + rng.uniform(), turn])
-        gaps = [corner_point(FRAME, k, state, 0 * state)[1] for k in range(4)]
+        gaps = [corner_point(FRAME, NO_MESH, k, state, 0 * state)[1] for k in range(4)]
         if min(gaps) <= 0.0:
             continue
         drop = rng.normal(0.0, 1.0, 3)
-        share = limit_frame_step(FRAME, state, drop, 0.15)
+        share = limit_frame_step(FRAME, NO_MESH, state, drop, 0.15)
         assert 0.0 < share <= 1.0
         limited += share < 1.0
         after = state - share * drop
         for k, gap in enumerate(gaps):
-            assert corner_point(FRAME, k, after, 0 * after)[1] >= 0.15 * gap * (1.0 - 1e-12)
+            assert corner_point(FRAME, NO_MESH, k, after, 0 * after)[1] >= 0.15 * gap * (
+                1.0 - 1e-12
+            )
     assert limited > 20
 
 
@@ -350,11 +354,17 @@ def test_corner_velocity_is_the_derivative_of_its_place():
     state, velocity = np.array([0.1, 0.6, 0.3]), np.array([0.4, -0.2, 2.0])
     for corner in range(4):
         moved = complex_step(
-            lambda t, k=corner: corner_point(FRAME, k, state + t[0] * velocity, velocity)[0], [0.0]
+            lambda t, k=corner: corner_point(FRAME, NO_MESH, k, state + t[0] * velocity, velocity)[
+                0
+            ],
+            [0.0],
         )[0]
-        assert corner_point(FRAME, corner, state, velocity)[2] == pytest.approx(moved, rel=1e-12)
+        assert corner_point(FRAME, NO_MESH, corner, state, velocity)[2] == pytest.approx(
+            moved, rel=1e-12
+        )
     corners = {
-        tuple(np.round(corner_point(FRAME, k, 0 * state, velocity)[:2], 12)) for k in range(4)
+        tuple(np.round(corner_point(FRAME, NO_MESH, k, 0 * state, velocity)[:2], 12))
+        for k in range(4)
     }
     assert corners == {(x, y) for x in (-0.4, 0.4) for y in (-0.25, 0.25)}
 
@@ -365,7 +375,7 @@ def test_centre_of_mass_weighs_frame_and_beam(clamp):
     dofs = node_dofs(model.discretization)
     masses = masses_of(model)
     state = full_state(model, arch(model), angles_at(model))
-    x, y, vx, vy = centre_of_mass(model, masses, state, 2.0 * state)
+    x, y, vx, vy = centre_of_mass(model, masses, NO_MESH, state, 2.0 * state)
     total = FRAME.mass + masses.sum()
     assert x == pytest.approx((FRAME.mass * state[0] + masses @ state[3::dofs]) / total, rel=1e-14)
     assert y == pytest.approx((FRAME.mass * state[1] + masses @ state[4::dofs]) / total, rel=1e-14)

@@ -37,6 +37,15 @@ OUTSIDE = {
     ("discretization", "corotational", "elements"): (7, 100_001, 64.0),
     ("discretization", "geometrically_exact", "elements"): (7, 100_001, 64.0),
     ("discretization", "geometrically_exact", "poisson_ratio"): (-1.0, 0.51),
+    ("frame", "elastic", "bending_ratio"): (0.0, -1.0),
+    ("frame", "elastic", "stretching_ratio"): (0.0, -1.0),
+    ("frame", "elastic", "leg_elements"): (2, 10_001, 33.0),
+    ("frame", "elastic", "top_elements"): (1, 10_001, 56.0),
+    ("frame", "elastic", "mount"): ("", "node"),
+    ("frame", "elastic", "inset_m"): (-1e-9,),
+    ("frame", "elastic", "contact"): ("", "feet"),
+    ("frame", "elastic", "beam_on_top"): (0, 1, "true"),
+    ("frame", "elastic", "right_follow"): (-1e-9, 1.01),
     ("contact", "logbarrier", "stiffness_N_m"): (0.0, -1.0),
     ("contact", "logbarrier", "distance_m"): (0.0, -1.0),
     ("contact", "logbarrier", "damping_s"): (-1e-9,),
@@ -105,7 +114,7 @@ def test_values_out_of_range(family, member, field, value):
 
 def test_numbers_are_not_truth_values():
     for family, member, field in OUTSIDE:
-        if field in ("clamp", "weighting"):
+        if field in ("clamp", "weighting", "beam_on_top"):
             continue
         with pytest.raises(ParameterError):
             FAMILIES[family][member](**{field: True})

@@ -49,9 +49,12 @@ class Squares(Study):
         return Conclusion(
             title="Squares",
             findings=["They grow."],
-            tables={"squares": Table("n and its square", rows)},
+            tables={
+                "squares": Table("n and its square", rows, digits={"square": 2}),
+                "nothing": Table("Nothing", []),
+            },
             figures={"curve": Figure("A curve", lambda path: path.write_bytes(b"png"))},
-            summary={"largest": max(row["square"] for row in rows)},
+            summary={"largest": max(row["square"] for row in rows), "none": float("nan")},
             metrics={"2 squared": {"error": 0.5, "unknown": float("nan")}},
             blocks={"tiers": "| squares |"},
         )
@@ -76,10 +79,12 @@ def run(name: str, breaks: Any = None) -> tuple[Any, ResultFolder]:
 def test_what_it_leaves() -> None:
     outcome, folder = run("first")
     assert outcome.status == "ok"
-    assert outcome.summary["largest"] == 4 and outcome.summary["cells_ok"] == 3
+    assert outcome.summary["largest"] == 4 and outcome.summary["none"] is None
+    assert outcome.summary["cells_ok"] == 3
     names = {file.name for file in folder.files()}
     assert {"squares.csv", "squares.md", "curve.png", "report.md", "tiers.block.md"} <= names
     assert (folder.path / "squares.csv").read_text().splitlines()[1] == "0,0,"
+    assert (folder.path / "nothing.md").read_text() == "None.\n"
     report = (folder.path / "report.md").read_text()
     assert report.startswith("# Squares\n\nThey grow.") and "![A curve](curve.png)" in report
     records = json.loads((folder.path / "children.json").read_text())["children"]

@@ -7,11 +7,15 @@ import numpy as np
 from snapjump.engine.model import Model
 from snapjump.engine.work import System, Work
 
+# The mesh is the same for all lanes.
+LANED = set(Work._fields) - {"mesh", "system"}
+
 
 def view(work: Work, lanes: Any) -> Work:
     """The memory of one lane, without the axis of lanes."""
     system = System(*(array[..., 0] for array in work.system))
-    return Work(*(array[..., 0] for array in work[:-1]), system)
+    arrays = {name: array[..., 0] for name, array in work._asdict().items() if name in LANED}
+    return work._replace(system=system, **arrays)
 
 
 def filled(template: Model, numbers: Any) -> Model:

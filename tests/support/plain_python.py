@@ -8,7 +8,7 @@ import numpy as np
 from snapjump.discretization.base import HALF_BANDWIDTH, node_dofs
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.clock import ROWS
-from snapjump.engine.work import Work, make_work
+from snapjump.engine.work import NO_MESH, Work, make_work
 from snapjump.frame.base import frame_dofs
 
 STEP = 1e-30
@@ -25,10 +25,15 @@ def complex_step(function: Callable[[Any], Any], x: Any) -> Any:
 
 
 def plain_work(
-    nodes: int, dofs: int, stages: int = 2, dtype: type = float, per_node: int = 2
+    nodes: int,
+    dofs: int,
+    stages: int = 2,
+    dtype: type = float,
+    per_node: int = 2,
+    mesh: Any = NO_MESH,
 ) -> Work:
     """The memory of one robot without the axis of lanes."""
-    memory = make_work(nodes, dofs, stages, ROWS, 1, 1, per_node)
+    memory = make_work(nodes, dofs, stages, ROWS, 1, 1, per_node, mesh)
 
     def plain(array: Any) -> Any:
         return np.zeros(array.shape[:-1], dtype)
@@ -36,22 +41,23 @@ def plain_work(
     system = memory.system
     padded = [plain(system.padded_residual), plain(system.padded_band), plain(system.padded_border)]
     inner = [array[HALF_BANDWIDTH : HALF_BANDWIDTH + per_node * nodes] for array in padded]
-    parts = [plain(array) for array in memory[:-1]]
-    square = plain(system.square)
-    frame = plain(system.frame_residual)
-    return Work(*parts, type(system)(*inner, *padded, frame, square))
+    parts = [plain(array) for array in memory[:-2]]
+    others = [plain(array) for array in system[7:]]
+    frame = others[2][HALF_BANDWIDTH : HALF_BANDWIDTH + max(dofs, 3)]
+    return Work(*parts, mesh, type(system)(*inner, *padded, frame, *others))
 
 
 def assembled(
-    model: Any, motion: Motion, masses: Any, state: Any, **arrays: Any
+    model: Any, motion: Motion, masses: Any, state: Any, mesh: Any = NO_MESH, **arrays: Any
 ) -> tuple[Any, Work]:
     """The figures and the memory after an assembly; ``arrays`` are further parts of the memory."""
     state = np.asarray(state)
     work = plain_work(
         len(masses),
-        frame_dofs(model.frame),
+        frame_dofs(model.frame, mesh),
         dtype=state.dtype.type,
         per_node=node_dofs(model.discretization),
+        mesh=mesh,
     )
     work.state[:] = state
     for name, values in arrays.items():

@@ -1,7 +1,9 @@
 """What becomes of a job, whatever its task does. The tasks here are stand-ins for that."""
 
+import contextlib
 import json
 import math
+import signal
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -82,6 +84,24 @@ def test_ctrl_c_leaves_a_marked_run(tmp_path: Path, monkeypatch: pytest.MonkeyPa
         raise KeyboardInterrupt
 
     assert run(monkeypatch, tmp_path, stop)[1]["status"] == "interrupted"
+
+
+def test_ctrl_c_that_a_library_swallows_stops_at_the_next_progress(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[str] = []
+
+    def swallow(self: StandIn, folder: ResultFolder, progress: Any) -> Outcome:
+        with contextlib.suppress(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+        told.append("went on")
+        progress(0.5, "half")
+        told.append("and on")
+        return Outcome("ok")
+
+    monkeypatch.setattr(StandIn, "run", swallow)
+    outcome, _ = execute(CONFIG, ResultFolder(tmp_path), "python run.py", ProgressBar())
+    assert outcome.status == "interrupted" and told == ["went on"]
 
 
 def test_a_defect_leaves_its_traceback(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

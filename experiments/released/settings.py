@@ -1,0 +1,54 @@
+"""The released program's settings, and what they are when one of its quirks is left out."""
+
+from typing import Any
+
+from experiments.compositions import Groups, changed, described
+from snapjump.composition import with_tier
+
+# The same as conf/experiment/released.yaml, on top of accuracy=paper (a test compares the two).
+RELEASED: dict[str, dict[str, Any]] = {
+    "robot": {"mount_height": "fitted"},
+    "frame": {
+        "name": "elastic",
+        "bending_ratio": 1000.0,
+        "stretching_ratio": 1.0,
+        "leg_elements": 33,
+        "top_elements": 56,
+        "mount": "edge_middle",
+        "inset_m": 2.985e-4,
+        "contact": "nodes",
+        "beam_on_top": True,
+        "right_follow": 0.5,
+    },
+    "damping": {"name": "mass_proportional", "rate_1_s": 0.01},
+}
+
+# What each quirk is changed to, one at a time.
+WITHOUT: dict[str, dict[str, dict[str, Any]]] = {
+    "clear span shorter by 0.597 mm": {"frame": {"inset_m": 0.0}},
+    "fitted mount height (now: just touching)": {"robot": {"mount_height": "optimal"}},
+    "mount rounded to an edge's middle": {"frame": {"mount": "exact"}},
+    "frame stretches like the beam (now: a thousandth)": {"frame": {"stretching_ratio": 1000.0}},
+    "frame bends (now: a hundredth)": {"frame": {"bending_ratio": 1.0e5}},
+    "right clamp follows half of its leg (now: all)": {"frame": {"right_follow": 1.0}},
+    "mass_bar without the beam (now: with it)": {"frame": {"beam_on_top": False}},
+    "contact at all frame nodes (now: corners)": {"frame": {"contact": "corners"}},
+    "contact per node (now: per length)": {"contact": {"weighting": "per_length"}},
+    "two fixed nodes a clamp (now: half elements)": {"discretization": {"clamp": "half_element"}},
+    "start from flat clamps (now: 0.85 of the way)": {"sim": {"start_fraction": 0.85}},
+    "time step 10 us (now: 2 us)": {"stepping": {"step_s": 2.0e-6}},
+    "drag of 0.01 1/s (now: none)": {"damping": {"name": "mass_proportional", "rate_1_s": 0.0}},
+    "lagged friction (now: implicit)": {
+        "friction": {"name": "implicit", "velocity_threshold_m_s": 1.0e-4}
+    },
+}
+
+
+def released() -> Groups:
+    """All quirks together."""
+    return changed(described(with_tier("paper")), RELEASED)
+
+
+def converged() -> Groups:
+    """Our reference tier: what the same designs come to without numerical error."""
+    return described(with_tier("reference"))

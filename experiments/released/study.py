@@ -1,0 +1,124 @@
+"""``python run.py task=released``: the released program's data against ours at its settings."""
+
+from collections.abc import Mapping
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from experiments.compositions import changed, composed
+from experiments.released.data import PARAMETERS, digest, read_rows
+from experiments.released.differences import by_quarter, differences, figures, share_within
+from experiments.released.figure import draw_comparison
+from experiments.released.settings import WITHOUT, converged, released
+from snapjump.batch import simulate_batch, variants
+from snapjump.checks import check_integer
+from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
+from snapjump.studies.study import Study
+
+ALL, CONVERGED = "released settings", "converged"
+ALL_OF_THEM = "all quirks on, same rows"
+LANES = 8
+
+
+class Released(Study):
+    """All rows at the released settings and converged, and a few with each quirk left out."""
+
+    options = ("rows", "quirk_rows")
+    sources = (
+        "experiments.released.data",
+        "experiments.released.settings",
+        "experiments.released.differences",
+    )
+
+    def plan(self, config: Mapping[str, Any]) -> list[Cell]:
+        """The released settings, the converged answer, and every quirk left out."""
+        task = config["task"]
+        check_integer("task.rows", task["rows"], 4, 300)
+        check_integer("task.quirk_rows", task["quirk_rows"], 4, 300)
+
+        def cell(name: str, groups: Mapping[str, Any], rows: int) -> Cell:
+            return Cell(name, {"groups": groups, "rows": rows, "data": digest()})
+
+        few = task["quirk_rows"]
+        return [
+            cell(ALL, released(), task["rows"]),
+            cell(CONVERGED, converged(), task["rows"]),
+            cell(ALL_OF_THEM, released(), few),
+            *(cell(name, changed(released(), change), few) for name, change in WITHOUT.items()),
+        ]
+
+    def compute(self, cell: Cell) -> list[Row]:
+        """A row for each jump."""
+        return measure(cell.inputs["groups"], cell.inputs["rows"])
+
+    def conclude(self, done: Mapping[str, Done]) -> Conclusion:
+        """Differences over all rows, by quirk, and by parameter."""
+        full, limit = done[ALL], done[CONVERGED]
+        if full.status != OK:
+            raise RuntimeError(f"the released settings could not be run: {full.message}")
+        x, y = full.column("x_difference_percent"), full.column("y_difference_percent")
+        summary = figures(x, y)
+        overall = [{"settings": ALL, "rows": len(x), **summary}]
+        if limit.status == OK:
+            far = limit.column("x_difference_percent"), limit.column("y_difference_percent")
+            overall.append({"settings": CONVERGED, "rows": len(far[0]), **figures(*far)})
+        quirks = []
+        for name in (ALL_OF_THEM, *WITHOUT):
+            if done[name].status == OK:
+                columns = [done[name].column(f"{c}_difference_percent") for c in ("x", "y")]
+                quirks.append({"left out": name, **figures(*columns)})
+        quarters = [row for name in PARAMETERS for row in by_quarter(full.column(name), x, y, name)]
+        return Conclusion(
+            title="The released program's data",
+            findings=[
+                f"At the released program's settings {len(x)} of its rows are met with a median "
+                f"difference of {summary['y_median_percent']:.2g} % in y and "
+                f"{summary['x_median_percent']:.2g} % in x; {share_within(y, 2.0):.0f} % are "
+                f"within 2 % in y, {share_within(x, 5.0):.0f} % within 5 % in x, "
+                f"{summary['failed']} failed.",
+                *(
+                    f"The converged answer for the same designs is "
+                    f"{row['y_median_percent']:.2g} % away in y and "
+                    f"{row['x_median_percent']:.2g} % in x (medians)."
+                    for row in overall[1:]
+                ),
+                "right_follow = 0.5 is not known from the program: it is the one number inferred "
+                "from its data. Newton's method stops at a much smaller residual than the "
+                "program's, and the right clamp lags from the start instead of waiting.",
+            ],
+            tables={
+                "overall": Table("Differences from the released rows", overall),
+                "quirks": Table("One quirk left out at a time", quirks),
+                "parameters": Table("Where the differences are", quarters),
+            },
+            figures={
+                "released": Figure(
+                    "Our jumps at the released program's settings against its rows",
+                    partial(draw_comparison, full.rows),
+                )
+            },
+            summary={"rows": len(x), "ms_per_jump": float(np.mean(full.column("ms"))), **summary},
+        )
+
+
+def measure(groups: Mapping[str, Any], count: int) -> list[Row]:
+    """Jumps of ``count`` rows' designs, and how far they are from the rows."""
+    rows = read_rows(count)
+    batch = simulate_batch(variants(composed(groups), rows.designs), LANES)
+    x, y = differences(batch.x_bar, batch.y_bar, rows.x_bar, rows.y_bar)
+    return [
+        dict(zip(PARAMETERS, design, strict=True))
+        | {
+            "status": batch.status[k],
+            "x_bar": batch.x_bar[k],
+            "y_bar": batch.y_bar[k],
+            "x_released_bar": rows.x_bar[k],
+            "y_released_bar": rows.y_bar[k],
+            "x_difference_percent": x[k],
+            "y_difference_percent": y[k],
+            "newton_iterations": batch.newton_iterations[k],
+            "ms": 1e3 * batch.kernel_seconds / len(rows.designs),
+        }
+        for k, design in enumerate(rows.designs)
+    ]

@@ -1,0 +1,106 @@
+"""The ladders of tiny compositions, from the command line to the record."""
+
+import json
+import re
+import sqlite3
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from experiments.compositions import changed, composed, described, groups_of
+from experiments.convergence.ladders import ladders
+from experiments.convergence.study import Convergence
+from snapjump.checks import ParameterError
+from snapjump.composition import with_tier
+from snapjump.families import FAMILIES
+
+TINY = (
+    "task=convergence",
+    "task.levels=3",
+    "discretization.elements=16",
+    "stepping.tolerance=1e-5",
+)
+
+
+def base(**parts: Any) -> dict[str, Any]:
+    return described(with_tier("standard", **parts))
+
+
+def test_a_description_builds_the_same_simulation() -> None:
+    for tier in ("draft", "paper"):
+        simulation = with_tier(tier)
+        assert composed(described(simulation)) == simulation
+
+
+def test_another_member_drops_the_values_of_the_old_one() -> None:
+    groups = changed(base(), {"stepping": {"name": "fixed", "step_s": 1e-6}})
+    assert groups["stepping"] == {"name": "fixed", "step_s": 1e-6}
+    assert changed(base(), {"contact": {"distance_m": 1.0}})["contact"]["stiffness_N_m"] == 1e4
+
+
+@pytest.mark.parametrize("integrator", FAMILIES["integrator"])
+@pytest.mark.parametrize("stepping", ["adaptive", "fixed"])
+def test_the_reference_in_time_is_another_and_much_tighter_method(
+    integrator: str, stepping: str
+) -> None:
+    groups = changed(base(), {"integrator": {"name": integrator}, "stepping": {"name": stepping}})
+    groups["stepping"] |= {"tolerance": 1e-6} if stepping == "adaptive" else {"step_s": 1e-5}
+    time, *others = ladders(groups, 4)
+    tight = time.references["time reference tight"]
+    assert tight["integrator"]["name"] != integrator
+    if stepping == "adaptive":
+        finest = min(level["stepping"]["tolerance"] for level in time.levels.values())
+        assert tight["stepping"]["tolerance"] <= finest / 99
+    for ladder in others:
+        for level in ladder.levels.values():
+            assert level["stepping"]["tolerance"] <= 1e-9
+
+
+def test_only_what_the_composition_has_is_refined() -> None:
+    names = [ladder.name for ladder in ladders(changed(base(), {"friction": {"name": "none"}}), 3)]
+    assert names == ["time", "nodes", "barrier", "stiffness"]
+
+
+def test_other_scenes_are_refused() -> None:
+    config = {**base(), "task": {"name": "convergence", "levels": None}, "effort": "quick"}
+    with pytest.raises(ParameterError, match="sim = 'snap'"):
+        Convergence().prepare({**config, "sim": {"name": "snap"}})
+    with pytest.raises(ParameterError, match=r"task.levels = 2 .* \[3, 10\]"):
+        Convergence().prepare({**config, "task": {"name": "convergence", "levels": 2}})
+    assert groups_of(config)["integrator"] == {"name": "tr_bdf2"}
+
+
+def test_from_the_command_line_to_record_and_documentation(command: Any, tmp_path: Path) -> None:
+    (tmp_path / "docs").mkdir()
+    done = command(*TINY, "publish=docs/studies")
+    assert done.returncode == 0, done.stderr
+    assert "convergence" in done.stdout and "finding" in done.stdout
+    (result,) = tmp_path.glob("outputs/2*/*/result.json")
+    summary = json.loads(result.read_text())
+    assert summary["status"] == "ok" and summary["cells_kept"] == 0
+    assert 0.5 < summary["time_x_bar_order"] < 5.0
+    names = {file.name for file in result.parent.iterdir()}
+    assert {"orders.csv", "orders.md", "levels.csv", "ladders.png", "report.md"} <= names
+    page = (tmp_path / "docs/studies/convergence.md").read_text()
+    assert "`python run.py task=convergence task.levels=3" in page
+    (picture,) = re.findall(r"\((convergence-.*\.png)\)", page)
+    assert (tmp_path / "docs/studies" / picture).stat().st_size > 10_000
+    with sqlite3.connect(tmp_path / "mlruns.db") as store:
+        parents = store.execute(
+            "select value, count(*) from tags where key = 'mlflow.parentRunId' group by value"
+        ).fetchall()
+    assert [count for _, count in parents] == [summary["cells"]]
+    again = command(*TINY, "tracking=off", "figures=false")
+    assert again.returncode == 0
+    assert f"{summary['cells']} kept" in again.stdout
+
+
+def test_a_sweep_of_studies(command: Any, tmp_path: Path) -> None:
+    two = command("-m", *TINY, "figures=false", "tracking=off", "integrator=tr_bdf2,sdirk2")
+    assert two.returncode == 0, two.stderr
+    assert len(list(tmp_path.glob("outputs/studies/convergence-*"))) == 2
+    assert len(list(tmp_path.glob("outputs/sweeps/*/*/orders.csv"))) == 2
+    refused = command("-m", *TINY, "tracking=off", "publish=docs", "seed=1,2")
+    assert refused.returncode == 2
+    assert "publish = 'docs' is not allowed" in refused.stdout

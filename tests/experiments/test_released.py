@@ -1,0 +1,81 @@
+"""The study of the released program's data: its settings, its rows, its differences."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hydra import compose, initialize_config_dir
+from omegaconf import OmegaConf
+
+from experiments.compositions import changed, composed, groups_of
+from experiments.released.data import ROWS, read_rows
+from experiments.released.differences import by_quarter, differences, figures, share_within
+from experiments.released.figure import draw_comparison
+from experiments.released.settings import WITHOUT, converged, released
+from snapjump.tasks.names import register_resolvers
+
+CONF = Path(__file__).resolve().parents[2] / "conf"
+
+
+def test_the_study_s_settings_are_those_of_the_experiment_s_file():
+    register_resolvers()
+    with initialize_config_dir(str(CONF), version_base="1.3"):
+        config = OmegaConf.to_container(compose("config", ["+experiment=released"]), resolve=True)
+    assert composed(groups_of(config)) == composed(released())
+
+
+def test_every_quirk_changes_something_and_can_be_left_out():
+    base = composed(released())
+    for name, change in WITHOUT.items():
+        assert composed(changed(released(), change)) != base, name
+    assert composed(converged()).accuracy == "reference"
+
+
+def test_rows_are_spread_over_the_file_and_its_ranges():
+    everything, few = read_rows(10_000), read_rows(40)
+    assert len(everything.designs) == 300
+    assert len(few.designs) == 40
+    assert few.designs[0] == everything.designs[0]
+    assert few.designs[-1] == everything.designs[-1]
+    low, high = np.min(few.designs, axis=0), np.max(few.designs, axis=0)
+    assert (low <= [0.03, 0.12, 0.5, 0.2]).all()
+    assert (high >= [0.17, 0.28, 1.8, 0.5]).all()
+    assert ROWS.with_name("README.md").exists()
+
+
+def test_differences_of_x_are_relative_to_a_tenth_of_y_where_it_is_small():
+    x, y = differences(
+        np.array([1.1, 0.2, np.nan]),
+        np.array([10.2, 9.0, np.nan]),
+        np.array([1.0, 0.1, 1.0]),
+        np.array([10.0, 10.0, 10.0]),
+    )
+    assert x[:2] == pytest.approx([10.0, 10.0])
+    assert y[:2] == pytest.approx([2.0, -10.0])
+    row = figures(x, y)
+    assert row["failed"] == 1
+    assert row["y_median_percent"] == pytest.approx(6.0)
+    assert share_within(y, 5.0) == pytest.approx(100.0 / 3.0)
+    quarters = by_quarter(np.array([1.0, 2.0, 3.0]), x, y, "mu")
+    assert sum(q["rows"] for q in quarters) == 3
+
+
+def test_the_figure_is_drawn(tmp_path):
+    rng = np.random.default_rng(0)
+    rows = [
+        {
+            "delta_alpha_rad": 0.1 * a,
+            "epsilon": 0.1 + 0.2 * b,
+            "mass_bar": 1.0 + c,
+            "mu": 0.3,
+            "x_bar": a,
+            "y_bar": 10.0 * b,
+            "x_released_bar": a + 0.1,
+            "y_released_bar": 10.0 * b + 0.1,
+            "x_difference_percent": a,
+            "y_difference_percent": b,
+        }
+        for a, b, c in rng.uniform(size=(12, 3))
+    ]
+    draw_comparison(rows, tmp_path / "released.png")
+    assert (tmp_path / "released.png").stat().st_size > 10_000

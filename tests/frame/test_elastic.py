@@ -1,0 +1,282 @@
+"""The elastic frame: forces against its energy, the solver against a dense exact tangent."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from plain_python import assembled, complex_step, plain_work, residual_of
+
+from snapjump.checks import ParameterError
+from snapjump.clamp.base import clamp_angles
+from snapjump.clamp.constant_rate import ConstantRate
+from snapjump.composition import Simulation, with_tier
+from snapjump.contact.base import contact_energy
+from snapjump.damping.kelvin_voigt import KelvinVoigt
+from snapjump.damping.none import NoDamping
+from snapjump.discretization.base import internal_energy
+from snapjump.engine.assemble import Motion
+from snapjump.engine.centre_of_mass import centre_of_mass
+from snapjump.engine.newton import solve_linearised
+from snapjump.engine.powers import powers
+from snapjump.families import FAMILIES
+from snapjump.frame.base import (
+    STILL,
+    end_tangents,
+    frame_box,
+    frame_energy,
+    frame_mass,
+    limit_frame_step,
+    mount_turning,
+    place_ends,
+    point_weight,
+    rest_frame,
+)
+from snapjump.frame.elastic_chain import add_chain_forces
+from snapjump.frame.elastic_mesh import right_mount
+from snapjump.friction.none import NoFriction
+from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.options.frame import ElasticFrameOptions
+from snapjump.scenes.frame_body import frame_mesh, rigid_frame
+from snapjump.scenes.jump_start import jump_model, resting_guess
+
+OPTIONS = ElasticFrameOptions(30.0, 2.0, 6, 5, inset_m=3e-4)
+MOVING = Motion(0.2, 50.0, 0.0)
+REST = Motion(0.0, 0.0, 0.0)
+clamps = pytest.mark.parametrize("clamp", ["half_element", "two_nodes"])
+
+
+def small_robot(clamp: str = "half_element", **frame: Any) -> Simulation:
+    base = with_tier("draft", discretization=DiscreteElasticRodOptions(10, clamp))
+    return replace(base, frame=replace(OPTIONS, **frame))
+
+
+class Case:
+    """A robot of few nodes, its clamps turned, in a bent and tilted state."""
+
+    def __init__(self, simulation: Simulation, **members: Any):
+        members = {"clamp": ConstantRate(0.35, 1.5, 0.6, 0.1), "friction": NoFriction()} | members
+        members = {"damping": NoDamping()} | members
+        self.model = jump_model(simulation)._replace(**members)
+        self.masses = simulation.discretization.masses()
+        self.mesh = frame_mesh(simulation, self.model.frame)
+        self.dofs = int(self.mesh[0])
+        rng = np.random.default_rng(3)
+        state = resting_guess(simulation, self.model)
+        state = state + 2e-4 * rng.uniform(-1.0, 1.0, len(state))
+        self.keep = np.r_[0 : self.dofs + 0, self.dofs + 2 : len(state) - 2]
+        turn = 0.004
+        x, y = state[0::2].copy(), state[1::2].copy()
+        state[0::2], state[1::2] = x - turn * y, y + turn * x
+        self.free = state[self.keep]
+
+    def state(self, free: Any, time: float = 0.0) -> Any:
+        state = np.zeros(len(free) + 4, np.asarray(free).dtype)
+        state[self.keep] = free
+        angles = clamp_angles(self.model.clamp, time)
+        place_ends(self.model.frame, self.mesh, self.model.discretization, angles, state)
+        return state
+
+    def assembled(self, free: Any, motion: Motion, origin: Any) -> Any:
+        state = self.state(free, motion.time)
+        return assembled(self.model, motion, self.masses, state, self.mesh, origin=origin)
+
+    def residual(self, free: Any, motion: Motion, origin: Any) -> Any:
+        work = self.assembled(free, motion, origin)[1]
+        return residual_of(work, self.dofs)[self.keep]
+
+
+@clamps
+@pytest.mark.parametrize("contact", ["nodes", "corners"])
+def test_residual_is_the_gradient_of_the_whole_energy(clamp, contact):
+    case = Case(small_robot(clamp, contact=contact))
+    model, mesh, dofs = case.model, case.mesh, case.dofs
+    angles = clamp_angles(model.clamp, 0.0)
+
+    def potential(z):
+        state = case.state(z)
+        tangents = end_tangents(model.frame, mesh, model.load, angles, state, STILL)
+        energy = internal_energy(model.discretization, state[dofs:], tangents)
+        energy = energy + frame_energy(model.frame, mesh, state)
+        fall = model.load.acceleration
+        for k in range(0, dofs, 2):
+            energy = energy + fall * frame_mass(model.frame, mesh, k) * state[k + 1]
+            weight = point_weight(model.frame, mesh, k // 2, model.contact)
+            if state[k + 1].real < model.contact.distance:
+                energy = energy + weight * contact_energy(model.contact, state[k + 1])
+        return energy + fall * (case.masses @ state[dofs + 1 :: 2])
+
+    origin = case.state(case.free)
+    expected = complex_step(potential, case.free)
+    actual = case.residual(case.free, REST, origin)
+    np.testing.assert_allclose(actual, expected, rtol=0.0, atol=1e-9 * np.abs(expected).max())
+
+
+@clamps
+@pytest.mark.parametrize("damping", [NoDamping(), KelvinVoigt(1e-3)])
+def test_solution_of_the_linearised_system(clamp, damping):
+    """Elimination of the beam, mounts, band and border against a dense, exact tangent."""
+    still = ConstantRate(0.35, 1.5, 0.0, 0.1)
+    case = Case(small_robot(clamp), damping=damping, clamp=still)
+    origin = case.state(case.free)
+    matrix = complex_step(lambda z: case.residual(z, MOVING, origin), case.free)
+    np.testing.assert_allclose(matrix, matrix.T, rtol=0.0, atol=1e-9 * np.abs(matrix).max())
+    right = case.residual(case.free, MOVING, origin)
+    expected = np.linalg.solve(matrix, right)
+    work = plain_work(len(case.masses), case.dofs, mesh=case.mesh)
+    work.state[:] = case.state(case.free)
+    work.origin[:] = origin
+    solution = solve_linearised(case.model, MOVING, case.masses, work)
+    actual = np.concatenate([work.system.frame_residual, work.system.residual])[case.keep]
+    np.testing.assert_allclose(actual, expected, rtol=0.0, atol=1e-8 * np.abs(expected).max())
+    assert solution.negative_pivots == (np.linalg.eigvalsh(matrix) < 0.0).sum()
+    assert solution.correction == pytest.approx(np.abs(expected).max(), rel=1e-6)
+
+
+def test_mounts_turn_with_their_edges():
+    case = Case(small_robot())
+    state = case.state(case.free)
+    vector = np.random.default_rng(1).normal(size=len(state))
+
+    def directions(t):
+        moved = state + t[0] * vector
+        tangents = end_tangents(
+            case.model.frame,
+            case.mesh,
+            case.model.load,
+            clamp_angles(ConstantRate(0.0, 1.0, 1.0, 0.0), 0.0),
+            moved,
+            STILL,
+        )
+        return np.array([tangents.left_y / tangents.left_x, tangents.right_y / tangents.right_x])
+
+    slopes = complex_step(directions, [0.0]).ravel()
+    values = directions([0.0])
+    turning = mount_turning(case.model.frame, case.mesh, state, vector)
+    np.testing.assert_allclose(turning, slopes / (1.0 + values**2), rtol=1e-10)
+
+
+def test_material_damping_takes_out_the_power_of_its_forces():
+    case = Case(small_robot(), damping=KelvinVoigt(1e-3), clamp=ConstantRate(0.3, 1.5, 0.0, 0.1))
+    rate = 50.0
+    motion = Motion(0.0, rate, 0.0)
+    rng = np.random.default_rng(2)
+    state = case.state(case.free)
+    origin = case.state(case.free - 1e-6 * rng.normal(size=len(case.free)))
+    velocity = (state - origin) * rate
+    work = case.assembled(case.free, motion, origin)[1]
+    work.drift[:] = velocity  # without inertia
+    free = {"origin": origin, "drift": velocity}
+    damped = assembled(case.model, motion, case.masses, state, case.mesh, **free)[1]
+    elastic = case.model._replace(damping=NoDamping())
+    undamped = assembled(elastic, motion, case.masses, state, case.mesh, **free)[1]
+    force = residual_of(damped, case.dofs) - residual_of(undamped, case.dofs)
+    _, damping, _ = powers(case.model, case.masses, work, 0.0, state, velocity)
+    assert damping == pytest.approx(force[case.keep] @ velocity[case.keep], rel=1e-4)
+
+
+def test_mass_outline_and_centre_are_the_rigid_frame_s():
+    simulation = small_robot()
+    case = Case(simulation)
+    frame = case.model.frame
+    rigid = rigid_frame(simulation, frame.mount_y)
+    state = resting_guess(simulation, case.model)
+    masses = [frame_mass(frame, case.mesh, k) for k in range(0, case.dofs, 2)]
+    assert sum(masses) == pytest.approx(rigid.mass, rel=1e-12)
+    box = frame_box(frame, case.mesh, state, 0.0 * state)
+    assert (box.cosine, box.sine) == (1.0, 0.0)
+    assert box.top_y - box.foot_y == pytest.approx(0.5)
+    assert box.mount_y - box.foot_y == pytest.approx(frame.mount_y)
+    no_beam = 0.0 * case.masses
+    x, y, _, _ = centre_of_mass(case.model, no_beam, case.mesh, state, state)
+    assert x == pytest.approx(0.0, abs=1e-14)
+    # Clamped masses hang at the mounts' edges in both.
+    assert y - state[1] == pytest.approx(-rigid.foot_y, rel=1e-12)
+
+
+def test_an_even_mesh_rounds_the_mount_to_an_edge_s_middle():
+    case = Case(small_robot(mount="edge_middle"))
+    edge = 0.5 / OPTIONS.leg_elements
+    frame = case.model.frame
+    assert frame.low_length == pytest.approx(edge)
+    assert frame.high_length == pytest.approx(edge)
+    assert frame.mount_y / edge % 1.0 == pytest.approx(0.5)
+
+
+def test_no_node_falls_below_its_share_of_the_gap():
+    case = Case(small_robot())
+    state = case.state(case.free)
+    drop = np.zeros(len(state))
+    drop[1] = 4.0 * state[1]
+    share = limit_frame_step(case.model.frame, case.mesh, state, drop, 0.15)
+    assert state[1] - share * drop[1] == pytest.approx(0.15 * state[1])
+
+
+def test_a_clamp_that_does_not_follow_its_leg_turns_with_the_mounts_line():
+    """Only the right tangent changes; a share of one is the mount's own edge."""
+    all_of_it, none = (Case(small_robot(right_follow=share)) for share in (1.0, 0.0))
+    state = all_of_it.state(all_of_it.free)
+    flat = clamp_angles(ConstantRate(0.0, 1.0, 1.0, 0.0), 0.0)
+    with_leg, without = (
+        end_tangents(c.model.frame, c.mesh, c.model.load, flat, state, STILL)
+        for c in (all_of_it, none)
+    )
+    assert without[:3] == with_leg[:3]
+    first, last = (2 * int(edge) for edge in (all_of_it.mesh[1], right_mount(all_of_it.mesh)))
+    middle = [0.5 * (state[i : i + 2] + state[i + 2 : i + 4]) for i in (first, last)]
+    line = middle[1] - middle[0]
+    angle = np.arctan2(line[1], line[0])
+    assert np.arctan2(without.right_y, without.right_x) == pytest.approx(angle, abs=1e-6)
+    assert np.arctan2(with_leg.right_y, with_leg.right_x) != pytest.approx(angle, abs=1e-6)
+
+
+def test_the_beam_s_mass_on_top_of_the_robot_s():
+    rest, on_top = (small_robot(beam_on_top=value) for value in (False, True))
+    frames = [jump_model(s).frame for s in (rest, on_top)]
+    assert frames[1].mass - frames[0].mass == pytest.approx(1.0, rel=1e-12)
+
+
+def test_elements_with_rotations_are_refused_by_name():
+    others = [n for n in FAMILIES["discretization"] if n != "der"]
+    for name in others:
+        with pytest.raises(ParameterError, match="der with frame=elastic"):
+            replace(small_robot(), discretization=FAMILIES["discretization"][name]())
+
+
+def test_an_inset_beyond_the_beam_s_compression_is_refused():
+    simulation = small_robot(inset_m=3e-3)
+    with pytest.raises(ParameterError, match=r"frame.inset_m = 0.003 .* \[0, 0.002\] m"):
+        jump_model(simulation)
+
+
+def test_the_legs_open_like_beams_under_a_thrust_between_the_mounts():
+    """P (2 a^3/3 + a^2 w)/B: two cantilevers of length a and the top w that bends with them."""
+    bending = 1000.0
+    simulation = small_robot(
+        bending_ratio=bending, stretching_ratio=10.0, leg_elements=24, top_elements=20, inset_m=0.0
+    )
+    frame = jump_model(simulation).frame
+    mesh = frame_mesh(simulation, frame)
+    dofs = int(mesh[0])
+    rest = np.zeros(dofs)
+    rest_frame(frame, mesh, rest, 1.0)
+
+    def gradient(state):
+        residual = np.zeros(dofs, state.dtype)
+        band = np.zeros((dofs, 6), state.dtype)
+        add_chain_forces(frame, mesh, NoDamping(), state, state, 0.0, residual, band)
+        return residual
+
+    assert np.abs(gradient(rest)).max() < 1e-13 * frame.stretching / frame.low_length
+    stiffness = complex_step(gradient, rest)
+    # Three rigid motions, and nothing else, cost no energy.
+    assert (np.linalg.eigvalsh(stiffness) < 1e-4 * bending).sum() == 3
+    thrust = np.zeros(dofs)
+    left, right = 2 * int(mesh[1]), 2 * int(right_mount(mesh))
+    thrust[[left, left + 2]], thrust[[right, right + 2]] = -0.5, 0.5
+    moved = np.linalg.pinv(stiffness, rcond=1e-13, hermitian=True) @ thrust
+    a, w = frame.top_y - frame.mount_y, 2.0 * frame.half_span
+    # A corner's hinge gives a quarter of what its length of beam would (see elastic_chain).
+    corner = 0.5 * (frame.high_length + frame.top_length)
+    expected = (2.0 / 3.0 * a**3 + a * a * (w - 1.5 * corner)) / bending
+    assert thrust @ moved == pytest.approx(expected, rel=0.01)

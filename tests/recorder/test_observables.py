@@ -1,0 +1,55 @@
+"""The recorder's two figures, against the trajectory of the same jump and known functions."""
+
+import numpy as np
+import pytest
+
+from snapjump.composition import with_tier
+from snapjump.families import FAMILIES
+from snapjump.options.sim import JumpScene
+from snapjump.scenes.observed import crossing, observe_jump, peak
+from snapjump.simulation import simulate
+
+ROD = FAMILIES["discretization"]["der"]
+
+
+def tiny(**parts):
+    adaptive = FAMILIES["stepping"]["adaptive"](tolerance=1e-5)
+    return with_tier("draft", stepping=adaptive, **parts)
+
+
+@pytest.mark.parametrize("clamp", ["half_element", "two_nodes"])
+def test_observables_are_those_of_the_trajectory(clamp):
+    simulation = tiny(
+        discretization=ROD(elements=17, clamp=clamp),
+        sim=JumpScene(sample_interval_s=1.1e-7, time_limit_s=0.03),
+    )
+    seen, jump = observe_jump(simulation), simulate(simulation)
+    assert seen["x_bar"] == jump.x_bar and seen["y_bar"] == jump.y_bar
+    arrays = jump.arrays
+    forces = arrays["node_normal_N"].sum(axis=1) + arrays["corner_normal_N"].sum(axis=1)
+    assert seen["peak_force_N"] == pytest.approx(forces.max(), rel=0.02)
+    assert seen["peak_force_N"] >= forces.max() * (1.0 - 1e-12)
+    # The frame's mounts, from its corners: the feet, and the mount height above them.
+    angle = arrays["frame_angle_rad"]
+    up = np.stack([-np.sin(angle), np.cos(angle)], axis=1)
+    feet = np.stack([arrays["corner_x_m"][:, 0], arrays["corner_y_m"][:, 0]], axis=1)
+    nodes = jump.nodes_m()
+    last = nodes.shape[1] - 1
+    middle = 0.5 * (nodes[:, last // 2] + nodes[:, (last + 1) // 2])
+    heights = np.sum((middle - feet) * up, axis=1) - seen["mount_height_m"]
+    assert seen["snap_time_s"] == pytest.approx(crossing(arrays["time_s"], heights), rel=1e-9)
+
+
+def test_a_crossing_is_that_of_a_cubic_through_uneven_samples():
+    times = np.array([0.0, 0.3, 0.5, 0.9, 1.0, 1.4])
+    root = 0.7
+    values = (root - times) * (1.0 + 0.2 * times**2)
+    assert crossing(times, values) == pytest.approx(root, abs=1e-12)
+    assert np.isnan(crossing(times, np.ones(6)))
+
+
+def test_a_peak_is_that_of_a_parabola_through_uneven_samples():
+    times = np.array([0.0, 0.3, 0.5, 0.9, 1.0])
+    assert peak(times, 4.0 - 3.0 * (times - 0.6) ** 2) == pytest.approx(4.0, abs=1e-12)
+    assert peak(times, times) == 1.0
+    assert np.isnan(peak(times[:0], times[:0]))
