@@ -154,7 +154,7 @@ def _legend(figure: Any, colours: Mapping[str, str], size: tuple[float, float]) 
         Line2D(
             [],
             [],
-            color=palette.FORCE,
+            color=FAILED_COLOUR,
             marker="x",
             ms=8,
             mew=2,

@@ -13,12 +13,16 @@ from snapjump.studies.base import OK, Done
 NO = math.nan
 NO_FIGURES = (NO, NO, NO, NO, NO, NO, NO, NO)  # the figures of a cell without any
 KNOWN = ("ok", "no_jump")
+# An error of y (%) above which a jump that ended well is no answer, though nothing said so.
+ABSURD = 100.0
+SILENT = "silently wrong"
 
 
 @dataclass(frozen=True)
 class Point:
     """One level of one curve. Errors in percent of the limit, a failed jump counting as infinite;
-    medians over the designs of milliseconds and Newton iterations a jump; ``failed`` of ``jumps``.
+    medians over the designs of milliseconds and Newton iterations a jump; ``failed`` of ``jumps``,
+    those included that ended well but with an absurd result.
     """
 
     curve: str
@@ -58,11 +62,12 @@ def make_point(curve: str, level: str, done: Done, limit: Done) -> Point:
     x_limit, y_limit = (column[: len(x)] for column in there["design"])
     x_errors, y_errors = relative_errors(x, y, x_limit, y_limit)
     designs = [k for k, row in enumerate(done.rows) if row["kind"] == "design"]
-    statuses = [row["status"] for row in done.rows]
-    bad = [status for status in statuses if status not in KNOWN]
-    counts = ", ".join(f"{bad.count(s)} {s}" for s in dict.fromkeys(bad))
     x_sweep, y_sweep = here["sweep"]
     x_smooth, y_smooth = (column[: len(x_sweep)] for column in there["sweep"])
+    off = [*y_errors, *relative_errors(x_sweep, y_sweep, x_smooth, y_smooth)[1]]
+    bad = [row["status"] for row in done.rows if row["status"] not in KNOWN]
+    bad += [SILENT for error in off if error > ABSURD]
+    counts = ", ".join(f"{bad.count(s)} {s}" for s in dict.fromkeys(bad))
     return Point(
         curve=curve,
         level=level,

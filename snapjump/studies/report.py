@@ -52,6 +52,8 @@ def markdown(table: Table) -> str:
 
 def csv_text(table: Table) -> str:
     """The table with all digits, and nothing where there is no finite number."""
+    if not table.rows:
+        return ""
     rows, _ = finite(list(table.rows))
     file = io.StringIO()
     writer = csv.DictWriter(file, table.header, restval="", lineterminator="\n")

@@ -61,6 +61,13 @@ def test_a_point_compares_with_the_limit() -> None:
     assert (point.ms, point.newton_iterations, point.failed, point.jumps) == (2.0, 10.0, 0, 7)
 
 
+def test_an_absurd_result_is_a_failure_whatever_its_status() -> None:
+    absurd = [{**LIMIT_ROWS[0], "y_bar": 1e6}, *LIMIT_ROWS[1:-1], {**LIMIT_ROWS[-1], "y_bar": 3.0}]
+    point = make_point("a", "b", done(absurd), done(LIMIT_ROWS))
+    assert point.failed == 2 and point.remark == "2 silently wrong"
+    assert cheapest([point], 1e9) is None
+
+
 def test_a_failed_jump_and_a_refused_cell() -> None:
     lost = [{**LIMIT_ROWS[0], "status": "step_underflow", "x_bar": None}, *LIMIT_ROWS[1:]]
     point = make_point("a", "b", done(lost), done(LIMIT_ROWS))

@@ -85,6 +85,7 @@ def test_what_it_leaves() -> None:
     assert {"squares.csv", "squares.md", "curve.png", "report.md", "tiers.block.md"} <= names
     assert (folder.path / "squares.csv").read_text().splitlines()[1] == "0,0,"
     assert (folder.path / "nothing.md").read_text() == "None.\n"
+    assert (folder.path / "nothing.csv").read_text() == ""
     report = (folder.path / "report.md").read_text()
     assert report.startswith("# Squares\n\nThey grow.") and "![A curve](curve.png)" in report
     records = json.loads((folder.path / "children.json").read_text())["children"]
