@@ -28,7 +28,7 @@ def read_rows(count: int, path: Path = ROWS) -> Rows:
     places = np.unique(np.linspace(0, len(rows) - 1, min(count, len(rows))).round().astype(int))
     chosen = [rows[k] for k in places]
     return Rows(
-        [tuple(row[key] for key in PARAMETERS) for row in chosen],  # type: ignore[misc]
+        [tuple(row[key] for key in PARAMETERS) for row in chosen],
         np.array([row["x_bar"] for row in chosen]),
         np.array([row["y_bar"] for row in chosen]),
     )
