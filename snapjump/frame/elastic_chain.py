@@ -2,7 +2,9 @@
 
 Corners are hinges whose natural angle is right; all others are straight. Bending: kappa =
 2 tan(phi/2)/d, energy B (kappa - kappa_0)^2 d / 2, with d the node's length; the natural
-tan(phi/2) of both corners is -1 (the chain turns clockwise).
+tan(phi/2) of both corners is -1 (the chain turns clockwise). There kappa changes twice as fast with
+phi as in a straight hinge, so that a corner is four times as stiff as its length of beam: an error
+of first order in the mesh, of a few percent of the bending of a frame that hardly bends.
 """
 
 from typing import Any
