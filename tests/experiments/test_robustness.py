@@ -1,0 +1,59 @@
+"""Random nonsense is refused in one line that names the key; designs stay in their ranges."""
+
+import numpy as np
+import pytest
+
+from experiments.robustness.fields import all_fields, outside
+from experiments.robustness.invalid import (
+    ACCEPTED,
+    REFUSED,
+    UNCLEAR,
+    Invalid,
+    invalid_configurations,
+    refusal,
+)
+from experiments.robustness.study import HIGH, LOW, by_status, random_designs
+from snapjump.families import FAMILIES
+from snapjump.simulation import build
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_no_invalid_configuration_is_accepted_or_crashes(seed):
+    for one in invalid_configurations(300, seed):
+        outcome, message = refusal(one)
+        assert outcome == REFUSED, (one, message)
+        assert message.startswith(one.key) and "\n" not in message
+
+
+def test_what_is_valid_is_not_counted_as_refused():
+    assert refusal(Invalid("none", "design.epsilon", {"design": {"epsilon": 0.2}}))[0] == ACCEPTED
+    outcome, _ = refusal(Invalid("none", "robot.width_m", {"design": {"epsilon": -1.0}}))
+    assert outcome == UNCLEAR
+
+
+def test_every_number_of_every_member_has_a_range_that_it_is_taken_out_of():
+    random = np.random.default_rng(0)
+    numbers = [field for field in all_fields() if field.is_number]
+    assert {field.group for field in numbers} >= {"robot", "contact", "stepping", "sim"}
+    for field in numbers:
+        for _ in range(20):
+            value = outside(field, random)
+            assert not field.low < value < field.high, field
+
+
+def test_every_default_can_be_built():
+    for family, members in FAMILIES.items():
+        for name in members:
+            if family in ("damping", "friction", "discretization", "stepping", "backend"):
+                assert build({family: {"name": name}}).name(family) == name
+
+
+def test_designs_are_seeded_and_inside_their_ranges():
+    designs = np.array(random_designs(200, (3, 0)))
+    np.testing.assert_array_equal(designs, random_designs(200, (3, 0)))
+    assert not np.array_equal(designs, random_designs(200, (3, 200)))
+    assert np.all(designs >= LOW) and np.all(designs <= HIGH)
+    assert by_status([{"status": "ok"}, {"status": "no_jump"}, {"status": "ok"}]) == {
+        "ok": 2,
+        "no_jump": 1,
+    }
