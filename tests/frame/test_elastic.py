@@ -41,8 +41,8 @@ from snapjump.scenes.frame_body import frame_mesh, rigid_frame
 from snapjump.scenes.jump_start import jump_model, resting_guess
 
 OPTIONS = ElasticFrameOptions(30.0, 2.0, 6, 5, inset_m=3e-4)
-MOVING = Motion(0.2, 50.0, 0.0)
-REST = Motion(0.0, 0.0, 0.0)
+MOVING = Motion(0.2, 50.0, 50.0, 0.0)
+REST = Motion(0.0, 0.0, 0.0, 0.0)
 clamps = pytest.mark.parametrize("clamp", ["half_element", "two_nodes"])
 
 
@@ -159,7 +159,7 @@ def test_mounts_turn_with_their_edges():
 def test_material_damping_takes_out_the_power_of_its_forces():
     case = Case(small_robot(), damping=KelvinVoigt(1e-3), clamp=ConstantRate(0.3, 1.5, 0.0, 0.1))
     rate = 50.0
-    motion = Motion(0.0, rate, 0.0)
+    motion = Motion(0.0, rate, rate, 0.0)
     rng = np.random.default_rng(2)
     state = case.state(case.free)
     origin = case.state(case.free - 1e-6 * rng.normal(size=len(case.free)))

@@ -45,11 +45,11 @@ def test_cantilever_holds_the_left_end_only():
 def test_clamps_hold_the_rotation_of_nodes_that_turn():
     """The third coordinate is the rotation times the element's length."""
     state = np.full(12, 9.0)
-    place_ends(FixedFrame(0.4, 0.7), Corotational(0.05, 1e4), ANGLES, state)
+    place_ends(FixedFrame(0.4, 0.7), NO_MESH, Corotational(0.05, 1e4), ANGLES, state)
     np.testing.assert_allclose(state[:3], [-0.4, 0.7, -0.05 * 0.3])
     np.testing.assert_allclose(state[-3:], [0.4, 0.7, 0.05 * 0.2])
     assert (state[3:-3] == 9.0).all()
     state[:] = 9.0
-    place_ends(CantileverFrame(), Corotational(0.05, 1e4), ANGLES, state)
+    place_ends(CantileverFrame(), NO_MESH, Corotational(0.05, 1e4), ANGLES, state)
     np.testing.assert_allclose(state[:3], [0.0, 0.0, -0.05 * 0.3])
     assert (state[3:] == 9.0).all()
