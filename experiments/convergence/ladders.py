@@ -58,7 +58,7 @@ class Ladder:
 def resolved(groups: Groups) -> Groups:
     """The same with time resolved tightly, by the method itself if it is of second order."""
     integrator: Any = FAMILIES["integrator"][groups["integrator"]["name"]]
-    if getattr(integrator, "order", 2) >= 2:
+    if integrator().order >= 2:
         tight = changed(groups, {"stepping": TIGHT})
         try:
             composed(tight)

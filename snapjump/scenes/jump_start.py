@@ -31,8 +31,9 @@ Array = NDArray[np.float64]
 def critical(simulation: Simulation) -> Threshold:
     """The symmetric arch's critical angle and depth. Raises ParameterError where it has none."""
     robot, mesh = simulation.robot, simulation.discretization
+    shortening = compression(simulation)
     try:
-        return symmetric_threshold(robot, mesh, compression(simulation))
+        return symmetric_threshold(robot, mesh, shortening)
     except (ArithmeticError, ValueError) as error:  # numpy's LinAlgError is a ValueError
         raise ParameterError(
             "design.epsilon",

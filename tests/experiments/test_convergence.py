@@ -68,7 +68,7 @@ def test_other_scenes_are_refused() -> None:
         Convergence().prepare({**config, "sim": {"name": "snap"}})
     with pytest.raises(ParameterError, match=r"task.levels = 2 .* \[3, 10\]"):
         Convergence().prepare({**config, "task": {"name": "convergence", "levels": 2}})
-    assert groups_of(config)["integrator"] == {"name": "tr_bdf2"}
+    assert groups_of(config)["integrator"]["name"] == "tr_bdf2"
 
 
 def test_from_the_command_line_to_record_and_documentation(command: Any, tmp_path: Path) -> None:
