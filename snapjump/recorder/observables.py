@@ -13,12 +13,17 @@ from snapjump.clamp.base import clamp_angles
 from snapjump.contact.base import contact_force, contact_reach, contact_weights, has_contact
 from snapjump.discretization.base import clamp_offset
 from snapjump.engine.clock import STAGE, TIME
-from snapjump.frame.base import corner_point, end_tangents, frame_dofs
+from snapjump.frame.base import (
+    Turning,
+    contact_point,
+    contact_points,
+    end_tangents,
+    frame_dofs,
+    point_weight,
+)
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import any_true, sqrt
 from snapjump.recorder.base import record_stage, record_start, record_step
-
-CORNERS = 4
 
 
 class ObservablesRecorder(NamedTuple):
@@ -50,13 +55,13 @@ def make_observables(steps: int) -> ObservablesRecorder:
 
 
 @kernel
-def middle_height(model: Any, time: Any, state: Any, nodes: Any) -> Any:
+def middle_height(model: Any, mesh: Any, time: Any, state: Any, nodes: Any) -> Any:
     """Distance (L) of the beam's middle from the line through both mounts, positive above."""
-    dofs = frame_dofs(model.frame)
+    dofs = frame_dofs(model.frame, mesh)
     stride = (state.shape[0] - dofs) // nodes
-    tangents = end_tangents(
-        model.frame, model.load, clamp_angles(model.clamp, time), state, 0.0 * state[0]
-    )
+    still = Turning(0.0 * state[0], 0.0 * state[0])
+    angles = clamp_angles(model.clamp, time)
+    tangents = end_tangents(model.frame, mesh, model.load, angles, state, still)
     offset = clamp_offset(model.discretization)
     first = dofs
     last = dofs + stride * (nodes - 1)
@@ -72,34 +77,35 @@ def middle_height(model: Any, time: Any, state: Any, nodes: Any) -> Any:
 
 
 @kernel
-def ground_force(model: Any, masses: Any, state: Any, velocity: Any) -> Any:
-    """Sum of the normal forces (EI/L^2) at all nodes and corners."""
+def ground_force(model: Any, masses: Any, mesh: Any, state: Any, velocity: Any) -> Any:
+    """Sum of the normal forces (EI/L^2) at all points of beam and frame."""
     total = 0.0 * state[0]
     if has_contact(model.contact):
-        by_node, by_corner = contact_weights(model.contact)
+        by_node, _ = contact_weights(model.contact)
         reach = contact_reach(model.contact)
-        dofs = frame_dofs(model.frame)
+        dofs = frame_dofs(model.frame, mesh)
         stride = (state.shape[0] - dofs) // masses.shape[0]
         for node in range(masses.shape[0]):
             gap = state[dofs + stride * node + 1]
             if masses[node] > 0.0 and any_true(gap < reach):
                 force, _ = contact_force(model.contact, gap)
                 total += by_node * force
-        if dofs > 0:
-            for corner in range(CORNERS):
-                _, gap, _ = corner_point(model.frame, corner, state, velocity)
-                if any_true(gap < reach):
-                    force, _ = contact_force(model.contact, gap)
-                    total += by_corner * force
+        for point in range(contact_points(model.frame, mesh)):
+            _, gap, _ = contact_point(model.frame, mesh, point, state, velocity)
+            if any_true(gap < reach):
+                force, _ = contact_force(model.contact, gap)
+                total += point_weight(model.frame, mesh, point, model.contact) * force
     return total
 
 
 @kernel
-def observe(recorder: Any, model: Any, masses: Any, time: Any, state: Any, velocity: Any) -> None:
+def observe(
+    recorder: Any, model: Any, masses: Any, mesh: Any, time: Any, state: Any, velocity: Any
+) -> None:
     """Keep the figures of a state until it is known whether its step stands."""
     recorder.pending[0] = time
-    recorder.pending[1] = middle_height(model, time, state, masses.shape[0])
-    recorder.pending[2] = ground_force(model, masses, state, velocity)
+    recorder.pending[1] = middle_height(model, mesh, time, state, masses.shape[0])
+    recorder.pending[2] = ground_force(model, masses, mesh, state, velocity)
 
 
 @kernel
@@ -115,7 +121,7 @@ def keep(recorder: Any) -> None:
 
 @record_start.member(ObservablesRecorder)
 def _record_start(recorder: ObservablesRecorder, model: Any, masses: Any, work: Any) -> None:
-    observe(recorder, model, masses, work.clock[TIME], work.start, work.velocity[0])
+    observe(recorder, model, masses, work.mesh, work.clock[TIME], work.start, work.velocity[0])
     keep(recorder)
 
 
@@ -130,7 +136,7 @@ def _record_stage(
     converged: Any,
 ) -> None:
     if any_true(work.clock[STAGE] >= tableau.nodes.shape[0] - 1.0):
-        observe(recorder, model, masses, motion.time, work.state, work.velocity[0])
+        observe(recorder, model, masses, work.mesh, motion.time, work.state, work.velocity[0])
 
 
 @record_step.member(ObservablesRecorder)
