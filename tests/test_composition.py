@@ -24,7 +24,7 @@ NUMBERS = {
     ("discretization", "geometrically_exact"): {"elements": 10},
     ("stepping", "adaptive"): {"tolerance": 1e-4, "contact_steps": 8.0},
     ("stepping", "fixed"): {"step_s": 4e-5},
-    ("frame", "elastic"): {"elements": 14},
+    ("frame", "elastic"): {"leg_elements": 5, "top_elements": 6, "bending_ratio": 1e4},
     # Springs of the ground so soft that steps as long as these resolve them.
     ("contact", "penalty"): {"stiffness_N_m": 1e4},
     ("contact", "hunt_crossley"): {"stiffness_N_m": 1e4},

@@ -83,6 +83,10 @@ class Released(Study):
                     f"{row['x_median_percent']:.2g} % in x (medians)."
                     for row in overall[1:]
                 ),
+                f"What is left in x is at small mismatch: {quarters[0]['x_median_percent']:.2g} % "
+                f"up to delta_alpha = {quarters[0]['to']:.2g} rad, "
+                f"{quarters[3]['x_median_percent']:.2g} % above {quarters[3]['from']:.2g} rad "
+                "(medians): the mismatch that the program's frame adds is not quite ours.",
                 "right_follow = 0.5 is not known from the program: it is the one number inferred "
                 "from its data. Newton's method stops at a much smaller residual than the "
                 "program's, and the right clamp lags from the start instead of waiting.",
