@@ -58,7 +58,11 @@ def variants(
 def simulate_batch(
     simulations: Sequence[Simulation], lanes: int = 8, most_iterations: float = MOST_ITERATIONS
 ) -> Batch:
-    """Simulate jumps that differ in design and environment only, ``lanes`` at a time."""
+    """Simulate jumps, ``lanes`` at a time, each for at most so many Newton iterations.
+
+    They differ in numbers of the model only: design, environment, gravity, rotation, and values of
+    the contact, friction and damping laws.
+    """
     base = simulations[0]
     models = [jump_model(s) for s in simulations]
     states = np.array([resting_guess(s, m) for s, m in zip(simulations, models, strict=True)])
@@ -80,6 +84,7 @@ def simulate_batch(
     x = outcome[:, c.COM_X] + outcome[:, c.COM_VX] * rise / fall
     y = outcome[:, c.COM_Y] + 0.5 * rise**2 / fall
     beam_over_frame = np.array([1.0 / m.frame.mass for m in models])
+    estimate = error_estimate(base, outcome[:, c.ERROR_SUM], beam_over_frame)
     gap = outcome[:, c.SMALLEST_GAP] * base.robot.scales.length_m
     return Batch(
         x_bar=np.where(known, x, np.nan),
@@ -91,5 +96,5 @@ def simulate_batch(
         min_gap_m=np.where(outcome[:, c.STEPS] > 0.0, gap, np.nan),
         error_sum_bar=outcome[:, c.ERROR_SUM],
         coarsest_contact_step=outcome[:, c.COARSEST],
-        estimate=error_estimate(base, outcome[:, c.ERROR_SUM], beam_over_frame),
+        estimate=estimate._replace(within_tier=estimate.within_tier & known),
     )

@@ -69,8 +69,10 @@ def resting_gap(contact: Any, weight: float, points: float) -> float:
 
 
 def start_angle_rad(simulation: Simulation) -> float:
-    """Left clamp angle at which the motion starts."""
-    return simulation.sim.start_fraction * critical(simulation).alpha_rad
+    """Left clamp angle at which the motion starts: the clamp that leads, left or right, is then at
+    the same share of the critical angle."""
+    ahead = max(0.0, -simulation.design.delta_alpha)
+    return simulation.sim.start_fraction * critical(simulation).alpha_rad - ahead
 
 
 def check_mount_height(simulation: Simulation, start: float) -> None:
