@@ -83,9 +83,10 @@ def march_together(
 def simulate_batch(
     simulations: Sequence[Simulation], lanes: int = 8, most_iterations: float = MOST_ITERATIONS
 ) -> Batch:
-    """Simulate jumps that differ in design and environment only, ``lanes`` at a time.
+    """Simulate jumps, ``lanes`` at a time, each for at most so many Newton iterations.
 
-    Frames whose mesh depends on the design march with those of the same mesh.
+    They differ in numbers of the model only: design, environment, gravity, rotation, and values of
+    the contact, friction and damping laws. Frames whose mesh depends on the design march with those of the same mesh.
     """
     base = simulations[0]
     models = [jump_model(s) for s in simulations]
@@ -106,6 +107,7 @@ def simulate_batch(
     x = outcome[:, c.COM_X] + outcome[:, c.COM_VX] * rise / fall
     y = outcome[:, c.COM_Y] + 0.5 * rise**2 / fall
     beam_over_frame = np.array([1.0 / m.frame.mass for m in models])
+    estimate = error_estimate(base, outcome[:, c.ERROR_SUM], beam_over_frame)
     gap = outcome[:, c.SMALLEST_GAP] * base.robot.scales.length_m
     return Batch(
         x_bar=np.where(known, x, np.nan),
@@ -117,5 +119,5 @@ def simulate_batch(
         min_gap_m=np.where(outcome[:, c.STEPS] > 0.0, gap, np.nan),
         error_sum_bar=outcome[:, c.ERROR_SUM],
         coarsest_contact_step=outcome[:, c.COARSEST],
-        estimate=error_estimate(base, outcome[:, c.ERROR_SUM], beam_over_frame),
+        estimate=estimate._replace(within_tier=estimate.within_tier & known),
     )

@@ -66,7 +66,7 @@ def only_folder(path: Path) -> Path:
         ("design.epsilon=nan", ["design.epsilon = nan", "0.4]"]),
         ("design.epsilon=much", ["design.epsilon = 'much'", "0.4]"]),
         ("design.epsilon=null", ["design.epsilon = None", "0.4]"]),
-        ("robot.length_m=0", ["robot.length_m = 0", "(0"]),
+        ("robot.length_m=0", ["robot.length_m = 0", "[1e-15"]),
         ("robot.mount_height=-0.001", ["robot.mount_height = -0.001"]),
         ("robot.mount_height=high", ["robot.mount_height = 'high'", "optimal"]),
         ("environment.mass_bar=0.001", ["environment.mass_bar = 0.001", "beam"]),

@@ -31,9 +31,12 @@ def test_a_failed_number_is_not_within_any_tier():
 
 
 def test_meshes_clamps_and_light_frames():
-    coarse, fine = (mesh_percent(DiscreteElasticRodOptions(elements=n)) for n in (32, 128))
+    damping = STANDARD.damping
+    meshes = [DiscreteElasticRodOptions(elements=n) for n in (32, 128)]
+    coarse, fine = (mesh_percent(mesh, damping) for mesh in meshes)
+    assert mesh_percent(meshes[1], FAMILIES["damping"]["none"]())[0] > 2.0 * fine[0]
     assert coarse[0] > 16.0 * fine[0] and coarse[1] > 16.0 * fine[1]
-    nodes = mesh_percent(DiscreteElasticRodOptions(elements=128, clamp="two_nodes"))
+    nodes = mesh_percent(DiscreteElasticRodOptions(elements=128, clamp="two_nodes"), damping)
     assert nodes[0] > 5.0 * fine[0]
     heavy, light = (error_estimate(STANDARD, 1e-6, ratio).x_percent for ratio in (HEAVY, 24.0))
     assert light > 3.0 * heavy

@@ -23,7 +23,7 @@ FAILED = (palette.FORCE, palette.PLUM, palette.CENTRE, palette.INK)
 def draw_designs(rows: Sequence[Row], path: Path) -> None:
     """Two planes of the four parameters, and the distribution of Newton iterations."""
     size = (15.0, 5.0)
-    names = sorted({row["status"] for row in rows}, key=lambda n: (n not in COLOURS, n))
+    names = [*COLOURS, *sorted({row["status"] for row in rows} - set(COLOURS))]
     others = dict(zip([n for n in names if n not in COLOURS], FAILED, strict=False))
     with picture(path, size, f"{len(rows)} random designs") as figure:
         for k, plane in enumerate(PLANES):
@@ -41,8 +41,7 @@ def draw_designs(rows: Sequence[Row], path: Path) -> None:
             if k == 0:
                 axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4, markerscale=2.0)
         axes = figure.add_axes((0.73, 0.12, 0.25, 0.74))
-        taken = [row["newton_iterations"] for row in rows if "newton_iterations" in row]
-        counts = np.array([max(v, 1.0) for v in taken])
+        counts = np.array([n for row in rows if (n := row.get("newton_iterations", 0.0)) > 0.0])
         edges = np.geomspace(counts.min(), counts.max() * 1.01, 60)
         axes.hist(counts, edges, color=palette.BEAM, log=True)
         axes.set_xscale("log")

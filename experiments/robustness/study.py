@@ -9,7 +9,7 @@ import numpy as np
 from experiments.compositions import composed, groups_of
 from experiments.robustness.figures import draw_designs
 from experiments.robustness.invalid import REFUSED, Invalid, invalid_configurations, refusal
-from experiments.stability.jumps import jump_rows
+from experiments.stability.jumps import KNOWN, jump_rows
 from experiments.stability.rules import RULES, broken
 from experiments.tradeoff.tiers import tier_groups
 from snapjump.accuracy import TIERS
@@ -121,7 +121,7 @@ class Robustness(Study):
             tables={
                 "statuses": Table("Designs by status", [dict(counts)]),
                 "failures": Table("Designs that failed", [
-                    row for row in rows if row["status"] not in ("ok", "no_jump")][:50]),
+                    failure(row) for row in rows if row["status"] not in KNOWN][:50]),
                 "violations": Table("Rules that were broken", violations[:50]),
                 "configurations": Table("Invalid configurations by kind",
                                         kinds(configurations)),
@@ -155,6 +155,12 @@ def configuration_row(one: Invalid) -> Row:
         "outcome": outcome,
         "message": message,
     }
+
+
+def failure(row: Row) -> Row:
+    """What a table of failures shows."""
+    keys = ("delta_alpha_rad", "epsilon", "mass_bar", "mu", "status", "newton_iterations")
+    return {key: row[key] for key in keys if key in row}
 
 
 def by_status(rows: Sequence[Row]) -> dict[str, int]:

@@ -1,8 +1,9 @@
 """Jumps with and without what the scene leaves out: loading, flight, the frame's bending.
 
-Times are the shortest of a few repetitions, of kernels, starts included.
+Times are processor time, the shortest of a few repetitions, starts included.
 """
 
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -27,29 +28,32 @@ FLIGHT_LIMIT_S = 2.0
 FLOWN_HEIGHT = 1.0  # L: higher than any robot stands
 
 Designs = Sequence[tuple[float, float, float, float]]
-Found = tuple[list[Row], float]  # a row a design, and seconds
 
 
-def timed(run: Callable[[], Found], repeats: int) -> Found:
-    """The rows, and the shortest time after one run that compiles."""
-    run()
-    runs = [run() for _ in range(repeats)]
-    return runs[0][0], min(seconds for _, seconds in runs)
+def timed(full: Callable[[], list[Row]], scene: Callable[[], list[Row]], repeats: int) -> list[Row]:
+    """Both, in turn, after one run each that compiles: see :func:`compared`."""
+    rows = full(), scene()
+    seconds: tuple[list[float], list[float]] = ([], [])
+    for _ in range(repeats):
+        for run, spent in zip((full, scene), seconds, strict=True):
+            begun = time.process_time()
+            run()
+            spent.append(time.process_time() - begun)
+    return compared(rows[0], rows[1], min(seconds[0]), min(seconds[1]))
 
 
-def ballistic(simulation: Simulation, designs: Designs) -> Found:
+def ballistic(simulation: Simulation, designs: Designs) -> list[Row]:
     """Jumps that end as soon as nothing can touch the ground any more: the scene as it is."""
     batch = simulate_batch(variants(simulation, designs), LANES)
-    rows = [
+    return [
         {"status": s, "x_bar": float(x), "y_bar": float(y), "newton_iterations": float(n)}
         for s, x, y, n in zip(
             batch.status, batch.x_bar, batch.y_bar, batch.newton_iterations, strict=True
         )
     ]
-    return rows, batch.kernel_seconds
 
 
-def flown(simulation: Simulation, designs: Designs) -> Found:
+def flown(simulation: Simulation, designs: Designs) -> list[Row]:
     """The same jumps followed through the air until the centre of mass sinks."""
     simulations = variants(simulation, designs)
     models = [jump_model(one) for one in simulations]
@@ -77,36 +81,28 @@ def flown(simulation: Simulation, designs: Designs) -> Found:
                 "newton_iterations": float(outcome[c.ITERATIONS]),
             }
         )
-    return rows, march.kernel_seconds
+    return rows
 
 
-def one_by_one(simulation: Simulation, designs: Designs) -> Found:
+def one_by_one(simulation: Simulation, designs: Designs) -> list[Row]:
     """Jumps of any composition, one after the other."""
-    rows, seconds = [], 0.0
-    for one in variants(simulation, designs):
-        result = simulate(one)
-        seconds += float(result.summary["kernel_seconds"])
-        rows.append({k: result.summary[k] for k in ("status", "x_bar", "y_bar",
-                                                    "newton_iterations")})  # fmt: skip
-    return rows, seconds
+    keys = ("status", "x_bar", "y_bar", "newton_iterations")
+    results = [simulate(one) for one in variants(simulation, designs)]
+    return [{key: result.summary[key] for key in keys} for result in results]
 
 
 def start_rows(groups: Mapping[str, Any], designs: Designs, repeats: int) -> list[Row]:
     """The quasi-static start against clamps that turn from flat."""
     late = composed(groups)
     early = replace(late, sim=replace(late.sim, start_fraction=0.0))
-    return compared(
-        timed(lambda: ballistic(early, designs), repeats),
-        timed(lambda: ballistic(late, designs), repeats),
-    )
+    return timed(lambda: ballistic(early, designs), lambda: ballistic(late, designs), repeats)
 
 
 def ending_rows(groups: Mapping[str, Any], designs: Designs, repeats: int) -> list[Row]:
     """The ballistic end against a flight to the apex."""
     simulation = composed(groups)
-    return compared(
-        timed(lambda: flown(simulation, designs), repeats),
-        timed(lambda: ballistic(simulation, designs), repeats),
+    return timed(
+        lambda: flown(simulation, designs), lambda: ballistic(simulation, designs), repeats
     )
 
 
@@ -115,14 +111,11 @@ def frame_rows(groups: Mapping[str, Any], designs: Designs, repeats: int) -> lis
     if "elastic" not in FAMILIES["frame"]:
         raise ParameterError("frame", "elastic", "one of " + ", ".join(FAMILIES["frame"]))
     rigid, elastic = composed(groups), composed(changed(groups, {"frame": {"name": "elastic"}}))
-    return compared(
-        timed(lambda: one_by_one(elastic, designs), 1), timed(lambda: one_by_one(rigid, designs), 1)
-    )
+    return timed(lambda: one_by_one(elastic, designs), lambda: one_by_one(rigid, designs), 1)
 
 
-def compared(all_of_it: Found, scene: Found) -> list[Row]:
+def compared(full: list[Row], scene: list[Row], full_s: float, scene_s: float) -> list[Row]:
     """A row for each design: outcomes with everything and as the scene has it, and the times."""
-    (full, full_s), (short, short_s) = all_of_it, scene
     count = len(full)
     return [
         {
@@ -135,7 +128,7 @@ def compared(all_of_it: Found, scene: Found) -> list[Row]:
             "full_newton_iterations": a["newton_iterations"],
             "scene_newton_iterations": b["newton_iterations"],
             "full_ms": 1e3 * full_s / count,
-            "scene_ms": 1e3 * short_s / count,
+            "scene_ms": 1e3 * scene_s / count,
         }
-        for a, b in zip(full, short, strict=True)
+        for a, b in zip(full, scene, strict=True)
     ]

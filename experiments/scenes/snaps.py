@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from experiments.compositions import composed
-from experiments.scenes.jumps import Found, compared, timed
+from experiments.scenes.jumps import timed
 from snapjump.clamp.smooth_start import SmoothStart
 from snapjump.ending.timed import TimedEnding
 from snapjump.engine import clock as c
@@ -29,23 +29,23 @@ def snap_rows(
     groups: Mapping[str, Any], designs: list[tuple[float, float]], repeats: int
 ) -> list[Row]:
     """Snaps of designs (delta_alpha, epsilon): where and how fast the midpoint is at the end."""
-    return compared(
-        timed(lambda: snaps(groups, designs, "logbarrier"), repeats),
-        timed(lambda: snaps(groups, designs, "none"), repeats),
+    return timed(
+        lambda: snaps(groups, designs, "logbarrier"),
+        lambda: snaps(groups, designs, "none"),
+        repeats,
     )
 
 
-def snaps(groups: Mapping[str, Any], designs: list[tuple[float, float]], contact: str) -> Found:
+def snaps(groups: Mapping[str, Any], designs: list[tuple[float, float]], contact: str) -> list[Row]:
     """Outcomes of snaps one after the other, with a contact law that never acts or with none."""
     simulation = composed(groups)
     law = FAMILIES["contact"][contact]().member(simulation.robot.scales, simulation.discretization)
-    rows, seconds = [], 0.0
+    rows = []
     for lag, epsilon in designs:
         one = replace(simulation, design=replace(simulation.design, epsilon=epsilon,
                                                  delta_alpha=lag))  # fmt: skip
         march = snap_march(one, law)
         outcome = march.run()[0]
-        seconds += march.kernel_seconds
         middle = march.memory.state.shape[0] // 2
         rows.append(
             {
@@ -55,7 +55,7 @@ def snaps(groups: Mapping[str, Any], designs: list[tuple[float, float]], contact
                 "newton_iterations": float(outcome[c.ITERATIONS]),
             }
         )
-    return rows, seconds
+    return rows
 
 
 def snap_march(simulation: Any, law: Any) -> March:

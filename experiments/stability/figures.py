@@ -35,7 +35,7 @@ SHORT = {
 }
 ERRORS = (1e-2, 1e2)  # percent, of the colours
 CELL = (0.62, 0.42)  # inches
-LEFT, BETWEEN, RIGHT, TOP, FOOT = 1.5, 0.35, 1.25, 1.0, 0.95
+LEFT, BETWEEN, RIGHT, TOP, FOOT = 2.05, 0.35, 1.25, 0.95, 0.95
 
 
 def text_of(value: Any) -> str:
@@ -113,7 +113,7 @@ def _errors(axes: Any, found: Map, places: Mapping[Any, list[Row]]) -> Any:
     image = axes.imshow(values, origin="lower", aspect="auto", cmap="YlOrRd",
                         norm=LogNorm(*ERRORS))  # fmt: skip
     axes.set_facecolor(palette.SHADE)
-    axes.set_title("largest error (dot: marked as beyond its tier)", loc="left")
+    axes.set_title("largest error (dot: all marked as beyond their tier)", loc="left")
     return image
 
 
@@ -137,11 +137,11 @@ LIMITS = (2e-4, 3e2)
 
 def draw_calibration(by_kind: Mapping[str, Sequence[Row]], path: Path) -> None:
     """True errors of x and y against their estimates, a colour for each composition."""
-    size = (13.6, 5.9)
+    size = (14.2, 5.9)
     headline = "The error estimate of a jump against its true error"
     with picture(path, size, headline) as figure:
         for k, coordinate in enumerate(("x", "y")):
-            axes = figure.add_axes((0.065 + 0.36 * k, 0.12, 0.31, 0.76))
+            axes = figure.add_axes((0.06 + 0.365 * k, 0.12, 0.3, 0.74))
             for colour, (kind, rows) in zip(COLOURS, by_kind.items(), strict=False):
                 estimate, true = columns(
                     rows, f"{coordinate}_estimate_percent", f"true_{coordinate}_percent"
@@ -154,7 +154,7 @@ def draw_calibration(by_kind: Mapping[str, Sequence[Row]], path: Path) -> None:
             axes.grid(True)
             axes.set_xlabel(f"estimated error of {coordinate} (%)")
             axes.set_ylabel(f"true error of {coordinate} (%)")
-            axes.set_title("solid: equal; dashed: twice the estimate", loc="left")
+            axes.set_title(f"{coordinate}: solid equal, dashed twice the estimate", loc="left")
         axes.legend(loc="upper left", bbox_to_anchor=(1.04, 1.0), markerscale=3.0)
 
 

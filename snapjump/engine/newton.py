@@ -168,8 +168,10 @@ def newton_iteration(
         angles = clamp_angles(model.clamp, motion.time)
         place_ends(model.frame, work.mesh, model.discretization, angles, work.state)
 
-    # The error left is about the correction times the rate of convergence.
-    rate = where(first, 1.0, minimum(correction / maximum(clock[SIZE], tiny), 1.0 + 0.0 * tiny))
+    # The error left is about the correction times the rate of convergence, of which a correction
+    # that was cut short says nothing: a huge one would make the next look converged.
+    unknown = first | (clock[SHARE] < 1.0)
+    rate = where(unknown, 1.0, minimum(correction / maximum(clock[SIZE], tiny), 1.0 + 0.0 * tiny))
     converged = (rate * correction <= tolerance) & (share >= 1.0) & negate(back) & finite
     iteration = clock[ITERATION] + 1.0
     failed = (iteration >= most_iterations) & negate(converged) | negate(finite)

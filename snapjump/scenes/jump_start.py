@@ -78,10 +78,12 @@ def resting_gap(contact: Any, weight: float, points: float) -> float:
 
 
 def start_angle_rad(simulation: Simulation) -> float:
-    """Left clamp angle at which the motion starts."""
+    """Left clamp angle at which the motion starts: the clamp that leads, left or right, is then at
+    the same share of the critical angle."""
     if simulation.sim.start_fraction == 0.0:
         return 0.0
-    return simulation.sim.start_fraction * critical(simulation).alpha_rad
+    ahead = max(0.0, -simulation.design.delta_alpha)
+    return simulation.sim.start_fraction * critical(simulation).alpha_rad - ahead
 
 
 def check_mount_height(simulation: Simulation, start: float) -> None:

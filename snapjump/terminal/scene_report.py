@@ -27,14 +27,15 @@ def scene_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list[
     return [
         (scene, title),
         *results,
-        ("accuracy", _accuracy(config)),
+        ("accuracy", _accuracy(config, summary)),
         ("warning", _warning(config, summary)),
         ("cost", _cost(summary)),
     ]
 
 
-def _accuracy(config: Mapping[str, Any]) -> str:
-    """The tier, and its measured error if this is a jump with just what the tier chooses."""
+def _accuracy(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
+    """The tier, and its measured error if this is a jump with just what the tier chooses, else
+    what the jump estimates itself."""
     accuracy = config["accuracy"]
     name = accuracy["name"]
     if config["sim"]["name"] != "jump":
@@ -61,7 +62,9 @@ def _accuracy(config: Mapping[str, Any]) -> str:
         if config.get(family, {}).get(key, value) != value
     ]
     if changed:
-        return f"{name}, but for {', '.join(changed)}: its error is not known"
+        estimate = summary.get("error_estimate_percent")
+        known = "its error is not known" if estimate is None else f"estimated {estimate:.2g} % off"
+        return f"{name}, but for {', '.join(changed)}: {known}"
     return f"{name}: {accuracy['known_error']}"
 
 

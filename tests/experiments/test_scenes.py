@@ -16,7 +16,7 @@ def done(name: str, rows: list, status: str = "ok", message: str = "") -> Done:
 
 
 def test_a_saving_compares_with_everything_that_is_left_out():
-    rows = compared(([jump(2.0), jump(4.0)], 4.0), ([jump(2.02), jump(4.0)], 1.0))
+    rows = compared([jump(2.0), jump(4.0)], [jump(2.02), jump(4.0)], 4.0, 1.0)
     row = saving("start", done("start", rows))
     assert row["saved_percent"] == pytest.approx(75.0)
     assert row["full_ms"] == pytest.approx(2000.0)
