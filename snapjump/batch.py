@@ -14,6 +14,7 @@ from snapjump.engine.status import NAMES, NO_JUMP, OK
 from snapjump.error_estimate import ErrorEstimate, error_estimate
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
+from snapjump.scenes.flight_check import checked_status
 from snapjump.scenes.frame_body import frame_mesh
 from snapjump.scenes.jump_start import jump_model, resting_guess
 from snapjump.scenes.runner import MOST_ITERATIONS, March
@@ -86,7 +87,8 @@ def simulate_batch(
     """Simulate jumps, ``lanes`` at a time, each for at most so many Newton iterations.
 
     They differ in numbers of the model only: design, environment, gravity, rotation, and values of
-    the contact, friction and damping laws. Frames whose mesh depends on the design march with those of the same mesh.
+    the contact, friction and damping laws. Frames whose mesh depends on the design march with
+    those of the same mesh.
     """
     base = simulations[0]
     models = [jump_model(s) for s in simulations]
@@ -100,7 +102,10 @@ def simulate_batch(
             [simulations[k] for k in chosen], [models[k] for k in chosen], lanes, most_iterations
         )
         kernel_seconds += seconds
-    status = outcome[:, c.STATUS].astype(int)
+    beam_mass = float(base.discretization.masses().sum())
+    status = np.array(
+        [checked_status(m, beam_mass, o) for m, o in zip(models, outcome, strict=True)]
+    )
     fall = np.array([m.load.acceleration for m in models])
     rise = np.where(status == OK, np.maximum(outcome[:, c.COM_VY], 0.0), 0.0)
     known = np.isin(status, (OK, NO_JUMP))

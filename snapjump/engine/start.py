@@ -12,7 +12,7 @@ from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.equilibrium import settle
 from snapjump.engine.model import Model
 from snapjump.engine.status import NO_EQUILIBRIUM, RUNNING
-from snapjump.frame.base import frame_dofs, slide_frame
+from snapjump.frame.base import border_width, frame_dofs, slide_frame
 from snapjump.friction.base import holds
 from snapjump.friction.none import NoFriction
 from snapjump.number.dispatch import kernel, routine
@@ -71,6 +71,7 @@ def follow_branch(model: Any, masses: Any, work: Any) -> Any:
     past = work.velocity[0]
     older = work.acceleration[0]
     lost = clamp.rate < 0.0
+    held = frame_dofs(model.frame, work.mesh) if border_width(model.frame) == 3 else 0
     # Flat clamps, a first small turn that gives the branch's direction, then even steps.
     for k in range(-1, CONTINUATION_STEPS + 1):
         share = k / CONTINUATION_STEPS
@@ -83,6 +84,11 @@ def follow_branch(model: Any, masses: Any, work: Any) -> Any:
         lost = lost | failed | (negative > 0.0)
         for i in range(size):
             settled = state[i]
+            if i < held:
+                # The feet stay on the ground: no guess may lift them out of a short reach.
+                older[i] = past[i]
+                past[i] = settled
+                continue
             if k == 0:
                 state[i] = past[i] + (settled - past[i]) / FIRST_TURN
                 settled = past[i]
@@ -101,7 +107,7 @@ def follow_branch(model: Any, masses: Any, work: Any) -> Any:
     lost = lost | failed | (negative > 0.0)
     for i in range(size):
         work.velocity[0, i] = state[i]
-        state[i] = 2.0 * work.start[i] - state[i]
+        state[i] = work.start[i] if i < held else 2.0 * work.start[i] - state[i]
     negative, failed = settle(resting, masses, work, difference)
     lost = lost | failed | (negative > 0.0)
     for i in range(size):

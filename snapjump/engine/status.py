@@ -8,6 +8,7 @@ ITERATION_LIMIT = 4
 TIME_LIMIT = 5
 NOT_FINITE = 6
 NO_EQUILIBRIUM = 7
+ENERGY_GAINED = 8
 
 NAMES = {
     OK: "ok",
@@ -17,6 +18,7 @@ NAMES = {
     TIME_LIMIT: "time_limit",
     NOT_FINITE: "not_finite",
     NO_EQUILIBRIUM: "no_equilibrium",
+    ENERGY_GAINED: "energy_gained",
 }
 
 REASONS = {
@@ -27,4 +29,5 @@ REASONS = {
     TIME_LIMIT: "the scene did not end within its time limit",
     NOT_FINITE: "a number was not finite",
     NO_EQUILIBRIUM: "no stable equilibrium to start from was found",
+    ENERGY_GAINED: "the steps put energy in: the apex is beyond what the beam could have held",
 }

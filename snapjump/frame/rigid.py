@@ -55,6 +55,8 @@ from snapjump.load.base import gravity
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, any_true, cos, maximum, minimum, sin, where
 
+LIFTED = 0.05  # of the anchor's stiffness, against rise and turn
+
 
 class RigidFrame(NamedTuple):
     """Half the width; heights of mounts, feet and top against the centre of mass (in L); mass
@@ -201,6 +203,10 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
     # Statics leaves x undetermined: a spring that ends up without force holds it.
     residual[0] += motion.anchor * state[0]
     square[0, 0] += motion.anchor
+    # Feet that an iterate lifts off the ground have no stiffness: this lets the weight bring them
+    # back, and leaves the equilibrium where it is.
+    square[1, 1] += LIFTED * motion.anchor
+    square[2, 2] += LIFTED * motion.anchor
 
     smallest = 0.0 * rate + 1.0e30
     fastest = 0.0 * rate

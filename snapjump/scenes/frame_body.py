@@ -104,7 +104,7 @@ def elastic_frame(simulation: Simulation, mount_height_bar: float) -> ElasticFra
     end = simulation.discretization.clamped_mass_bar
     mass = rigid.mass + float(options.beam_on_top)
     nodes = options.contact == "nodes"
-    per_node = simulation.contact.weighting == "per_node"
+    per_node = getattr(simulation.contact, "weighting", "per_node") == "per_node"
     return ElasticFrame(
         half_span=0.5 * width,
         mount_y=mount,

@@ -15,6 +15,7 @@ from snapjump.options.backend import ScalarBackend
 from snapjump.recorder.none import NoRecorder
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
+from snapjump.scenes.flight_check import checked_status
 from snapjump.scenes.frame_body import frame_mesh
 from snapjump.scenes.jump_start import jump_model, resting_guess
 from snapjump.scenes.runner import March, Progress
@@ -45,6 +46,7 @@ def simulate_jump_scene(simulation: Simulation, progress: Progress | None = None
     )
     march.find_starts()
     outcome = march.run(progress)[0]
+    outcome[c.STATUS] = checked_status(model, float(march.masses.sum()), outcome)
     arrays: dict[str, Any] = {}
     if alone and march.recorder.filled[0] > 0:
         arrays = trajectory_arrays(simulation, model, march)

@@ -1,0 +1,34 @@
+"""Whether a flight can be true: no robot gets farther than the energy of its beam carries it."""
+
+from typing import Any
+
+from snapjump.engine import clock as c
+from snapjump.engine.status import ENERGY_GAINED, OK
+
+# Elastic energy of the arch at its critical angle, over epsilon: 89 to 96 EI/L (S5 of the
+# references); three times that leaves room for what the clamps do afterwards.
+ENERGY_PER_COMPRESSION = 3.0 * 96.0
+# Clamps that turn fast drive the beam: of the square of their rate (rad/T).
+ENERGY_PER_RATE_SQUARED = 10.0
+
+
+def farthest_apex(model: Any, beam_mass: float) -> float:
+    """Bound on how far (L) a robot can rise, and come while it does, with its beam's energy."""
+    frame = model.frame
+    compression = 1.0 - 2.0 * frame.half_span + 2.0 * getattr(frame, "inset", 0.0)
+    energy = ENERGY_PER_COMPRESSION * compression + ENERGY_PER_RATE_SQUARED * model.clamp.rate**2
+    return float(1.0 + energy / ((frame.mass + beam_mass) * model.load.acceleration))
+
+
+def checked_status(model: Any, beam_mass: float, outcome: Any) -> int:
+    """The status of a jump, which is no success if the flight cannot be true."""
+    status = int(outcome[c.STATUS])
+    if status != OK:
+        return status
+    time = max(float(outcome[c.COM_VY]), 0.0) / model.load.acceleration
+    height = outcome[c.COM_Y] + 0.5 * outcome[c.COM_VY] * time
+    distance = abs(outcome[c.COM_X] + outcome[c.COM_VX] * time)
+    # Thrown at the best angle, the apex is half as high as straight up, and as far as that.
+    if max(height, distance) > farthest_apex(model, beam_mass):
+        return ENERGY_GAINED
+    return status
