@@ -71,7 +71,7 @@ def _group(folders: list[Path], default: str) -> str:
     members = [member for folder in folders for member in folder.glob("*.yaml")]
     for member in sorted(members, key=lambda path: path.stem):
         star = "*" if member.stem == default else " "
-        lines.append(f"   {star} {member.stem:<18}{describe(member)}")
+        lines.append(f"   {star} {member.stem:<20}{describe(member)}")
     return "\n".join(lines)
 
 
