@@ -22,6 +22,7 @@ GROUPS = {
     "linear_solver": "how a Newton step is solved",
     "backend": "how many robots at once",
     "tracking": "where MLflow records go",
+    "experiment": "whole compositions, added with +experiment=<name>",
 }
 
 INTRODUCTION = """\

@@ -190,3 +190,22 @@ def test_unknown_keys_and_members(config, key):
     with pytest.raises(ParameterError) as caught:
         build(config)
     assert caught.value.key == key
+
+
+def test_a_new_runge_kutta_method_is_its_tableau_alone(monkeypatch):
+    """Three stages of third order (Alexander 1977), known to nobody but this configuration."""
+    g = 0.4358665215084590
+    b = (-1.5 * g * g + 4.0 * g - 0.25, 1.5 * g * g - 5.0 * g + 1.25)
+    rows = [[0.0], [0.0, g], [0.0, 0.5 * (1.0 - g), g], [0.0, *b, g]]
+    monkeypatch.setitem(FAMILIES, "integrator", dict(FAMILIES["integrator"]))
+    values = {"name": "alexander3", "order": 3, "damping_at_infinity": 0.0, "rows": rows}
+    simulation = build({"integrator": values})
+    assert simulation.name("integrator") == "alexander3"
+    scheme = simulation.integrator.scheme()
+    assert len(scheme.error) == 4
+    assert scheme.nodes @ scheme.weights == pytest.approx(0.5)
+    assert scheme.nodes**2 @ scheme.weights == pytest.approx(1.0 / 3.0)
+    with pytest.raises(ParameterError, match="integrator.rows"):
+        build(
+            {"integrator": {**values, "name": "other", "rows": [[0.0], [0.0, g], [0.0, 0.5, 1.0]]}}
+        )
