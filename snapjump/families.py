@@ -25,9 +25,9 @@ from snapjump.options.integrator import (
     CentralDifferenceOptions,
     GeneralizedAlphaOptions,
     NewmarkOptions,
-    tableaux,
 )
 from snapjump.options.linear_solver import BandedSolverOptions
+from snapjump.options.runge_kutta import tableaux
 from snapjump.options.sim import (
     BounceScene,
     CantileverScene,

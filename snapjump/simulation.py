@@ -8,7 +8,7 @@ from snapjump.accuracy import TIERS
 from snapjump.checks import ParameterError, check_choice, check_group
 from snapjump.composition import Simulation, with_tier
 from snapjump.families import FAMILIES
-from snapjump.options.integrator import dirk_member
+from snapjump.options.runge_kutta import dirk_member
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.parameters.robot import Robot

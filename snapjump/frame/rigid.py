@@ -6,12 +6,8 @@ The clamped end nodes of the beam belong to it, so that its mass matrix is diago
 from typing import Any, NamedTuple
 
 from snapjump.contact.base import (
-    acts,
-    bounce_rate_squared,
     contact_weights,
-    force_if_acting,
     has_contact,
-    note_contact,
 )
 from snapjump.damping.base import mass_damping
 from snapjump.discretization.base import (
@@ -48,12 +44,11 @@ from snapjump.frame.base import (
     solve_frame,
 )
 from snapjump.frame.ends import move_first, move_last
-from snapjump.frame.rigid_corners import add_corner_friction, corner_approach, corner_arm
-from snapjump.friction.base import has_friction
+from snapjump.frame.rigid_corners import add_corner_contacts, corner_arm
 from snapjump.linear_solver import banded
 from snapjump.load.base import gravity
 from snapjump.number.dispatch import kernel
-from snapjump.number.functions import absolute, any_true, cos, maximum, minimum, sin, where
+from snapjump.number.functions import absolute, cos, maximum, minimum, sin, where
 
 LIFTED = 0.05  # of the anchor's stiffness, against rise and turn
 
@@ -208,39 +203,10 @@ def _add_frame_forces(frame: RigidFrame, model: Any, motion: Any, work: Any) -> 
     square[1, 1] += LIFTED * motion.anchor
     square[2, 2] += LIFTED * motion.anchor
 
-    smallest = 0.0 * rate + 1.0e30
-    fastest = 0.0 * rate
+    figures = FrameForces(largest, 0.0 * rate + 1.0e30, 0.0 * rate)
     if has_contact(model.contact):
-        contact = model.contact
-        _, weight = contact_weights(contact)
-        c = cos(state[2])
-        s = sin(state[2])
-        for corner in range(4):
-            rx, ry = corner_arm(frame, corner, c, s)
-            gap = state[1] + ry
-            smallest = minimum(smallest, gap)
-            effective = 1.0 / (1.0 / frame.mass + rx * rx / frame.inertia)
-            approach = corner_approach(frame, motion, work, corner, rx, effective)
-            near = acts(contact, gap, approach)
-            if any_true(near):
-                _, force, stiffness = force_if_acting(contact, gap, approach)
-                force = force * weight
-                stiffness = stiffness * weight
-                largest = maximum(largest, force)
-                residual[1] -= force
-                residual[2] -= force * rx
-                square[1, 1] += stiffness
-                square[1, 2] += stiffness * rx
-                square[2, 1] += stiffness * rx
-                square[2, 2] += stiffness * rx * rx + force * ry
-                bounce = bounce_rate_squared(contact, stiffness, effective, approach.speed)
-                fastest = maximum(fastest, bounce)
-                if has_friction(model.friction):
-                    add_corner_friction(
-                        model, motion, work, corner, frame, rx, ry, near, force, stiffness
-                    )
-            note_contact(contact, work, corner, near)
-    return FrameForces(largest, smallest, fastest)
+        figures = add_corner_contacts(frame, model, motion, work, figures)
+    return figures
 
 
 @limit_frame_step.member(RigidFrame)

@@ -1,17 +1,21 @@
-"""Corners of the rigid frame: where they are, and how friction drags them."""
+"""Corners of the rigid frame: where they are, how the ground pushes and drags them."""
 
 from typing import Any
 
 from snapjump.contact.base import (
     Approach,
+    acts,
+    bounce_rate_squared,
     contact_weights,
     force_if_acting,
     is_impulsive,
+    note_contact,
     pressing_force,
 )
-from snapjump.friction.base import is_lagged, slip
+from snapjump.frame.base import FrameForces
+from snapjump.friction.base import has_friction, is_lagged, slip
 from snapjump.number.dispatch import kernel
-from snapjump.number.functions import cos, sin, where
+from snapjump.number.functions import any_true, cos, maximum, minimum, sin, where
 
 
 @kernel
@@ -93,3 +97,46 @@ def add_corner_friction(
         square[2, 0] -= ry * along_x
         square[2, 1] -= ry * along_y
         square[2, 2] -= ry * along_turn + rx * drag
+
+
+@kernel
+def add_corner_contacts(
+    frame: Any, model: Any, motion: Any, work: Any, figures: FrameForces
+) -> FrameForces:
+    """Add contact and friction at all four corners; returns the figures with theirs."""
+    contact = model.contact
+    state = work.state
+    residual = work.system.frame_residual
+    square = work.system.square
+    largest = figures.largest_force
+    smallest = figures.smallest_gap
+    fastest = figures.contact_rate_squared
+    _, weight = contact_weights(contact)
+    c = cos(state[2])
+    s = sin(state[2])
+    for corner in range(4):
+        rx, ry = corner_arm(frame, corner, c, s)
+        gap = state[1] + ry
+        smallest = minimum(smallest, gap)
+        effective = 1.0 / (1.0 / frame.mass + rx * rx / frame.inertia)
+        approach = corner_approach(frame, motion, work, corner, rx, effective)
+        near = acts(contact, gap, approach)
+        if any_true(near):
+            _, force, stiffness = force_if_acting(contact, gap, approach)
+            force = force * weight
+            stiffness = stiffness * weight
+            largest = maximum(largest, force)
+            residual[1] -= force
+            residual[2] -= force * rx
+            square[1, 1] += stiffness
+            square[1, 2] += stiffness * rx
+            square[2, 1] += stiffness * rx
+            square[2, 2] += stiffness * rx * rx + force * ry
+            bounce = bounce_rate_squared(contact, stiffness, effective, approach.speed)
+            fastest = maximum(fastest, bounce)
+            if has_friction(model.friction):
+                add_corner_friction(
+                    model, motion, work, corner, frame, rx, ry, near, force, stiffness
+                )
+        note_contact(contact, work, corner, near)
+    return FrameForces(largest, smallest, fastest)

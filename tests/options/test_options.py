@@ -10,7 +10,7 @@ from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
 from snapjump.families import FAMILIES, name_of
 from snapjump.options.discretization import DiscreteElasticRodOptions
-from snapjump.options.integrator import tableaux
+from snapjump.options.runge_kutta import tableaux
 from snapjump.simulation import build
 
 # Values just outside the range of every field: (family, member, field) -> values

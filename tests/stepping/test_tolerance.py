@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from experiments.designs import spread_designs
 
+from experiments.designs import spread_designs
 from snapjump.batch import simulate_batch, variants
 from snapjump.composition import with_tier
 from snapjump.families import FAMILIES
