@@ -54,7 +54,13 @@ from snapjump.engine.view import view_work
 from snapjump.integrator.base import ends_in_a_stage, error_order, is_explicit, stage_count
 from snapjump.number.dispatch import routine
 from snapjump.number.functions import any_true, maximum, minimum, negate, where
-from snapjump.recorder.base import record_stage, record_start, record_step
+from snapjump.recorder.base import (
+    record_end,
+    record_robot,
+    record_stage,
+    record_start,
+    record_step,
+)
 from snapjump.stepping.base import (
     accepts,
     first_step,
@@ -115,13 +121,14 @@ def load_robot(memory: Any, lane: int, queue: Any, robot: int, step: float) -> N
 
 
 @routine
-def refill(memory: Any, lane: int, queue: Any, step: float) -> None:
+def refill(memory: Any, lane: int, queue: Any, recorder: Any, step: float) -> None:
     """Give a lane the next robot of the queue, or let it idle on the one it has."""
     while queue.cursor[0] < queue.status.shape[0]:
         robot = queue.cursor[0]
         queue.cursor[0] += 1
         if queue.status[robot] == RUNNING:
             load_robot(memory, lane, queue, robot, step)
+            record_robot(recorder, lane, robot)
             queue.carried[lane] = robot
             queue.cursor[1] += 1
             return
@@ -179,7 +186,7 @@ def march(
     if queue.cursor[0] == 0:
         for lane in range(width):
             load_robot(memory, lane, queue, 0, step)
-            refill(memory, lane, queue, step)
+            refill(memory, lane, queue, recorder, step)
         if queue.cursor[1] == 0:
             return True
         model = with_numbers(template, work.numbers)
@@ -235,10 +242,11 @@ def march(
             clock[STATUS] = where(leaving, status, 0.0)
             for lane in range(width):
                 if memory.clock[STATUS, lane] > 0.0:
+                    record_end(recorder, model, masses, lane, queue.carried[lane])
                     for k in range(memory.clock.shape[0]):
                         queue.outcome[queue.carried[lane], k] = memory.clock[k, lane]
                     queue.cursor[1] -= 1
-                    refill(memory, lane, queue, step)
+                    refill(memory, lane, queue, recorder, step)
                     memory.clock[STATUS, lane] = 0.0
             model = with_numbers(template, work.numbers)
         if any_true(restage):
@@ -281,7 +289,7 @@ def finish_step(
     clock[STAGE] = where(ended, 1.0, clock[STAGE])
     clock[SMALLEST_GAP] = where(good, minimum(clock[SMALLEST_GAP], clock[GAP]), clock[SMALLEST_GAP])
     commit_step(scheme, work, good)
-    record_step(recorder, work)
+    record_step(recorder, scheme, work, good)
     touching = good & (clock[GAP] < clearance(model.contact))
     clock[LAST_CONTACT] = where(touching, clock[TIME], clock[LAST_CONTACT])
     verdict = judge(ending, model, masses, work, good)
