@@ -12,7 +12,7 @@ from snapjump.discretization.base import node_dofs
 from snapjump.engine.clock import ROWS, TIME
 from snapjump.engine.march import Limits, Queue, find_starts, march
 from snapjump.engine.model import Model, numbers_of
-from snapjump.engine.work import NO_MESH, Work, make_work
+from snapjump.engine.work import NO_MESH, make_work
 from snapjump.frame.base import frame_dofs
 from snapjump.integrator.base import slots
 from snapjump.number.announcement import load
