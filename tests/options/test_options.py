@@ -69,6 +69,7 @@ OUTSIDE = {
     ("stepping", "adaptive", "tolerance"): (0.0, 0.9e-12, 1.1e-2),
     ("stepping", "adaptive", "contact_steps"): (0.0, -1.0),
     ("backend", "lanes", "width"): (0, 1, 3, 32),
+    ("backend", "lanes", "threads"): (0, 1025, 2.0),
 }
 ROW_OF = {
     "order": (0, 13, 2.5),
@@ -79,7 +80,7 @@ ROW_OF = {
 }
 for name in tableaux():
     OUTSIDE |= {("integrator", name, field): values for field, values in ROW_OF.items()}
-MAY_BE_NONE = ("weights", "embedded")
+MAY_BE_NONE = ("weights", "embedded", "threads")
 WRONG = (math.nan, math.inf, "much", None, [1.0])
 CASES = [
     (family, member, field, value)
