@@ -26,8 +26,8 @@ class Batch:
     apex_time_s, liftoff_*: of ``ok``, as :mod:`snapjump.scenes.flight` defines them; times count
     from the beginning of the clamps' rotation.
     mount_height_bar: of the clamps above the feet (L), NaN for designs that are refused.
-    steps, newton_iterations; kernel_seconds: for all jumps and in all threads together, starts
-    and idle lanes included; kernel_seconds_each: a jump's share of it by its iterations;
+    steps, newton_iterations; kernel_seconds: of a core, for all jumps and in all threads together,
+    starts and idle lanes included; kernel_seconds_each: a jump's share of it by its iterations;
     lane_passes: iterations that all lanes together had time for.
     min_gap_m: smallest at the end of a step, NaN if none was done; error_sum_bar: estimates of all
     steps added up, in L; coarsest_contact_step: largest step times contact frequency; estimate: of

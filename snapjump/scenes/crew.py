@@ -15,7 +15,8 @@ REPORT_EVERY_S = 0.1
 @dataclass
 class Worker:
     """A thread's memory, its view of the queue (robots and cursor are everyone's, what its lanes
-    carry is its own), and the seconds that its kernels have taken."""
+    carry is its own), and the seconds of a core that its kernels have taken, which do not count
+    while other programs have the core."""
 
     memory: Work
     queue: Queue
@@ -36,9 +37,9 @@ def run_crew(crew: Sequence[Worker], advance: Advance, report: Callable[[], None
     def work(worker: Worker) -> None:
         done = False
         while not (done or stop.is_set()):
-            begun = time.perf_counter()
+            begun = time.thread_time()
             done = advance(worker)
-            worker.kernel_seconds += time.perf_counter() - begun
+            worker.kernel_seconds += time.thread_time() - begun
             if len(crew) == 1:
                 report()
 

@@ -87,7 +87,7 @@ class March:
 
     @property
     def kernel_seconds(self) -> float:
-        """What the kernels have taken so far, all threads added up."""
+        """Seconds of a core that the kernels have taken so far, all threads added up."""
         return sum(worker.kernel_seconds for worker in self.crew)
 
     @property
@@ -129,17 +129,17 @@ class March:
         """
 
         def advance(worker: Worker) -> bool:
-            return march(*self._arguments(worker), PASSES_PER_SLICE)
+            return march(*self.arguments(worker), PASSES_PER_SLICE)
 
         def report() -> None:
             if progress is not None:
                 progress(self._done(), "marching")
 
-        load(march, *self._arguments(self.crew[0]), 0)
+        load(march, *self.arguments(self.crew[0]), 0)
         run_crew(self.crew, advance, report)
         return self.queue.outcome
 
-    def _arguments(self, worker: Worker) -> tuple[Any, ...]:
+    def arguments(self, worker: Worker) -> tuple[Any, ...]:
         """What a march of a thread's lanes is called with, less the number of passes."""
         return (
             self.models[0],

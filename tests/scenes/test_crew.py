@@ -20,6 +20,9 @@ def test_slices_until_nothing_is_left(size):
 
     def advance(worker):
         time.sleep(0.01)
+        busy_until = time.thread_time() + 0.001
+        while time.thread_time() < busy_until:
+            pass
         slices[id(worker)] += 1
         return slices[id(worker)] == 20
 
@@ -27,7 +30,8 @@ def test_slices_until_nothing_is_left(size):
     assert set(slices.values()) == {20}
     assert reports[-1] == 20 * size
     assert len(reports) >= 2
-    assert all(0.2 <= worker.kernel_seconds < 2.0 for worker in workers)
+    # Seconds of a core: those asleep do not count.
+    assert all(0.02 <= worker.kernel_seconds < 0.1 for worker in workers)
 
 
 def test_an_error_in_one_thread_stops_all_and_is_raised():

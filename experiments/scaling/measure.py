@@ -1,0 +1,62 @@
+"""Throughput at several widths and numbers of threads, in turns, so that whatever else loads the
+machine meets all of them."""
+
+import statistics
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from experiments.designs import spread_designs
+from snapjump.batch import Batch, simulate_designs
+from snapjump.composition import Simulation
+from snapjump.statics.threshold_curve import ThresholdCurve
+
+Setting = tuple[int, int]  # lanes, threads
+
+
+@dataclass(frozen=True)
+class Throughput:
+    """Of one setting, medians over repeats: jumps/s by the clock, and of a core in the kernels;
+    microseconds of a core for a robot's Newton iteration, and for a lane's pass, with a robot or
+    without; the share of passes without one; and the number of jumps that failed."""
+
+    jumps_per_second: float
+    jumps_per_second_core: float
+    us_per_iteration: float
+    us_per_pass: float
+    idle_share: float
+    failed: int
+
+
+def measure(
+    base: Simulation, curve: ThresholdCurve, settings: Sequence[Setting], count: int, repeats: int
+) -> dict[Setting, Throughput]:
+    """Simulate the same designs in every setting, several times."""
+    designs = np.array(spread_designs(count))
+    seconds: dict[Setting, list[float]] = {setting: [] for setting in settings}
+    batches: dict[Setting, list[Batch]] = {setting: [] for setting in settings}
+    for lanes, threads in settings:
+        simulate_designs(base, designs[:1], curve=curve, lanes=lanes, threads=threads)
+    for _ in range(repeats):
+        for lanes, threads in settings:
+            begun = time.perf_counter()
+            batch = simulate_designs(base, designs, curve=curve, lanes=lanes, threads=threads)
+            seconds[lanes, threads].append(time.perf_counter() - begun)
+            batches[lanes, threads].append(batch)
+    found = {}
+    for setting in settings:
+        kernels = statistics.median(batch.kernel_seconds for batch in batches[setting])
+        one = batches[setting][0]
+        iterations = float(one.newton_iterations.sum())
+        passes = statistics.median(batch.lane_passes for batch in batches[setting])
+        found[setting] = Throughput(
+            count / statistics.median(seconds[setting]),
+            count / kernels,
+            1e6 * kernels / iterations,
+            1e6 * kernels / passes,
+            1.0 - iterations / passes,
+            sum(status not in ("ok", "no_jump") for status in one.status),
+        )
+    return found

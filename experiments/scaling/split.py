@@ -1,0 +1,105 @@
+"""Where a pass of the time loop spends its time: the pieces on states frozen along a march."""
+
+import statistics
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+
+from experiments.scaling.pieces import assemble_often, iterate_often, solve_often
+from snapjump.batch.simulate import marches
+from snapjump.composition import Simulation
+from snapjump.contact.none import NoContact
+from snapjump.engine.march import march as march_on
+from snapjump.engine.model import Model
+from snapjump.engine.work import Work
+from snapjump.friction.none import NoFriction
+from snapjump.number.memory import aligned_zeros
+from snapjump.scenes.runner import MOST_ITERATIONS, March
+
+MOMENTS = 8
+PASSES_BETWEEN = 250
+REPEATS, COUNT, PASSES = 9, 100, 20
+
+
+def typical(call: Callable[[int], object], count: int) -> float:
+    """Microseconds of one of ``count`` calls: the median of several times."""
+    times = []
+    for _ in range(REPEATS):
+        begun = time.perf_counter()
+        call(count)
+        times.append(time.perf_counter() - begun)
+    return 1e6 * statistics.median(times) / count
+
+
+@contextmanager
+def untouched(memory: Work) -> Iterator[None]:
+    """Put back afterwards what lanes carry on from pass to pass."""
+    arrays = [array for array in memory if isinstance(array, np.ndarray)]
+    kept = [array.copy() for array in arrays]
+    yield
+    for array, values in zip(arrays, kept, strict=True):
+        array[...] = values
+
+
+def groundless(model: Model, numbers: Any) -> tuple[Model, Any]:
+    """The model without contact and friction, and the numbers (P, W) that it has left."""
+    kept: list[int] = []
+    position = 0
+    for name, member in zip(Model._fields, model, strict=True):
+        if name not in ("contact", "friction"):
+            kept += range(position, position + len(member))
+        position += len(member)
+    left = aligned_zeros((len(kept), numbers.shape[1]))
+    left[...] = numbers[kept]
+    return model._replace(contact=NoContact(), friction=NoFriction()), left
+
+
+def pieces(march: March) -> dict[str, float]:
+    """Microseconds of the parts of a Newton iteration of all lanes, at the state they are in."""
+    worker = march.crew[0]
+    lanes = (0,) * march.lanes
+    model, memory = march.models[0], worker.memory
+    free, numbers = groundless(model, memory.numbers)
+
+    def timed(kernel: Any, template: Model, work: Any) -> float:
+        def call(count: int) -> None:
+            kernel(template, march.masses, march.scheme, work, lanes, count)
+
+        call(1)
+        return typical(call, COUNT)
+
+    without = timed(assemble_often, free, memory._replace(numbers=numbers))
+    assembly = timed(assemble_often, model, memory)
+    solution = timed(solve_often, model, memory)
+    iteration = timed(iterate_often, model, memory)
+    return {
+        "assembly": without,
+        "contact": assembly - without,
+        "solve": solution - assembly,
+        "correction": iteration - solution,
+        "iteration": iteration,
+    }
+
+
+def split(simulations: Sequence[Simulation], models: Sequence[Model], lanes: int) -> dict[str, Any]:
+    """Microseconds of a pass's parts for one lane: means over moments of a march.
+
+    ``stages``: what a pass does besides the Newton iteration (stages and steps that begin and
+    end, error estimates, the ending, refilling).
+    """
+    march = marches(simulations, models, lanes, 1, MOST_ITERATIONS)[0][1]
+    march.find_starts()
+    worker = march.crew[0]
+    march_on(*march.arguments(worker), 1)
+    rows: list[dict[str, float]] = []
+    for _ in range(MOMENTS):
+        march_on(*march.arguments(worker), PASSES_BETWEEN)
+        whole = typical(lambda count: march_on(*march.arguments(worker), count), PASSES)
+        with untouched(worker.memory):
+            rows.append({**pieces(march), "pass": whole})
+    mean = {key: statistics.mean(row[key] for row in rows) / lanes for key in rows[0]}
+    mean["stages"] = mean["pass"] - mean.pop("iteration")
+    return {key: round(value, 4) for key, value in mean.items()}

@@ -1,0 +1,60 @@
+"""The figures as a page of Markdown."""
+
+import platform
+from typing import Any
+
+from snapjump.studies.base import Table
+from snapjump.studies.report import markdown
+
+PARTS = {
+    "assembly": "assembly",
+    "contact": "contact and friction",
+    "solve": "solution of the linear system",
+    "correction": "correction and its gap filter",
+    "stages": "stages and steps: begin, end, judge",
+    "pass": "a pass in all",
+}
+
+
+def split_rows(parts: dict[str, dict[str, float]]) -> list[dict[str, Any]]:
+    """A row a part: microseconds of a lane and pass at both widths, and their ratio."""
+    scalar, lanes = parts.values()
+    one, many = (f"us, {width} lanes" for width in parts)
+    rows: list[dict[str, Any]] = []
+    for key, name in PARTS.items():
+        ratio = scalar[key] / lanes[key] if lanes[key] > 0.0 else float("nan")
+        share = 100.0 * lanes[key] / lanes["pass"]
+        rows.append(
+            {
+                "part": name,
+                one: scalar[key],
+                many: lanes[key],
+                "ratio": round(ratio, 2),
+                "share_percent": round(share, 1),
+            }
+        )
+    return rows
+
+
+def table(figures: dict[str, Any]) -> str:
+    """The page."""
+    widest = list(figures["us_of_a_lane_and_pass"])[-1]
+    lines = [
+        "# Lanes and threads",
+        "`python -m experiments.scaling --table docs/studies/scaling.md`",
+        f"{platform.processor() or platform.machine()}, `{figures['tier']}`, "
+        f"{figures['designs']} designs spread over the paper's ranges, medians of "
+        f"{figures['repeats']} runs that took turns.",
+        f"- {widest} lanes over 1, in time of a Newton iteration: "
+        f"{figures['lanes_over_scalar']:.2f} times (target 4).",
+        f"- {figures['threads']} threads over 1, in jumps per second: "
+        f"{figures['threads_over_one']:.2f} times (target 1.9); "
+        f"{figures['threads_over_one_undisturbed']:.2f} by the time of the cores alone.",
+        f"- {figures['jumps_per_second_core']:.1f} jumps per second and core: "
+        f"{figures['released_over_ours']:.0f} times the released program's, at 26 s a jump.",
+        markdown(Table("Throughput", figures["throughput"])),
+        "A pass is a Newton iteration of all lanes; times are of one lane, that is of one robot. "
+        "Lanes without a robot are in the throughput's idle share, not in these.",
+        markdown(Table("Where a pass goes", split_rows(figures["us_of_a_lane_and_pass"]))),
+    ]
+    return "\n\n".join(lines) + "\n"

@@ -1,0 +1,84 @@
+"""The benchmark of lanes and threads on a coarse robot: its accounts add up and disturb nothing."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from experiments.designs import spread_designs
+from experiments.scaling.measure import measure
+from experiments.scaling.split import pieces, split, untouched
+from experiments.scaling.table import table
+from snapjump.batch import variants
+from snapjump.batch.simulate import marches
+from snapjump.composition import with_tier
+from snapjump.engine.march import march as march_on
+from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.scenes.jump_start import jump_model
+from snapjump.scenes.runner import MOST_ITERATIONS
+from snapjump.statics.threshold_curve import ThresholdCurve
+
+BASE = replace(with_tier("draft"), discretization=DiscreteElasticRodOptions(24))
+
+
+@pytest.fixture(scope="module")
+def robots():
+    simulations = variants(BASE, spread_designs(4))
+    return simulations, [jump_model(simulation) for simulation in simulations]
+
+
+def started(robots):
+    march = marches(*robots, 2, 1, MOST_ITERATIONS)[0][1]
+    march.find_starts()
+    return march
+
+
+def test_throughput():
+    curve = ThresholdCurve.through(BASE.robot, BASE.discretization, 0.1, 0.3)
+    found = measure(BASE, curve, [(1, 1), (2, 2)], 4, 1)
+    for (lanes, _), values in found.items():
+        assert values.jumps_per_second > 0.0
+        assert values.failed == 0
+        idle = 1.0 - values.us_per_pass / values.us_per_iteration
+        assert values.idle_share == pytest.approx(idle, abs=1e-12)
+        assert (values.idle_share == 0.0) == (lanes == 1)
+
+
+def test_the_pieces_leave_the_march_as_it_was(robots):
+    undisturbed = started(robots).run()
+    march = started(robots)
+    worker = march.crew[0]
+    march_on(*march.arguments(worker), 100)
+    with untouched(worker.memory):
+        found = pieces(march)
+    assert np.array_equal(march.run(), undisturbed)
+    assert found["iteration"] > found["assembly"] > 0.0
+
+
+def test_the_parts_make_a_pass(robots):
+    parts = split(*robots, 2)
+    assert sum(value for key, value in parts.items() if key != "pass") == pytest.approx(
+        parts["pass"], abs=1e-3
+    )
+
+
+def test_the_page():
+    parts = dict.fromkeys(("assembly", "contact", "solve", "correction", "stages"), 1.0)
+    figures = {
+        "tier": "standard",
+        "designs": 64,
+        "repeats": 3,
+        "threads": 2,
+        "throughput": [{"lanes": 8, "threads": 2, "jumps_per_second": 123.456}],
+        "lanes_over_scalar": 3.125,
+        "threads_over_one": 1.9375,
+        "threads_over_one_undisturbed": 1.96875,
+        "jumps_per_second_core": 80.0,
+        "released_over_ours": 2080.0,
+        "us_of_a_lane_and_pass": {"1": {**parts, "pass": 5.0}, "8": {**parts, "pass": 2.5}},
+    }
+    page = table(figures)
+    assert "8 lanes over 1, in time of a Newton iteration: 3.12 times" in page
+    assert "2 threads over 1, in jumps per second: 1.94 times" in page
+    assert "2080 times the released program's" in page
+    assert "| a pass in all | 5 | 2.5 | 2 | 100 |" in page
