@@ -1,77 +1,96 @@
-"""How a model's numbers depend on the design, through the threshold too."""
+"""How models' numbers depend on the design, through the threshold too."""
+
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.batch.prepare import check_curve
-from snapjump.batch.variants import Row, variant
+from snapjump.batch.variants import variant
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
-from snapjump.engine.model import numbers_of
-from snapjump.scenes.frame_body import compression
-from snapjump.scenes.jump_start import jump_model
+from snapjump.engine.model import Model, numbers_of
+from snapjump.scenes.frame_body import leg_top_leg
+from snapjump.scenes.jump_start import fitted_mount_height_bar, jump_model
+from snapjump.scenes.sensitivities import check_differentiable
 from snapjump.statics.threshold import Threshold
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 Array = NDArray[np.float64]
-STEP = 1e-3  # of a value, or of SMALLEST
-SMALLEST = 0.1
-INWARDS_FROM = 0.25  # rad
-# Weights of the changes over 1, 2, 3 and 4 steps in a derivative.
-AHEAD = (4.0, -3.0, 4.0 / 3.0, -0.25)
+TINY = 1e-30  # of a complex step, which takes no difference: it is exact to rounding
+DELTA_ALPHA, EPSILON, MASS_BAR, MU = range(4)
 
 
-def one_sided_steps(point: Array) -> Array:
-    """Steps of the differences: into the values' ranges, and not across delta_alpha = 0."""
-    delta_alpha, epsilon = point[:2]
-    outwards = 1.0 if delta_alpha >= 0.0 else -1.0
-    steps = STEP * np.maximum(np.abs(point), SMALLEST)
-    steps[0] *= outwards if abs(delta_alpha) < INWARDS_FROM else -outwards
-    # The largest compression and the largest angle are bounded from above.
-    steps[1] = -STEP * epsilon
-    steps[4] *= -1.0
-    return steps
+def model_derivatives(base: Simulation, designs: Array, curve: ThresholdCurve) -> Array:
+    """d(numbers of the models)/d(delta_alpha, epsilon, mass_bar, mu) of designs (R, 4): (R, P, 4).
 
+    P are the numbers of :func:`snapjump.engine.model.numbers_of`. Formulas are differentiated by
+    complex steps, thresholds by the curve. At delta_alpha = 0, where the leading clamp changes,
+    the derivative is that towards positive values.
 
-def model_derivatives(base: Simulation, design: Row, curve: ThresholdCurve) -> Array:
-    """d(numbers of the model)/d(delta_alpha, epsilon, mass_bar, mu): (P, 4).
-
-    Rows are those of :func:`snapjump.engine.model.numbers_of`. The formulas between design,
-    threshold and model are differentiated by differences of fourth order, the threshold itself by
-    the curve. At delta_alpha = 0, where the leading clamp changes, the derivative is that towards
-    positive values.
-
-    Raises ParameterError for a design that is refused, or whose compression the curve does not
-    cover.
+    Raises ParameterError for an epsilon that the curve does not cover, a curve of another beam,
+    and a simulation that :func:`~snapjump.scenes.sensitivities.check_differentiable` refuses.
     """
     check_curve(base, curve)
-    shortening = compression(variant(base, design))
-    if not curve.covers(shortening):
+    check_differentiable(base)
+    table = np.asarray(designs, dtype=float)
+    outside = table[~curve.covers(table[:, EPSILON]), EPSILON]
+    if len(outside):
         raise ParameterError(
             "design.epsilon",
-            float(design[1]),
-            f"a compression in [{curve.low:g}, {curve.high:g}], which the curve covers",
+            float(outside[0]),
+            f"in [{curve.low:g}, {curve.high:g}], which the curve covers",
         )
-    angle, depth = curve.values(shortening)
-    point = np.array([*design, angle, depth], dtype=float)
+    angles, depths = curve.values(table[0, EPSILON])
+    model = jump_model(variant(base, table[0]), Threshold(float(angles), float(depths)))
+    slopes = np.zeros((len(table), len(numbers_of(model)), 4))
+    by_angle, _ = curve.slopes(table[:, EPSILON])
+    if base.sim.start_fraction > 0.0:
+        start = place(model, "clamp", "start")
+        slopes[:, start, EPSILON] = base.sim.start_fraction * by_angle
+        # The right clamp leads: the left one starts that much earlier.
+        slopes[:, start, DELTA_ALPHA] = table[:, DELTA_ALPHA] < 0.0
+    slopes[:, place(model, "clamp", "delta_alpha"), DELTA_ALPHA] = 1.0
+    if hasattr(model.friction, "mu"):
+        slopes[:, place(model, "friction", "mu"), MU] = 1.0
+    first = place(model, "frame", "half_span")
+    frame = slice(first, first + len(model.frame))
+    for axis in (EPSILON, MASS_BAR):
+        slopes[:, frame, axis] = frame_slopes(base, table, curve, axis)
+    return slopes
 
-    def numbers(values: Array) -> Array:
-        threshold = Threshold(float(values[4]), float(values[5]))
-        return numbers_of(jump_model(variant(base, values[:4]), threshold))
 
-    centre = numbers(point)
+def place(model: Model, family: str, field: str) -> int:
+    """Where a member's number stands among the numbers of its model."""
+    before = model[: model._fields.index(family)]
+    return sum(len(member) for member in before) + getattr(model, family)._fields.index(field)
 
-    def slope(k: int) -> Array:
-        """Derivative by one of the six values."""
-        total = np.zeros_like(centre)
-        for count, weight in enumerate(AHEAD, start=1):
-            moved = point.copy()
-            moved[k] += count * steps[k]
-            total += weight * (numbers(moved) - centre)
-        return total / steps[k]
 
-    steps = one_sided_steps(point)
-    slopes = np.array([slope(k) for k in range(6)])
-    by_angle, by_depth = curve.slopes(shortening)
-    slopes[1] += slopes[4] * by_angle + slopes[5] * by_depth
-    return slopes[:4].T
+def frame_slopes(base: Simulation, table: Array, curve: ThresholdCurve, axis: int) -> Array:
+    """Derivatives (R, 6) of the rigid frames' numbers by epsilon or mass_bar."""
+    moved = table.astype(complex)
+    moved[:, axis] += 1j * TINY
+    robot = base.robot
+    scales = robot.scales
+    epsilon, mass_bar = moved[:, EPSILON], moved[:, MASS_BAR]
+    masses = base.environment.mass_kg(robot) / base.environment.mass_bar / scales.mass_kg * mass_bar
+    frame = leg_top_leg(
+        width=1.0 - epsilon,
+        height=robot.frame_height_m / scales.length_m,
+        mass=masses - 1.0,
+        end=base.discretization.clamped_mass_bar,
+        mount=mount_heights(base, epsilon, curve),
+    )
+    return np.array([np.imag(values) for values in frame]).T / TINY
+
+
+def mount_heights(base: Simulation, epsilon: Any, curve: ThresholdCurve) -> Any:
+    """Heights of the clamps (in L), carrying the imaginary part of epsilon along."""
+    given = base.robot.mount_height
+    if given == "fitted":
+        return fitted_mount_height_bar(epsilon)
+    if given != "optimal":
+        return float(given) / base.robot.length_m + 0.0 * epsilon
+    _, depth = curve.values(epsilon.real)
+    _, slope = curve.slopes(epsilon.real)
+    return depth + 1j * epsilon.imag * slope

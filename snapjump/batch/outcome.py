@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.batch.sensitivities import Sensitivities, apex_sensitivities
 from snapjump.composition import Simulation
 from snapjump.engine import clock as c
 from snapjump.engine.model import Model
@@ -32,6 +33,7 @@ class Batch:
     min_gap_m: smallest at the end of a step, NaN if none was done; error_sum_bar: estimates of all
     steps added up, in L; coarsest_contact_step: largest step times contact frequency; estimate: of
     the errors, NaN where there is no apex.
+    sensitivities: of the apex, or None where none were asked for.
     """
 
     status: list[str]
@@ -53,6 +55,7 @@ class Batch:
     error_sum_bar: Array
     coarsest_contact_step: Array
     estimate: ErrorEstimate
+    sensitivities: Sensitivities | None = None
 
 
 def batch_of(
@@ -63,11 +66,13 @@ def batch_of(
     marched: Array,
     kernel_seconds: float,
     lane_passes: int,
+    slopes: tuple[Array, Array] | None = None,
 ) -> Batch:
     """The batch of R designs, of which M were marched.
 
     models (M), chosen (M): which designs these are; refused (R): status of those that are not
-    among them; marched (M, ROWS): outcomes.
+    among them; marched (M, ROWS): outcomes; slopes: of their flights (M, 4, 4) and the distances of
+    grazes (M).
     """
 
     def spread(values: Sequence[float] | Array, otherwise: float = np.nan) -> Array:
@@ -96,6 +101,12 @@ def batch_of(
     def of_flights(values: Array, unit: float = 1.0) -> Array:
         return np.where(flew, values * unit, np.nan)
 
+    sensitivities = None
+    if slopes is not None:
+        flights, grazes = np.zeros((len(refused), 4, 4)), spread(slopes[1])
+        flights[chosen] = slopes[0]
+        sensitivities = apex_sensitivities(outcome, fall, flights, grazes)
+
     return Batch(
         status=[NAMES[k] for k in status],
         x_bar=np.where(known, flown.apex_x, np.nan),
@@ -120,4 +131,5 @@ def batch_of(
             np.where(known, estimate.y_percent, np.nan),
             known & estimate.within_tier,
         ),
+        sensitivities=sensitivities,
     )

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.batch.derivatives import model_derivatives
 from snapjump.batch.outcome import Batch, batch_of
 from snapjump.batch.prepare import prepare_designs
 from snapjump.batch.progress import BatchProgress, Progress
@@ -19,6 +20,7 @@ from snapjump.scenes.frame_body import frame_mesh
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.resting import resting_guesses
 from snapjump.scenes.runner import MOST_ITERATIONS, March
+from snapjump.scenes.sensitivities import check_differentiable, record_sensitivities
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 Array = NDArray[np.float64]
@@ -61,18 +63,29 @@ def march_all(
     threads: int,
     most_iterations: float,
     progress: Progress | None,
-) -> tuple[Array, float, int]:
-    """Outcomes (M, ROWS), the kernels' seconds, and the iterations that lanes had time for."""
+    numbers: Array | None = None,
+) -> tuple[Array, float, int, tuple[Array, Array] | None]:
+    """Outcomes (M, ROWS), the kernels' seconds, and the iterations that lanes had time for.
+
+    With slopes (M, P, 4) of the models' ``numbers`` also those of the flights (M, 4, 4), and the
+    distances of grazes (M).
+    """
     outcome = np.zeros((len(models), c.ROWS))
+    slopes = None if numbers is None else (np.zeros((len(models), 4, 4)), np.zeros(len(models)))
     told = BatchProgress(len(models), progress or (lambda share, text: None))
     kernel_seconds, lane_passes = 0.0, 0
     for members, march in marches(simulations, models, lanes, threads, most_iterations):
         march.find_starts(told.starts(len(members)))
+        recorded = None
+        if numbers is not None:
+            recorded = record_sensitivities(march, numbers[members])
         outcome[members] = march.run(told.jumps(len(members)))
+        if slopes is not None and recorded is not None:
+            slopes[0][members], slopes[1][members] = recorded
         told.finish(len(members))
         kernel_seconds += march.kernel_seconds
         lane_passes += lanes * march.passes
-    return outcome, kernel_seconds, lane_passes
+    return outcome, kernel_seconds, lane_passes, slopes
 
 
 def simulate_batch(
@@ -89,7 +102,7 @@ def simulate_batch(
     those of the same mesh. Results depend neither on lanes, threads nor order.
     """
     models = [jump_model(simulation) for simulation in simulations]
-    marched, seconds, passes = march_all(
+    marched, seconds, passes, _ = march_all(
         simulations, models, lanes, threads, most_iterations, progress
     )
     everyone = np.arange(len(models))
@@ -105,15 +118,18 @@ def simulate_designs(
     progress: Progress | None = None,
     threads: int | None = None,
     lanes: int | None = None,
+    sensitivities: bool = False,
 ) -> Batch:
     """Simulate designs (R, 4) of one robot: delta_alpha (rad), epsilon, mass_bar, mu.
 
     ``threads`` (default: one a core) with ``lanes`` jumps in each; both default to what ``base``
     says if its backend is ``lanes``. A curve spares a threshold for every epsilon in its range.
+    With ``sensitivities`` the batch has derivatives of every apex; the jumps are the same.
     A design that is refused is a row with the status ``bad_design`` or ``no_threshold``.
 
     Raises ParameterError for an array of another shape, a scene that is no jump, a number of lanes
-    or threads out of range, or a curve of another robot or mesh.
+    or threads out of range, a curve of another robot or mesh, or a module that sensitivities do
+    not know.
     """
     table = np.asarray(designs, dtype=float)
     if table.ndim != 2 or table.shape[1] != 4:
@@ -128,13 +144,22 @@ def simulate_designs(
         raise ParameterError("lanes", lanes, "1, 2, 4, 8 or 16")
     crew = backend.thread_count if threads is None else threads
     check_integer("threads", crew, 1, MOST_THREADS)
+    numbers = None
+    if sensitivities:
+        check_differentiable(base)
+        curve = curve or ThresholdCurve.over(base.robot, base.discretization, table[:, 1])
     ready = prepare_designs(base, table, curve)
-    marched, seconds, passes = march_all(
+    if sensitivities:
+        numbers = model_derivatives(base, table[ready.chosen], curve)
+    marched, seconds, passes, slopes = march_all(
         ready.simulations,
         ready.models,
         width,
         crew,
         MOST_ITERATIONS,
         progress,
+        numbers,
     )
-    return batch_of(base, ready.models, ready.chosen, ready.status, marched, seconds, passes)
+    return batch_of(
+        base, ready.models, ready.chosen, ready.status, marched, seconds, passes, slopes
+    )

@@ -4,7 +4,7 @@ A stage solves R(q, p) = 0, so that K dq/dp = -dR/dp, with origin and drift of t
 on the parameters p as well. The shadow takes the march's own guess of q, differentiated; what the
 guess leaves of dR/dp comes out of the residual in duals, and is corrected with the matrix that
 Newton's method has just factored. That one lacks unsymmetric parts that are small (Kelvin-Voigt's,
-and friction's at nodes): each refinement shrinks what they leave by a large factor.
+and friction's at nodes): each correction shrinks what they leave by a large factor.
 """
 
 from typing import Any
@@ -110,13 +110,13 @@ def differentiate_stages(
     shadow: Any,
     chosen: Any,
     count: int,
-    refinements: int,
+    corrections: int,
 ) -> None:
     """Bring the shadows of the first ``count`` lanes in ``chosen`` through the stages that they
     have just converged."""
     for c in range(count):
         predict_stage(template, scheme, memory, shadow, chosen[c])
-    for _ in range(refinements):
+    for _ in range(corrections):
         for c in range(count):
             lane = chosen[c]
             model = shadow_model(template, shadow, lane)

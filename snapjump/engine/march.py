@@ -306,7 +306,7 @@ def finish_step(
     clock[STAGE] = where(ended, 1.0, clock[STAGE])
     clock[SMALLEST_GAP] = where(good, minimum(clock[SMALLEST_GAP], clock[GAP]), clock[SMALLEST_GAP])
     commit_step(scheme, work, good)
-    record_step(recorder, scheme, work, good)
+    record_step(recorder, model, masses, scheme, work, good)
     touching = good & (clock[GAP] < clearance(model.contact))
     clock[LAST_CONTACT] = where(touching, clock[TIME], clock[LAST_CONTACT])
     verdict = judge(ending, model, masses, work, good)

@@ -225,6 +225,17 @@ def slopes_of(typingctx: Any, number: Any) -> Any:
 
 
 @intrinsic
+def slope_at(typingctx: Any, slopes: Any, place: Any) -> Any:
+    """One of four slopes, as a number."""
+
+    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        index = context.cast(builder, args[1], sig.args[1], types.int32)
+        return builder.extract_element(args[0], index)
+
+    return types.float64(SLOPES, place), codegen
+
+
+@intrinsic
 def view_duals(typingctx: Any, array: Any) -> Any:
     """View a C-contiguous float64 array of shape (..., 8) as an array of duals of shape (...).
 

@@ -26,7 +26,7 @@ def record_stage(
 
 
 @family_function
-def record_step(recorder: Any, scheme: Any, work: Any, good: Any) -> None:
+def record_step(recorder: Any, model: Any, masses: Any, scheme: Any, work: Any, good: Any) -> None:
     """Called when steps have been judged; ``good`` is the mask of those that stand, committed."""
 
 

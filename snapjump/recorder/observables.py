@@ -153,7 +153,9 @@ def _record_stage(
 
 
 @record_step.member(ObservablesRecorder)
-def _record_step(recorder: ObservablesRecorder, scheme: Any, work: Any, good: Any) -> None:
+def _record_step(
+    recorder: ObservablesRecorder, model: Any, masses: Any, scheme: Any, work: Any, good: Any
+) -> None:
     time = work.clock[TIME]
     if any_true(time > recorder.clock[0]):
         recorder.clock[0] = time

@@ -8,14 +8,17 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.contact.base import contact_reach
+from snapjump.discretization.base import node_dofs
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clock import MARK
 from snapjump.engine.differentiate import commit, differentiate_stages
 from snapjump.engine.model import with_numbers
 from snapjump.engine.shadow import Shadow, view_shadow
+from snapjump.frame.base import contact_point, contact_points, frame_dofs
 from snapjump.linear_solver.more_sides import FOUR
-from snapjump.number.dispatch import kernel
-from snapjump.number.dual import dual, slopes_of
+from snapjump.number.dispatch import kernel, routine
+from snapjump.number.dual import PARAMETERS, constant, dual, slope_at, slopes_of, value_of
 from snapjump.number.functions import any_true, where
 from snapjump.number.lane import view_numbers
 from snapjump.recorder.base import (
@@ -29,13 +32,18 @@ from snapjump.recorder.base import (
 Array = NDArray[np.float64]
 
 
+FAR = 1.0e30  # no contact near to being made or broken
+
+
 class SensitivityRecorder(NamedTuple):
     """Of R robots in W lanes.
 
     memory: of the march; shadow: of its lanes; numbers (R, P, 4): derivatives of the model's
     numbers; starts (R, 3, D, 4): of state, velocity and acceleration at the beginning; flights
-    (R, 4, 4): of x, y, vx, vy of the centre of mass at the end; chosen (W): lanes at hand;
-    refinements (1): corrections of a stage's derivatives.
+    (R, 4, 4): of x, y, vx, vy of the centre of mass at the end; grazes (R): the change of one
+    parameter (their slopes taken as they are) that would make or break a contact; falling (W, C):
+    1 for points that came down in the last step; nearest (W): of grazes so far; chosen (W): lanes
+    at hand; corrections (1): of a stage's derivatives.
     """
 
     memory: Any
@@ -43,8 +51,11 @@ class SensitivityRecorder(NamedTuple):
     numbers: Array
     starts: Array
     flights: Array
+    grazes: Array
+    falling: Array
+    nearest: Array
     chosen: NDArray[np.int64]
-    refinements: NDArray[np.int64]
+    corrections: NDArray[np.int64]
 
 
 @kernel
@@ -72,6 +83,9 @@ def _record_robot(recorder: SensitivityRecorder, lane: Any, robot: Any) -> None:
         for slot in range(work.velocity.shape[0]):
             work.velocity[slot, i] = dual(memory.velocity[slot, i, lane], starts[1, i])
             work.acceleration[slot, i] = dual(memory.acceleration[slot, i, lane], starts[2, i])
+    recorder.nearest[lane] = FAR
+    for point in range(recorder.falling.shape[1]):
+        recorder.falling[lane, point] = 0.0
 
 
 @record_start.member(SensitivityRecorder)
@@ -98,15 +112,51 @@ def _record_stage(
         recorder.shadow,
         recorder.chosen,
         count,
-        recorder.refinements[0],
+        recorder.corrections[0],
     )
 
 
+@kernel
+def graze(recorder: Any, lane: Any, point: Any, gap: Any, rise: Any, reach: Any) -> None:
+    """Note how near a point's lowest place is to touching: in parameters, by the gap's slopes."""
+    if rise < 0.0:
+        recorder.falling[lane, point] = 1.0
+    elif recorder.falling[lane, point] > 0.0:
+        recorder.falling[lane, point] = 0.0
+        slopes = slopes_of(gap)
+        steepest = 1e-300
+        for k in range(PARAMETERS):
+            steepest = max(steepest, abs(slope_at(slopes, k)))
+        distance = abs(value_of(gap) - reach) / steepest
+        recorder.nearest[lane] = min(recorder.nearest[lane], distance)
+
+
+@routine
+def look_for_grazes(recorder: Any, template: Any, masses: Any, lane: Any) -> None:
+    """Judge every point of a lane that has stopped falling in the step that was committed."""
+    mesh = recorder.memory.mesh
+    work = view_shadow(recorder.shadow, lane, mesh)
+    model = with_numbers(template, work.numbers)
+    reach = value_of(contact_reach(model.contact) + constant(0.0))
+    corners = contact_points(model.frame, mesh)
+    for point in range(corners):
+        _, gap, _, rise = contact_point(model.frame, mesh, point, work.start, work.velocity[0])
+        graze(recorder, lane, point, gap, value_of(rise), reach)
+    for node in range(masses.shape[0]):
+        if masses[node] > 0.0:
+            i = node_dofs(model.discretization) * node + frame_dofs(model.frame, mesh) + 1
+            rise = recorder.memory.velocity[0, i, lane]
+            graze(recorder, lane, corners + node, work.start[i], rise, reach)
+
+
 @record_step.member(SensitivityRecorder)
-def _record_step(recorder: SensitivityRecorder, scheme: Any, work: Any, good: Any) -> None:
+def _record_step(
+    recorder: SensitivityRecorder, model: Any, masses: Any, scheme: Any, work: Any, good: Any
+) -> None:
     if any_true(good):
         for c in range(marked(recorder, work, good)):
             commit(scheme, recorder.memory, recorder.shadow, recorder.chosen[c])
+            look_for_grazes(recorder, model, masses, recorder.chosen[c])
 
 
 @record_end.member(SensitivityRecorder)
@@ -122,3 +172,4 @@ def _record_end(
     flight[1] = slopes_of(y)
     flight[2] = slopes_of(vx)
     flight[3] = slopes_of(vy)
+    recorder.grazes[robot] = recorder.nearest[lane]

@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_EXCEPTION, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from threading import Event
+from typing import Any
 
 from snapjump.engine.march import Queue
 from snapjump.engine.work import Work
@@ -15,11 +16,12 @@ REPORT_EVERY_S = 0.1
 @dataclass
 class Worker:
     """A thread's memory, its view of the queue (robots and cursor are everyone's, what its lanes
-    carry is its own), and the seconds of a core that its kernels have taken, which do not count
-    while other programs have the core."""
+    carry is its own), its recorder, and the seconds of a core that its kernels have taken, which
+    do not count while other programs have the core."""
 
     memory: Work
     queue: Queue
+    recorder: Any
     kernel_seconds: float = 0.0
 
 

@@ -49,28 +49,35 @@ def frame_mesh(simulation: Simulation, frame: Any) -> Mesh:
 
 
 def rigid_frame(simulation: Simulation, mount_height_bar: float) -> RigidFrame:
-    """A rigid frame.
-
-    The robot's mass less the beam's lies evenly along leg, top, leg; the clamped end nodes of
-    the beam move with it and belong to it.
-    """
+    """A rigid frame whose clamps are ``mount_height_bar`` (in L) above its feet."""
     robot = simulation.robot
     scales = robot.scales
-    width = 1.0 - simulation.design.epsilon
-    height = robot.frame_height_m / scales.length_m
-    mass = simulation.environment.mass_kg(robot) / scales.mass_kg - 1.0
-    end = simulation.discretization.clamped_mass_bar
+    return leg_top_leg(
+        width=1.0 - simulation.design.epsilon,
+        height=robot.frame_height_m / scales.length_m,
+        mass=simulation.environment.mass_kg(robot) / scales.mass_kg - 1.0,
+        end=simulation.discretization.clamped_mass_bar,
+        mount=mount_height_bar,
+    )
+
+
+def leg_top_leg(width: Any, height: Any, mass: Any, end: Any, mount: Any) -> RigidFrame:
+    """A rigid frame of given width, height and height of its mounts (in L); numbers or arrays.
+
+    The robot's ``mass`` less the beam's (in rho A L) lies evenly along leg, top, leg; the clamped
+    end nodes of the beam, each of mass ``end``, move with it and belong to it.
+    """
     leg = mass * height / (2.0 * height + width)
     top = mass * width / (2.0 * height + width)
     total = mass + 2.0 * end
-    centre = (leg * height + top * height + 2.0 * end * mount_height_bar) / total
+    centre = (leg * height + top * height + 2.0 * end * mount) / total
     half = 0.5 * width
     legs = 2.0 * leg * (height**2 / 12.0 + (0.5 * height - centre) ** 2 + half**2)
-    beam_ends = 2.0 * end * (half**2 + (mount_height_bar - centre) ** 2)
+    beam_ends = 2.0 * end * (half**2 + (mount - centre) ** 2)
     inertia = legs + top * (width**2 / 12.0 + (height - centre) ** 2) + beam_ends
     return RigidFrame(
         half_span=half,
-        mount_y=mount_height_bar - centre,
+        mount_y=mount - centre,
         foot_y=-centre,
         top_y=height - centre,
         mass=total,

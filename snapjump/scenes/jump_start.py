@@ -1,5 +1,7 @@
 """A robot at the beginning of its jump: its model, and what refuses to jump."""
 
+from typing import Any
+
 import numpy as np
 
 from snapjump.checks import ParameterError
@@ -31,8 +33,8 @@ def critical(simulation: Simulation) -> Threshold:
         ) from error
 
 
-def fitted_mount_height_bar(epsilon: float) -> float:
-    """The released program's height of the clamps (in L): a fit of its own h1(epsilon)."""
+def fitted_mount_height_bar(epsilon: Any) -> Any:
+    """The released program's heights of the clamps (in L): a fit of its own h1(epsilon)."""
     return 1.01 * (0.02951 + 0.3156 * epsilon - 0.3707 * epsilon**2)
 
 

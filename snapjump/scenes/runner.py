@@ -83,7 +83,7 @@ class March:
         )
         counts = np.array([-1, 0], dtype=np.int64)
         carried = np.full(self.lanes, -1, dtype=np.int64)
-        return Worker(memory, shared._replace(counts=counts, carried=carried))
+        return Worker(memory, shared._replace(counts=counts, carried=carried), self.recorder)
 
     @property
     def kernel_seconds(self) -> float:
@@ -148,7 +148,7 @@ class March:
             self.stepping,
             self.ending,
             Limits(ITERATIONS_PER_STAGE, self.most_iterations),
-            self.recorder,
+            worker.recorder,
             worker.memory,
             worker.queue,
             (0,) * self.lanes,

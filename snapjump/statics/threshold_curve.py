@@ -19,6 +19,7 @@ from snapjump.statics.threshold import symmetric_threshold
 
 Array = NDArray[np.float64]
 NODES = 20
+MARGIN = 0.98
 
 
 def direct(robot: Robot, discretization: Any, compressions: Array) -> Array:
@@ -81,6 +82,12 @@ class ThresholdCurve:
             float(np.abs(angle(roots[between]) - values[0, between]).max()),
             float(np.abs(depth(roots[between]) - values[1, between]).max()),
         )
+
+    @classmethod
+    def over(cls, robot: Robot, discretization: Any, compressions: Array) -> "ThresholdCurve":
+        """The curve that covers all these compressions, and a little more."""
+        low, high = float(np.min(compressions)), float(np.max(compressions))
+        return cls.through(robot, discretization, MARGIN * low, min(high / MARGIN, 0.4))
 
     def covers(self, compression: ArrayLike) -> Any:
         """Whether compressions lie in the curve's range."""

@@ -46,7 +46,7 @@ def richardson(base, design):
 @pytest.mark.parametrize("mount_height", ["optimal", "fitted"])
 def test_against_direct_differences(design, mount_height, curve):
     base = replace(BASE, robot=replace(BASE.robot, mount_height=mount_height))
-    found = model_derivatives(base, design, curve)
+    found = model_derivatives(base, np.array([design]), curve)[0]
     expected = richardson(base, design)
     scale = np.maximum(np.abs(numbers_of(jump_model(variant(base, design)))), 1.0)[:, None]
     assert found.shape == (len(scale), 4)
@@ -54,7 +54,7 @@ def test_against_direct_differences(design, mount_height, curve):
 
 
 def test_numbers_that_do_not_depend_on_the_design_have_no_derivative(curve):
-    found = model_derivatives(BASE, DESIGNS[0], curve)
+    found = model_derivatives(BASE, np.array(DESIGNS[:1]), curve)[0]
     model = jump_model(variant(BASE, DESIGNS[0]))
     rod = len(model.discretization)
     assert (found[:rod] == 0.0).all()
@@ -67,21 +67,21 @@ def test_numbers_that_do_not_depend_on_the_design_have_no_derivative(curve):
     "design", [(0.0, 0.2, 0.768, 0.0), (0.5, 0.31, 0.3, 0.1), (-0.5, 0.09, 0.3, 0.1)]
 )
 def test_at_the_ends_of_the_ranges(design, curve):
-    assert np.isfinite(model_derivatives(BASE, design, curve)).all()
+    assert np.isfinite(model_derivatives(BASE, np.array([design]), curve)).all()
 
 
 def test_the_kink_where_the_clamps_change_places(curve):
     """The left clamp starts later by what it lags, but not earlier by what it leads."""
     model = jump_model(variant(BASE, DESIGNS[0]))
     start = len(model.discretization) + len(model.frame)
-    lags = model_derivatives(BASE, (-1e-9, *DESIGNS[0][1:]), curve)[start, 0]
-    leads = model_derivatives(BASE, (0.0, *DESIGNS[0][1:]), curve)[start, 0]
+    lags = model_derivatives(BASE, np.array([(-1e-9, *DESIGNS[0][1:])]), curve)[0, start, 0]
+    leads = model_derivatives(BASE, np.array([(0.0, *DESIGNS[0][1:])]), curve)[0, start, 0]
     assert leads == 0.0
     assert lags == pytest.approx(1.0, rel=1e-9)
 
 
 def test_refusals(curve):
     with pytest.raises(ParameterError, match="design.epsilon = 0.32"):
-        model_derivatives(BASE, (0.1, 0.32, 0.768, 0.3), curve)
+        model_derivatives(BASE, np.array([(0.1, 0.32, 0.768, 0.3)]), curve)
     with pytest.raises(ParameterError, match="curve = "):
-        model_derivatives(replace(BASE, robot=Robot(length_m=0.03)), DESIGNS[0], curve)
+        model_derivatives(replace(BASE, robot=Robot(length_m=0.03)), np.array(DESIGNS[:1]), curve)

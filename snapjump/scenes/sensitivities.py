@@ -1,0 +1,114 @@
+"""Marches with derivatives of their flights by delta_alpha, epsilon, mass_bar and mu."""
+
+from itertools import count
+
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.checks import ParameterError
+from snapjump.composition import Simulation
+from snapjump.engine.clock import ROWS
+from snapjump.engine.differentiate_start import differentiate_starts
+from snapjump.engine.shadow import make_shadow
+from snapjump.engine.work import Work, make_work
+from snapjump.frame.base import frame_dofs
+from snapjump.integrator.base import is_explicit, slots
+from snapjump.number.announcement import load
+from snapjump.number.dual import PARAMETERS
+from snapjump.number.memory import aligned_zeros
+from snapjump.recorder.sensitivities import FAR, SensitivityRecorder
+from snapjump.scenes.crew import Worker, run_crew
+from snapjump.scenes.runner import March
+
+Array = NDArray[np.float64]
+# Corrections of a stage's derivatives: each shrinks their error about a hundred times.
+CORRECTIONS = 2
+ROBOTS_PER_SLICE = 16
+
+
+def check_differentiable(simulation: Simulation) -> None:
+    """Require modules that sensitivities know. Raises ParameterError naming the first other."""
+    if simulation.name("frame") != "rigid":
+        raise ParameterError("frame", simulation.name("frame"), "rigid with sensitivities")
+    if simulation.name("contact") == "signorini":
+        raise ParameterError("contact", "signorini", "a law that is no impulse, with sensitivities")
+    if is_explicit(simulation.integrator.scheme()):
+        raise ParameterError(
+            "integrator", simulation.name("integrator"), "an implicit one with sensitivities"
+        )
+
+
+def single_memory(march: March) -> Work:
+    """Memory for one robot of a march."""
+    return make_work(
+        len(march.masses),
+        frame_dofs(march.models[0].frame, march.mesh),
+        slots(march.scheme),
+        ROWS,
+        march.numbers.shape[1],
+        1,
+        march.memory.system.residual.shape[0] // len(march.masses),
+        march.mesh,
+    )
+
+
+def differentiated_starts(march: March, numbers: Array) -> Array:
+    """Slopes (R, 3, D, 4) of the starts that a march has found: state, velocity, acceleration.
+
+    numbers (R, P, 4): slopes of its models' numbers.
+    """
+    robots, size = march.queue.state.shape
+    starts = aligned_zeros((robots, 3, size, PARAMETERS))
+    blocks = count()
+
+    def arguments(worker: Worker, first: int, last: int) -> tuple[object, ...]:
+        memory, shadow = singles[id(worker)]
+        fixed = (march.models[0], march.masses, memory, shadow, worker.queue, numbers, starts)
+        return (*fixed, first, last)
+
+    def advance(worker: Worker) -> bool:
+        first = ROBOTS_PER_SLICE * next(blocks)
+        if first >= robots:
+            return True
+        differentiate_starts(*arguments(worker, first, min(first + ROBOTS_PER_SLICE, robots)))
+        return False
+
+    singles = {}
+    for worker in march.crew:
+        memory = single_memory(march)
+        singles[id(worker)] = memory, make_shadow(memory)
+    load(differentiate_starts, *arguments(march.crew[0], 0, 0))
+    run_crew(march.crew, advance, lambda: None)
+    return starts
+
+
+def record_sensitivities(
+    march: March, numbers: Array, corrections: int = CORRECTIONS
+) -> tuple[Array, Array]:
+    """Let a march whose starts are found record derivatives; to be called before it runs.
+
+    numbers (R, P, 4): slopes of the models' numbers. Returns what the march will fill: the slopes
+    (R, 4, 4) of x, y, vx, vy of the centre of mass at the end (L, L/T), and (R) the change of
+    parameters that would make or break a contact.
+    """
+    robots, rows = march.numbers.shape
+    given = aligned_zeros((robots, rows, PARAMETERS))
+    given[...] = numbers
+    starts = differentiated_starts(march, given)
+    flights = aligned_zeros((robots, 4, PARAMETERS))
+    grazes = np.full(robots, FAR)
+    for worker in march.crew:
+        lanes, points = march.lanes, worker.memory.slip.shape[0]
+        worker.recorder = SensitivityRecorder(
+            memory=worker.memory,
+            shadow=make_shadow(worker.memory),
+            numbers=given,
+            starts=starts,
+            flights=flights,
+            grazes=grazes,
+            falling=np.zeros((lanes, points)),
+            nearest=np.zeros(lanes),
+            chosen=np.zeros(lanes, dtype=np.int64),
+            corrections=np.array([corrections]),
+        )
+    return flights, grazes
