@@ -64,9 +64,10 @@ def specify(config: Mapping[str, Any], shard_size: int) -> Specification:
     ParameterError for what no design of the plan could be simulated with.
     """
     check_integer("dataset.shard_size", shard_size, 1, LARGEST_SHARD)
+    scene = (config.get("sim") or {}).get("name", "jump")
+    if scene != "jump":
+        raise ParameterError("sim", scene, "jump, which is what datasets are of")
     simulation = build({**config, "design": {}, "environment": {}})
-    if simulation.scene_name != "jump":
-        raise ParameterError("sim", simulation.scene_name, "jump, which is what datasets are of")
     options = dataset_member("plan", config.get("plan"))
     check_lightest(simulation, options)
     configuration = {
