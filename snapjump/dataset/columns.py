@@ -100,7 +100,7 @@ def content_sha256(table: "pa.Table") -> str:
     """A hash of every value but timings, whatever file and compression they lie in.
 
     Each column counts with its name and its values as little-endian bytes: numbers as float64,
-    nulls as NaN; integers as int64; flags as a byte, nulls as 2; words in UTF-8, ended by newline.
+    nulls as NaN; integers as int64, nulls as -1; flags as a byte, nulls as 2; words in UTF-8, ended by newline.
     """
     digest = hashlib.sha256()
     for column in COLUMNS:
@@ -117,7 +117,7 @@ def _canonical(column: Column, values: Any) -> bytes:
     if column.kind == FLAG:
         return bytes({None: 2}.get(flag, int(bool(flag))) for flag in values.to_pylist())
     if column.kind == INTEGER:
-        return values.to_numpy(zero_copy_only=False).astype("<i8").tobytes()
+        return bytes(values.fill_null(-1).to_numpy().astype("<i8").tobytes())
     numbers = values.to_numpy(zero_copy_only=False).astype("<f8")
     numbers[np.isnan(numbers)] = np.nan
     return bytes(numbers.tobytes())
