@@ -100,7 +100,8 @@ def content_sha256(table: "pa.Table") -> str:
     """A hash of every value but timings, whatever file and compression they lie in.
 
     Each column counts with its name and its values as little-endian bytes: numbers as float64,
-    nulls as NaN; integers as int64, nulls as -1; flags as a byte, nulls as 2; words in UTF-8, ended by newline.
+    nulls as NaN; integers as int64, nulls as -1; flags as a byte, nulls as 2; words in UTF-8,
+    each ended by a newline.
     """
     digest = hashlib.sha256()
     for column in COLUMNS:

@@ -22,7 +22,7 @@ CPU = ("scalar", "lanes")
 
 @dataclass(frozen=True)
 class Specification:
-    """``plain``: all of it as JSON; ``simulation``: that of any of its jumps, but for the design."""
+    """``plain``: all of it as JSON; ``simulation``: that of its jumps, but for the design."""
 
     plain: Mapping[str, Any]
     simulation: Simulation

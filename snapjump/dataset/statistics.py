@@ -66,7 +66,8 @@ def bin_edges(plan: dict[str, Any], rows: int) -> Array:
     if points <= MOST_BINS:
         return np.array([_around(plan[axis], points) for axis in AXES])
     bins = int(np.clip(np.sqrt(rows) / 3.0, FEWEST_BINS, MOST_BINS))
-    return np.array([np.linspace(*plan[axis], bins + 1) for axis in AXES])
+    low, high = np.array([plan[axis] for axis in AXES]).T
+    return np.linspace(low, high, bins + 1, axis=1)
 
 
 def _around(limits: Range, points: int) -> Array:
@@ -139,4 +140,5 @@ def _places(values: Array, edges: Array) -> NDArray[np.int64]:
 
 
 def _counted(cells: NDArray[np.int64], bins: int, weights: Array | None = None) -> Array:
-    return np.bincount(cells, weights, minlength=bins * bins).reshape(bins, bins)
+    counts = np.bincount(cells, weights, minlength=bins * bins)
+    return counts.reshape(bins, bins).astype(np.float64)

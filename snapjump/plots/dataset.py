@@ -30,7 +30,9 @@ EMPTY = palette.PALE  # a bin without a jump
 def draw_dataset(statistics: "Statistics", title: str, path: Path) -> None:
     """Outcomes against each input, their distribution, and their means over pairs of inputs."""
     with picture(path, (14.0, 12.6), title) as figure:
-        _heading(figure, 0.947, "Against each input: median, middle half and 5 to 95 % of the jumps")
+        _heading(
+            figure, 0.947, "Against each input: median, middle half and 5 to 95 % of the jumps"
+        )
         for row, outcome in enumerate((1, 0)):
             bottom = 0.76 - 0.2 * row
             for axis in range(4):
@@ -129,7 +131,9 @@ def _distribution(axes: Any, statistics: "Statistics", outcome: int) -> None:
     middles = 0.5 * (levels[1:] + levels[:-1])
     share, _ = np.histogram(middles, edges, weights=counts)
     share = 100.0 * share / max(counts.sum(), 1.0) / (edges[1] - edges[0])
-    axes.stairs(share, edges, orientation="horizontal", fill=True, color=COLOURS[outcome], alpha=0.5)
+    axes.stairs(
+        share, edges, orientation="horizontal", fill=True, color=COLOURS[outcome], alpha=0.5
+    )
     axes.set_ylim(low, high)
     axes.set_xlim(left=0.0)
     axes.grid(True)

@@ -99,7 +99,9 @@ class GenerateDataset:
         if "rows" not in found:
             return lines
         statuses = {k[5:]: n for k, n in found.items() if k.startswith("rows_") and n}
-        told = [f"{n:,} {status}" for status, n in statuses.items() if status not in ("made", "kept")]
+        told = [
+            f"{n:,} {status}" for status, n in statuses.items() if status not in ("made", "kept")
+        ]
         rate = found["jumps_per_second"]
         speed = f"{number(rate)} jumps/s, {number(found['jumps_per_second_core'])} a core"
         return [
@@ -153,7 +155,7 @@ def check_keys(keys: Mapping[str, Any]) -> None:
 
 
 def summary(folder: "DatasetFolder", generation: "Generation") -> dict[str, Any]:
-    """The flat numbers of result.json. Speeds are of what this run made, null if that is nothing."""
+    """The flat numbers of result.json; speeds are of what this run made, null if nothing."""
     manifest = generation.manifest
     rate = generation.made / generation.seconds if generation.made else None
     return {

@@ -3,7 +3,7 @@
 import numpy as np
 import pyarrow as pa
 import pytest
-from datasets import made_up_rows, small
+from small_datasets import made_up_rows, small
 
 from snapjump.dataset.columns import COLUMNS, NAMES, content_sha256, schema, table_of
 

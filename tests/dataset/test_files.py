@@ -6,7 +6,7 @@ import random
 
 import pyarrow.parquet as pq
 import pytest
-from datasets import made_up, made_up_rows, small
+from small_datasets import made_up, made_up_rows, small
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.columns import content_sha256, schema
@@ -162,9 +162,7 @@ def test_a_folder_made_by_other_sources_is_refused(tmp_path):
 def test_a_folder_of_something_else_is_refused(tmp_path):
     (tmp_path / "thesis.txt").write_text("")
     assert "a new folder" in first_error(DatasetFolder(tmp_path), SPECIFICATION)
-    assert "this is a file" in first_error(
-        DatasetFolder(tmp_path / "thesis.txt"), SPECIFICATION
-    )
+    assert "this is a file" in first_error(DatasetFolder(tmp_path / "thesis.txt"), SPECIFICATION)
     made_up(tmp_path / "data", SPECIFICATION)
     (tmp_path / "data" / "dataset.json").write_text("{")
     assert "not damaged" in first_error(DatasetFolder(tmp_path / "data"), SPECIFICATION)

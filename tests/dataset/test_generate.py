@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from datasets import BACKEND, generated, small
+from small_datasets import BACKEND, generated, small
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.folder import DatasetFolder

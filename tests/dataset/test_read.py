@@ -5,7 +5,7 @@ import tracemalloc
 import numpy as np
 import pyarrow as pa
 import pytest
-from datasets import made_up, made_up_rows, small
+from small_datasets import made_up, made_up_rows, small
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.columns import NAMES

@@ -1,7 +1,7 @@
 """What determines a dataset, and what does not."""
 
 import pytest
-from datasets import CONFIG, small
+from small_datasets import CONFIG, small
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.specification import first_difference, restored, specify

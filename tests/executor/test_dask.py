@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from datasets import BACKEND, OVERRIDES, generated, small
+from small_datasets import BACKEND, OVERRIDES, generated, small
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.read import open_dataset
@@ -95,8 +95,10 @@ def test_workers_started_here_by_the_command_line(command, tmp_path: Path) -> No
     assert done.returncode == 0, done.stderr
     assert "24 now" in done.stdout
     generated(tmp_path / "local", small())
-    assert open_dataset(tmp_path / "d").table(["index", "x_bar"]).equals(
-        open_dataset(tmp_path / "local").table(["index", "x_bar"])
+    assert (
+        open_dataset(tmp_path / "d")
+        .table(["index", "x_bar"])
+        .equals(open_dataset(tmp_path / "local").table(["index", "x_bar"]))
     )
 
 

@@ -2,7 +2,8 @@
 
 from pathlib import Path
 
-from datasets import OVERRIDES
+from small_datasets import OVERRIDES
+
 from experiments.faults import faults
 
 SMALL = ("plan=sobol", "plan.count=192", "dataset.shard_size=8", *OVERRIDES)
