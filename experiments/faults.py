@@ -25,8 +25,11 @@ from snapjump.dataset.sealed import read_sealed, sha256_of
 from snapjump.dataset.shard import read_entry
 
 RUN = Path(__file__).resolve().parents[1] / "run.py"
-# Of what is left to do, what an undisturbed attempt would do before it is killed at the latest.
-SHARE_OF_ATTEMPT = 0.9
+# Kills fall between this share of the time that a run needs to begin, and so late that all of
+# them together leave something to do.
+EARLIEST = 0.6
+LATEST = 1.8
+LOOK_EVERY_S = 0.02
 
 
 @dataclass
@@ -44,11 +47,18 @@ def command(path: Path, overrides: Sequence[str]) -> list[str]:
     return [sys.executable, str(RUN), *own, *overrides]
 
 
-def run_through(path: Path, overrides: Sequence[str]) -> float:
-    """Make the dataset; returns the seconds it took."""
+def run_through(path: Path, overrides: Sequence[str]) -> tuple[float, float]:
+    """Make the dataset; returns the seconds until it had a shard, and until it had all."""
     begun = time.perf_counter()
-    subprocess.run(command(path, overrides), cwd=path.parent, check=True, capture_output=True)
-    return time.perf_counter() - begun
+    process = subprocess.Popen(command(path, overrides), cwd=path.parent, stdout=subprocess.DEVNULL)
+    first_s = 0.0
+    while process.poll() is None:
+        if not first_s and any(path.glob("shards/*.json")):
+            first_s = time.perf_counter() - begun
+        time.sleep(LOOK_EVERY_S)
+    if process.returncode:
+        raise subprocess.CalledProcessError(process.returncode, process.args)
+    return first_s, time.perf_counter() - begun
 
 
 def run_killed(path: Path, overrides: Sequence[str], after_s: float) -> bool:
@@ -80,23 +90,20 @@ def look(path: Path) -> tuple[int, list[str]]:
     return len(numbers), [reason for reason in found if reason]
 
 
-def faults(
-    folder: Path, kills: int, overrides: Sequence[str], start_s: float, seed: int
-) -> dict[str, Any]:
-    """Make a dataset undisturbed and one that is killed, and compare. ``start_s``: time that a
-    run needs before it computes."""
+def faults(folder: Path, kills: int, overrides: Sequence[str], seed: int) -> dict[str, Any]:
+    """Make a dataset undisturbed and one that is killed, and compare."""
     undisturbed, disturbed = folder / "undisturbed", folder / "disturbed"
-    seconds = run_through(undisturbed, overrides)
-    step = SHARE_OF_ATTEMPT * max(seconds - start_s, 0.0) / kills
+    start_s, seconds = run_through(undisturbed, overrides)
+    latest_s = start_s + LATEST * (seconds - start_s) / kills
     chance = random.Random(seed)
     done: list[Kill] = []
     begun = time.perf_counter()
     while len(done) < kills:
-        after_s = chance.uniform(0.0, start_s + 2.0 * step)
+        after_s = chance.uniform(EARLIEST * start_s, latest_s)
         if not run_killed(disturbed, overrides, after_s):
             break
         done.append(Kill(round(after_s, 3), *look(disturbed)))
-    last = run_through(disturbed, overrides)
+    _, last = run_through(disturbed, overrides)
     manifests = [(path / "manifest.json").read_bytes() for path in (undisturbed, disturbed)]
     left = [file.name for file in (disturbed / "shards").glob(".*")]
     content = json.loads(manifests[0])
@@ -123,7 +130,6 @@ def main() -> None:
     parser.add_argument("--designs", type=int, default=4096)
     parser.add_argument("--shard-size", type=int, default=64)
     parser.add_argument("--accuracy", default="draft")
-    parser.add_argument("--start-seconds", type=float, default=4.0)
     parser.add_argument("--seed", type=int, default=0)
     given = parser.parse_args()
     overrides = (
@@ -133,7 +139,7 @@ def main() -> None:
         f"accuracy={given.accuracy}",
     )
     with tempfile.TemporaryDirectory() as folder:
-        found = faults(Path(folder), given.kills, overrides, given.start_seconds, given.seed)
+        found = faults(Path(folder), given.kills, overrides, given.seed)
     print(json.dumps(found, indent=2))
 
 

@@ -54,9 +54,13 @@ def generate(
         missing = look(folder, specification, numbers, generation.damaged)
         generation.kept = rows_of(specification, set(numbers) - set(missing))
         with executor:
-            generation.cores = executor.cores
+            asked = dict(backend)
+            if asked["name"] == "lanes" and asked.get("threads") is None:
+                asked["threads"] = executor.threads
+            threads = asked.get("threads") or executor.cores
+            generation.cores = min(executor.cores, executor.at_once * threads)
             for _ in range(ROUNDS if missing else 0):
-                _make(folder, specification, executor, backend, missing, generation, progress)
+                _make(folder, specification, executor, asked, missing, generation, progress)
                 missing = look(folder, specification, missing, [])
                 if not missing:
                     break
@@ -98,12 +102,9 @@ def _make(
     progress: Progress,
 ) -> None:
     """Make shards, counting rows and time."""
-    asked = dict(backend)
-    if executor.threads is not None and asked.get("threads", 0) is None:
-        asked["threads"] = executor.threads
     total = rows_of(specification, set(missing))
     pace = Pace(generation.kept + total, generation.kept, progress)
-    jobs = [job_of(folder, specification, asked, number) for number in missing]
+    jobs = [job_of(folder, specification, backend, number) for number in missing]
     try:
         answers = executor.answers(
             make_shard, jobs, lambda share: pace.show(share * specification.shard_size)

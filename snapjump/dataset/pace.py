@@ -3,6 +3,8 @@
 import time
 from collections.abc import Callable
 
+from snapjump.batch.progress import duration
+
 Tell = Callable[[float, str], None]
 
 
@@ -28,10 +30,3 @@ class Pace:
         if made > 0:
             text += f", {rate:.3g}/s, {duration(left / rate)} left"
         self._tell((self.kept + made) / self.count, text)
-
-
-def duration(seconds: float) -> str:
-    """A time for reading: 45 s, 12 min, 3.2 h."""
-    if seconds < 100.0:
-        return f"{seconds:.0f} s"
-    return f"{seconds / 60:.0f} min" if seconds < 6000.0 else f"{seconds / 3600:.1f} h"

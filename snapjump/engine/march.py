@@ -52,6 +52,7 @@ from snapjump.engine.status import (
 )
 from snapjump.engine.view import view_work
 from snapjump.integrator.base import ends_in_a_stage, error_order, is_explicit, stage_count
+from snapjump.number.atomic import fetch_add
 from snapjump.number.dispatch import routine
 from snapjump.number.functions import any_true, maximum, minimum, negate, where
 from snapjump.recorder.base import record_stage, record_start, record_step
@@ -73,7 +74,9 @@ class Queue(NamedTuple):
 
     numbers (R, P): of each model; state, velocity, acceleration (R, D): at its beginning;
     status (R): 0 to march, else skipped; outcome (R, ROWS): the lane's clock at its end;
-    cursor (2): next robot, robots still under way; carried (W): which robot each lane carries.
+    cursor (2): next robot to find the start of, and to march. Threads share all these. Each has
+    its own counts (2): robots under way (-1 before the first pass), passes done; and carried (W):
+    which robot each lane carries.
     """
 
     numbers: NDArray[np.float64]
@@ -83,6 +86,7 @@ class Queue(NamedTuple):
     status: NDArray[np.float64]
     outcome: NDArray[np.float64]
     cursor: NDArray[np.int64]
+    counts: NDArray[np.int64]
     carried: NDArray[np.int64]
 
 
@@ -117,26 +121,35 @@ def load_robot(memory: Any, lane: int, queue: Any, robot: int, step: float) -> N
 @routine
 def refill(memory: Any, lane: int, queue: Any, step: float) -> None:
     """Give a lane the next robot of the queue, or let it idle on the one it has."""
-    while queue.cursor[0] < queue.status.shape[0]:
-        robot = queue.cursor[0]
-        queue.cursor[0] += 1
+    while True:
+        robot = fetch_add(queue.cursor, 1, 1)
+        if robot >= queue.status.shape[0]:
+            memory.clock[ACTIVE, lane] = 0.0
+            queue.carried[lane] = -1
+            return
         if queue.status[robot] == RUNNING:
             load_robot(memory, lane, queue, robot, step)
             queue.carried[lane] = robot
-            queue.cursor[1] += 1
+            queue.counts[0] += 1
             return
         queue.outcome[robot, STATUS] = queue.status[robot]
-    memory.clock[ACTIVE, lane] = 0.0
-    queue.carried[lane] = -1
 
 
-@njit(cache=True, error_model="numpy")
-def find_starts(template: Any, masses: Any, memory: Any, queue: Queue, lanes: Any) -> None:
-    """Follow every queued robot's static branch from the guess in ``queue.state`` to its start."""
+@njit(cache=True, error_model="numpy", nogil=True)
+def find_starts(
+    template: Any, masses: Any, memory: Any, queue: Queue, lanes: Any, blocks: int
+) -> bool:
+    """Follow queued robots' static branches from the guess in ``queue.state`` to their starts.
+
+    At most ``blocks`` times as many robots as there are lanes; True when none is left.
+    """
     width = memory.clock.shape[1]
     robots = queue.status.shape[0]
     work = view_work(memory, lanes)
-    for first in range(0, robots, width):
+    for _ in range(blocks):
+        first = fetch_add(queue.cursor, 0, width)
+        if first >= robots:
+            return True
         for lane in range(width):
             robot = min(first + lane, robots - 1)
             load_robot(memory, lane, queue, robot, 1.0)
@@ -150,9 +163,10 @@ def find_starts(template: Any, masses: Any, memory: Any, queue: Queue, lanes: An
                     queue.state[robot, i] = memory.start[i, lane]
                     queue.velocity[robot, i] = memory.velocity[0, i, lane]
                     queue.acceleration[robot, i] = memory.acceleration[0, i, lane]
+    return False
 
 
-@njit(cache=True, error_model="numpy")
+@njit(cache=True, error_model="numpy", nogil=True)
 def march(
     template: Any,
     masses: Any,
@@ -168,7 +182,8 @@ def march(
 ) -> bool:
     """Simulate the queue's robots for at most ``passes`` passes; True when none is left.
 
-    All state is in ``memory`` and ``queue``: calling again goes on. ``lanes`` is a tuple whose
+    All state is in ``memory`` and ``queue``: calling again goes on; threads that share the queue
+    each have their own memory, counts and carried. ``lanes`` is a tuple whose
     length is the number of lanes (see :func:`snapjump.number.lane.view_numbers`).
     """
     width = memory.clock.shape[1]
@@ -176,19 +191,21 @@ def march(
     clock = work.clock
     last_stage = 1.0 * stage_count(scheme)
     step = first_step(stepping)
-    if queue.cursor[0] == 0:
+    if queue.counts[0] < 0:
+        queue.counts[0] = 0
         for lane in range(width):
             load_robot(memory, lane, queue, 0, step)
             refill(memory, lane, queue, step)
-        if queue.cursor[1] == 0:
+        if queue.counts[0] == 0:
             return True
         model = with_numbers(template, work.numbers)
         begin_stage(model, scheme, masses, work, clock[ACTIVE] >= 0.0)
         record_start(recorder, model, masses, work)
 
     for _ in range(passes):
-        if queue.cursor[1] == 0:
+        if queue.counts[0] == 0:
             return True
+        queue.counts[1] += 1
         model = with_numbers(template, work.numbers)
         active = clock[ACTIVE] > 0.0
         h = clock[STEP]
@@ -237,13 +254,13 @@ def march(
                 if memory.clock[STATUS, lane] > 0.0:
                     for k in range(memory.clock.shape[0]):
                         queue.outcome[queue.carried[lane], k] = memory.clock[k, lane]
-                    queue.cursor[1] -= 1
+                    queue.counts[0] -= 1
                     refill(memory, lane, queue, step)
                     memory.clock[STATUS, lane] = 0.0
             model = with_numbers(template, work.numbers)
         if any_true(restage):
             begin_stage(model, scheme, masses, work, restage)
-    return queue.cursor[1] == 0
+    return queue.counts[0] == 0
 
 
 @routine

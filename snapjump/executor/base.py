@@ -24,6 +24,10 @@ class Executor(Protocol):
         """Processor cores that work at once."""
 
     @property
+    def at_once(self) -> int:
+        """Jobs that are done at once."""
+
+    @property
     def threads(self) -> int | None:
         """Threads that a job is to use; None: as many as its process has cores."""
 

@@ -72,6 +72,10 @@ class DaskExecutor:
         return max(1, sum(len(cores) for cores in machines.values()))
 
     @property
+    def at_once(self) -> int:
+        return sum(self._client.nthreads().values())
+
+    @property
     def threads(self) -> int | None:
         if self.scheduler is not None:
             return None

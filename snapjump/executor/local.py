@@ -23,6 +23,10 @@ class LocalExecutor:
         return len(os.sched_getaffinity(0))
 
     @property
+    def at_once(self) -> int:
+        return 1
+
+    @property
     def threads(self) -> None:
         return None
 

@@ -1,6 +1,5 @@
 """Running a march from Python: slices of it, so that progress shows and Ctrl-C works."""
 
-import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
@@ -13,23 +12,28 @@ from snapjump.discretization.base import node_dofs
 from snapjump.engine.clock import ROWS, TIME
 from snapjump.engine.march import Limits, Queue, find_starts, march
 from snapjump.engine.model import Model, numbers_of
-from snapjump.engine.work import NO_MESH, Work, make_work
+from snapjump.engine.work import NO_MESH, make_work
 from snapjump.frame.base import frame_dofs
 from snapjump.integrator.base import slots
 from snapjump.number.announcement import load
 from snapjump.recorder.none import NoRecorder
+from snapjump.scenes.crew import Worker, run_crew
 
 Array = NDArray[np.float64]
 Progress = Callable[[float, str], None]
 ITERATIONS_PER_STAGE = 25.0
 MOST_ITERATIONS = 2.0e6
 PASSES_PER_SLICE = 2000
+BLOCKS_PER_SLICE = 10
 
 
 @dataclass
 class March:
     """Robots of one composition and one mesh of their frames, their beginnings, and the memory they
-    are simulated in."""
+    are simulated in: ``lanes`` at a time in each of ``threads``, which take them from one queue.
+
+    ``memory`` and ``queue`` are those of the first thread.
+    """
 
     models: list[Model]
     masses: Array
@@ -38,6 +42,7 @@ class March:
     ending: Any
     recorder: Any = NoRecorder()
     lanes: int = 1
+    threads: int = 1
     velocities: Array | None = None
     accelerations: Array | None = None
     most_iterations: float = MOST_ITERATIONS
@@ -47,7 +52,7 @@ class March:
         robots, size = self.states.shape
         zeros = np.zeros((robots, size))
         self.numbers = np.array([numbers_of(m) for m in self.models])
-        self.queue = Queue(
+        shared = Queue(
             numbers=self.numbers,
             state=self.states.copy(),
             velocity=zeros if self.velocities is None else self.velocities.copy(),
@@ -55,11 +60,18 @@ class March:
             status=np.zeros(robots),
             outcome=np.zeros((robots, ROWS)),
             cursor=np.zeros(2, dtype=np.int64),
+            counts=np.zeros(2, dtype=np.int64),
             carried=np.zeros(self.lanes, dtype=np.int64),
         )
         self.scheme = self.simulation.integrator.scheme()
         self.stepping = self.simulation.stepping.member(self.simulation.robot.scales)
-        self.memory: Work = make_work(
+        threads = max(1, min(self.threads, -(-robots // self.lanes)))
+        self.crew = [self._worker(shared) for _ in range(threads)]
+        self.memory, self.queue = self.crew[0].memory, self.crew[0].queue
+
+    def _worker(self, shared: Queue) -> Worker:
+        """A thread's share of the queue and memory of its own."""
+        memory = make_work(
             len(self.masses),
             frame_dofs(self.models[0].frame, self.mesh),
             slots(self.scheme),
@@ -69,26 +81,67 @@ class March:
             node_dofs(self.models[0].discretization),
             self.mesh,
         )
-        self.kernel_seconds = 0.0
+        counts = np.array([-1, 0], dtype=np.int64)
+        carried = np.full(self.lanes, -1, dtype=np.int64)
+        return Worker(memory, shared._replace(counts=counts, carried=carried))
 
-    def find_starts(self) -> None:
-        """Replace the states by the equilibria that the march begins from."""
-        arguments = (self.models[0], self.masses, self.memory)
+    @property
+    def kernel_seconds(self) -> float:
+        """What the kernels have taken so far, all threads added up."""
+        return sum(worker.kernel_seconds for worker in self.crew)
+
+    @property
+    def passes(self) -> int:
+        """Newton iterations of all lanes of a thread, idle ones too; all threads added up."""
+        return int(sum(worker.queue.counts[1] for worker in self.crew))
+
+    def _done(self) -> float:
+        """Share of the robots that have left the queue and their lanes; of one, its time's."""
+        robots = len(self.models)
+        if robots == 1:
+            return float(min(self.memory.clock[TIME, 0] / self.ending.duration, 1.0))
+        under_way = sum(max(0, int(worker.queue.counts[0])) for worker in self.crew)
+        return (min(int(self.queue.cursor[1]), robots) - under_way) / robots
+
+    def find_starts(self, progress: Progress | None = None) -> None:
+        """Replace the states by the equilibria that the march begins from.
+
+        ``progress`` is told the share of the robots whose start is found, or being looked for.
+        """
+        model, masses = self.models[0], self.masses
         lanes = (0,) * self.lanes
-        nobody = self.queue._replace(
-            numbers=self.numbers[:0], status=self.queue.status[:0], outcome=self.queue.outcome[:0]
-        )
-        load(find_starts, *arguments, nobody, lanes)
-        begun = time.perf_counter()
-        find_starts(*arguments, self.queue, lanes)
-        self.kernel_seconds += time.perf_counter() - begun
+        robots = len(self.models)
+        load(find_starts, model, masses, self.memory, self.queue, lanes, 0)
+
+        def advance(worker: Worker) -> bool:
+            return find_starts(model, masses, worker.memory, worker.queue, lanes, BLOCKS_PER_SLICE)
+
+        def report() -> None:
+            if progress is not None:
+                progress(min(int(self.queue.cursor[0]), robots) / robots, "finding starts")
+
+        run_crew(self.crew, advance, report)
 
     def run(self, progress: Progress | None = None) -> Array:
         """Simulate all robots; returns the outcome (robots, ROWS).
 
-        ``progress`` is told the share of the time limit that has been simulated.
+        ``progress`` is told the share of the robots that are done, or of one robot's time limit.
         """
-        arguments = (
+
+        def advance(worker: Worker) -> bool:
+            return march(*self._arguments(worker), PASSES_PER_SLICE)
+
+        def report() -> None:
+            if progress is not None:
+                progress(self._done(), "marching")
+
+        load(march, *self._arguments(self.crew[0]), 0)
+        run_crew(self.crew, advance, report)
+        return self.queue.outcome
+
+    def _arguments(self, worker: Worker) -> tuple[Any, ...]:
+        """What a march of a thread's lanes is called with, less the number of passes."""
+        return (
             self.models[0],
             self.masses,
             self.scheme,
@@ -96,17 +149,7 @@ class March:
             self.ending,
             Limits(ITERATIONS_PER_STAGE, self.most_iterations),
             self.recorder,
-            self.memory,
-            self.queue,
+            worker.memory,
+            worker.queue,
             (0,) * self.lanes,
         )
-        load(march, *arguments, 0)
-        done = False
-        while not done:
-            begun = time.perf_counter()
-            done = march(*arguments, PASSES_PER_SLICE)
-            self.kernel_seconds += time.perf_counter() - begun
-            if progress is not None:
-                share = self.memory.clock[TIME, 0] / self.ending.duration
-                progress(float(min(share, 1.0)), "marching")
-        return self.queue.outcome

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import eig_banded
+from scipy.linalg import eig_banded, solveh_banded
 
 from snapjump.clamp.base import ClampAngles
 from snapjump.clamp.constant_rate import ConstantRate
@@ -23,6 +23,7 @@ from snapjump.options.discretization import DiscretizationOptions
 from snapjump.parameters.robot import Robot
 from snapjump.statics.chain_state import chain_state
 from snapjump.statics.elastica import buckled_arch, resampled
+from snapjump.statics.lowest_point import lowest_height
 
 Array = NDArray[np.float64]
 
@@ -48,13 +49,8 @@ class Equilibrium:
 
     @property
     def lowest(self) -> float:
-        """Height of the lowest point (in L), by the parabola through the lowest three nodes."""
-        k = int(np.argmin(self.y))
-        if k in (0, len(self.y) - 1):
-            return float(self.y[k])
-        before, here, after = self.y[k - 1 : k + 2]
-        bend = before - 2.0 * here + after
-        return float(here - (after - before) ** 2 / (8.0 * bend))
+        """Height of the lowest point (in L), between nodes."""
+        return lowest_height(self.y)
 
 
 class StaticArch:
@@ -126,6 +122,23 @@ class StaticArch:
             self.tangent_band(), lower=True, eigvals_only=True, select="i", select_range=(0, 2)
         )
         return float(values[0]), int(np.sum(values < 0.0))
+
+    def asymmetric_stiffness(self) -> float:
+        """1 / (c K^-1 c) of the last tangent K, c being one full wave of the heights.
+
+        On the symmetric branch only antisymmetric modes answer to c: this is positive where they
+        are stable and vanishes with the smallest of their eigenvalues, and costs far less than
+        that. Raises ArithmeticError if the state is unstable.
+        """
+        nodes = len(self.masses)
+        wave = np.zeros((nodes - 2, self.node_dofs))
+        wave[:, 1] = np.sin(2.0 * np.pi * np.arange(1, nodes - 1) / (nodes - 1))
+        push = wave.ravel()
+        try:
+            answer = solveh_banded(self.tangent_band(), push, lower=True)
+        except np.linalg.LinAlgError as error:
+            raise ArithmeticError("the arch is not stable") from error
+        return 1.0 / float(push @ answer)
 
     def critical_mode(self) -> Array:
         """Unit eigenvector of the last tangent's smallest eigenvalue, over free coordinates."""

@@ -1,9 +1,9 @@
 """The symmetrically rotated arch's critical angle and depth, quickly: what every jump needs.
 
-On the symmetric branch the clamp angle, the smallest eigenvalue of the tangent and the depth of
-the lowest point are analytic in the height of the midpoint (in the angle they are not: the
-branch's fold is only a percent away). So they are taken a few percent below the pitchfork, where
-everything is well conditioned, and extrapolated to a vanishing eigenvalue.
+On the symmetric branch the clamp angle, the stiffness against the asymmetric mode and the nodes'
+places are analytic in the height of the midpoint (in the angle they are not: the branch's fold is
+only a percent away). So they are taken a few percent below the pitchfork, where everything is
+well conditioned, and extrapolated to a vanishing stiffness.
 :func:`snapjump.statics.critical.find_snap` walks the branch itself (compared in tests/statics).
 """
 
@@ -11,11 +11,14 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.polynomial import Polynomial
+from numpy.typing import NDArray
 
 from snapjump.options.discretization import DiscretizationOptions
 from snapjump.parameters.robot import Robot
 from snapjump.statics.arch import StaticArch
+from snapjump.statics.lowest_point import lowest_height
+
+Array = NDArray[np.float64]
 
 APPROACH_STEPS = 10
 MOST_DEVIATION = 0.4  # of the critical angle from its estimate
@@ -29,6 +32,15 @@ class Threshold:
 
     alpha_rad: float
     h1_bar: float
+
+
+def extrapolated(places: Array, values: Array, place: float) -> Array:
+    """The polynomial through values (n, ...) at so many places, at another one."""
+    weights = [
+        np.prod([(place - other) / (here - other) for other in places if other != here])
+        for here in places
+    ]
+    return np.tensordot(weights, values, 1)
 
 
 @lru_cache(maxsize=65536)
@@ -52,21 +64,20 @@ def symmetric_threshold(
         state = arch.settle(state, angle, angle)
         history.append(state)
 
+    nodes = len(arch.masses)
     guess = float(estimate)
     for shares in ROUNDS:
-        rows = []
-        for share in shares:
-            state = arch.settle(state, share * guess, share * guess)
-            stability = arch.stability()[0]
-            shape = arch.equilibrium(state, share * guess, share * guess)
-            rows.append((shape.midpoint, share * guess, stability, -shape.lowest))
-        middle, angle, stability, depth = np.array(rows).T
-        if not np.all(stability > 0.0):
-            raise ArithmeticError(f"no clear critical angle near {guess:g} rad")
-        degree = len(shares) - 1
-        critical = float(Polynomial.fit(stability, middle, degree)(0.0))
-        guess = float(Polynomial.fit(middle, angle, degree)(critical))
+        angles = np.array(shares) * guess
+        states, stiffnesses = [], []
+        for angle in angles:
+            state = arch.settle(state, angle, angle)
+            states.append(state)
+            stiffnesses.append(arch.asymmetric_stiffness())
+        heights = np.array(states)[:, 1 :: arch.node_dofs]
+        middles = 0.5 * (heights[:, (nodes - 1) // 2] + heights[:, nodes // 2])
+        critical = float(extrapolated(np.array(stiffnesses), middles, 0.0))
+        guess = float(extrapolated(middles, angles, critical))
         # Too shallow an arch, or too coarse a mesh for it: the branch is not one that snaps.
         if not abs(guess - estimate) < MOST_DEVIATION * estimate:
             raise ArithmeticError(f"no critical angle near {estimate:g} rad")
-    return Threshold(guess, float(Polynomial.fit(middle, depth, degree)(critical)))
+    return Threshold(guess, -lowest_height(extrapolated(middles, heights, critical)))

@@ -6,6 +6,7 @@ from robots import DESIGNS, small_march
 
 from snapjump.engine import clock as c
 from snapjump.engine.status import OK
+from snapjump.scenes import runner
 
 
 @pytest.fixture(scope="session")
@@ -57,7 +58,7 @@ def test_outcomes_do_not_depend_on_the_order_of_the_queue(starts, alone, seed):
     shuffled = [values[order] for values in starts]
     march = small_march([DESIGNS[k] for k in order], 8, shuffled)
     assert np.array_equal(march.run(), alone[order])
-    assert march.queue.cursor.tolist() == [len(DESIGNS), 0]
+    assert march.queue.counts[0] == 0
     assert (march.queue.carried == -1).all()
 
 
@@ -81,3 +82,47 @@ def test_starts_in_lanes_are_those_of_single_robots(starts):
     assert not march.queue.status.any()
     for found, expected in zip(march.queue[1:4], starts, strict=True):
         assert np.array_equal(found, expected)
+
+
+@pytest.mark.parametrize(("width", "threads"), [(1, 3), (2, 2), (2, 5), (8, 2)])
+def test_outcomes_do_not_depend_on_the_threads(starts, alone, width, threads):
+    march = small_march(DESIGNS, width, starts, threads=threads)
+    assert len(march.crew) == threads
+    assert np.array_equal(march.run(), alone)
+
+
+def test_workers_that_take_turns_share_one_queue(starts, alone, monkeypatch):
+    """Slices of three workers in an order that no race decides: each gets its part."""
+    monkeypatch.setattr(runner, "PASSES_PER_SLICE", 7)
+    monkeypatch.setattr(runner, "run_crew", take_turns)
+    march = small_march(DESIGNS, 2, starts, threads=3)
+    shares = []
+    assert np.array_equal(march.run(lambda share, text: shares.append(share)), alone)
+    assert all(worker.queue.counts[1] > 100 for worker in march.crew)
+    assert all((worker.queue.carried == -1).all() for worker in march.crew)
+    # A pass is an iteration of every lane that has a robot.
+    idle = 2 * march.passes - alone[:, c.ITERATIONS].sum()
+    assert 0 <= idle < 0.5 * march.passes
+    # What is told of the progress counts robots that have landed.
+    assert shares == sorted(shares)
+    assert set(np.round(np.array(shares) * len(DESIGNS), 9)) == set(range(len(DESIGNS) + 1))
+
+
+def take_turns(crew, advance, report):
+    working = list(crew)
+    while working:
+        working = [worker for worker in working if not advance(worker)]
+        report()
+
+
+def test_threads_find_the_same_starts(starts):
+    march = small_march(DESIGNS, 2, threads=3)
+    march.find_starts()
+    assert not march.queue.status.any()
+    for found, expected in zip(march.queue[1:4], starts, strict=True):
+        assert np.array_equal(found, expected)
+
+
+def test_no_more_threads_than_there_is_work_for(starts):
+    assert len(small_march(DESIGNS, 8, starts, threads=9).crew) == 2
+    assert len(small_march(DESIGNS[:1], 8, threads=9).crew) == 1

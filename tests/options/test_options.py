@@ -73,6 +73,7 @@ OUTSIDE = {
     ("executor", "dask", "scheduler"): ("", "localhost", "tcp://host", "http://host:80", 8786),
     ("executor", "dask", "workers"): (0, 1025, 2.0),
     ("plan", "grid", "points"): (1, 1001, 15.0),
+    ("backend", "lanes", "threads"): (0, 1025, 2.0),
 }
 RANGE_OF = {
     "delta_alpha_rad": ([-0.51, 0.1], [0.1, 0.51], [0.1, 0.1], [0.2, 0.1], [0.1, math.nan]),
@@ -94,7 +95,7 @@ ROW_OF = {
 }
 for name in tableaux():
     OUTSIDE |= {("integrator", name, field): values for field, values in ROW_OF.items()}
-MAY_BE_NONE = ("weights", "embedded", "scheduler")
+MAY_BE_NONE = ("weights", "embedded", "threads", "scheduler")
 WRONG = (math.nan, math.inf, "much", None, [1.0])
 CASES = [
     (family, member, field, value)

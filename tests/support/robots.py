@@ -15,7 +15,7 @@ from snapjump.options.stepping import AdaptiveStepOptions
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.scenes.frame_body import rigid_frame
-from snapjump.scenes.jump_start import resting_guess
+from snapjump.scenes.resting import resting_guess
 from snapjump.scenes.runner import March
 
 # epsilon: critical angle (rad) and depth of the lowest point there (L), S5 of physics.json
@@ -70,7 +70,9 @@ def small_robot(design: tuple[float, ...]) -> tuple[Model, Any]:
     return model, resting_guess(simulation, model)
 
 
-def small_march(designs: Any, lanes: int, starts: Any = None, duration: float = 20.0) -> March:
+def small_march(
+    designs: Any, lanes: int, starts: Any = None, duration: float = 20.0, threads: int = 1
+) -> March:
     """A march of robots of these designs; ``starts``: a queue's state, velocity, acceleration."""
     simulation = small_simulation(*designs[0])
     robots = [small_robot(design) for design in designs]
@@ -81,6 +83,7 @@ def small_march(designs: Any, lanes: int, starts: Any = None, duration: float = 
         simulation=simulation,
         ending=FlightEnding(duration),
         lanes=lanes,
+        threads=threads,
     )
     if starts is not None:
         for target, values in zip(march.queue[1:4], starts, strict=True):

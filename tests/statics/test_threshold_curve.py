@@ -1,0 +1,67 @@
+"""Interpolated thresholds against computed ones, in value and derivative."""
+
+import numpy as np
+import pytest
+
+from snapjump.checks import ParameterError
+from snapjump.options.discretization import CorotationalOptions, DiscreteElasticRodOptions
+from snapjump.parameters.robot import Robot
+from snapjump.statics.threshold_curve import ThresholdCurve, direct
+
+MESHES = (
+    DiscreteElasticRodOptions(elements=104),
+    DiscreteElasticRodOptions(elements=66, clamp="two_nodes"),
+    CorotationalOptions(elements=64),
+)
+
+
+@pytest.fixture(scope="module", params=MESHES, ids=lambda mesh: type(mesh).__name__)
+def curve(request):
+    return ThresholdCurve.through(Robot(), request.param, 0.09, 0.31)
+
+
+def direct_slopes(curve, compressions):
+    """Richardson's extrapolation (order 6) of central differences of computed thresholds."""
+
+    def difference(step):
+        ahead = direct(curve.robot, curve.discretization, compressions + step)
+        behind = direct(curve.robot, curve.discretization, compressions - step)
+        return (ahead - behind) / (2.0 * step)
+
+    coarse, middle, fine = (difference(step) for step in (1.2e-2, 6e-3, 3e-3))
+    first, second = (4.0 * middle - coarse) / 3.0, (4.0 * fine - middle) / 3.0
+    return (16.0 * second - first) / 15.0
+
+
+def test_values(curve):
+    compressions = np.random.default_rng(3).uniform(0.09, 0.31, 40)
+    errors = np.abs(
+        curve.values(compressions) - direct(curve.robot, curve.discretization, compressions)
+    )
+    assert errors.max() < 1e-8
+    # The curve's own account of its errors is of the right size.
+    assert 0.1 < errors[0].max() / curve.angle_error < 10.0
+    assert 0.1 < errors[1].max() / curve.depth_error < 10.0
+
+
+def test_slopes(curve):
+    compressions = np.array([0.11, 0.2, 0.28])
+    expected = direct_slopes(curve, compressions)
+    assert np.abs(curve.slopes(compressions) - expected).max() < 1e-6
+
+
+def test_range(curve):
+    assert curve.covers([0.08, 0.09, 0.2, 0.31, 0.32]).tolist() == [False, True, True, True, False]
+
+
+@pytest.mark.parametrize("ends", [(0.0, 0.3), (0.3, 0.3), (0.3, 0.2), (0.1, 0.41)])
+def test_no_such_range(ends):
+    with pytest.raises(ParameterError, match="0 < low < high <= 0.4"):
+        ThresholdCurve.through(Robot(), MESHES[0], *ends)
+
+
+def test_a_range_with_arches_that_do_not_snap():
+    """A beam of a tenth of its length is compressed straight before it buckles."""
+    thick = Robot(thickness_m=0.002)
+    with pytest.raises(ParameterError, match="all buckle"):
+        ThresholdCurve.through(thick, MESHES[0], 0.01, 0.3)
