@@ -53,20 +53,9 @@ def generate(
     try:
         missing = look(folder, specification, numbers, generation.damaged)
         generation.kept = rows_of(specification, set(numbers) - set(missing))
-        with executor:
-            asked = dict(backend)
-            if asked["name"] == "lanes" and asked.get("threads") is None:
-                asked["threads"] = executor.threads
-            threads = asked.get("threads") or executor.cores
-            generation.cores = min(executor.cores, executor.at_once * threads)
-            for _ in range(ROUNDS if missing else 0):
-                _make(folder, specification, executor, asked, missing, generation, progress)
-                missing = look(folder, specification, missing, [])
-                if not missing:
-                    break
-            else:
-                if missing:
-                    raise GenerationError(f"shards {missing} are damaged whenever they are written")
+        if missing:
+            with executor:
+                _rounds(folder, specification, executor, backend, missing, generation, progress)
     finally:
         generation.manifest = write_manifest(folder, specification)
     return generation
@@ -90,6 +79,29 @@ def rows_of(specification: Specification, numbers: set[int]) -> int:
     """Rows of these shards."""
     stretches = [specification.stretch(number) for number in numbers]
     return sum(last - first for first, last in stretches)
+
+
+def _rounds(
+    folder: DatasetFolder,
+    specification: Specification,
+    executor: Executor,
+    backend: Mapping[str, Any],
+    missing: list[int],
+    generation: Generation,
+    progress: Progress,
+) -> None:
+    """Make shards until all of them are whole."""
+    asked = dict(backend)
+    if asked["name"] == "lanes" and asked.get("threads") is None:
+        asked["threads"] = executor.threads
+    threads = asked.get("threads") or executor.cores
+    generation.cores = min(executor.cores, executor.at_once * threads)
+    for _ in range(ROUNDS):
+        _make(folder, specification, executor, asked, missing, generation, progress)
+        missing = look(folder, specification, missing, [])
+        if not missing:
+            return
+    raise GenerationError(f"shards {missing} are damaged whenever they are written")
 
 
 def _make(
