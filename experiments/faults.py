@@ -25,17 +25,17 @@ from snapjump.dataset.sealed import read_sealed, sha256_of
 from snapjump.dataset.shard import read_entry
 
 RUN = Path(__file__).resolve().parents[1] / "run.py"
-# Kills fall between this share of the time that a run needs to begin, and so late that all of
-# them together leave something to do.
-EARLIEST = 0.6
-LATEST = 1.8
-LOOK_EVERY_S = 0.02
+# Of all shards, how many the killed runs may make at most: there is always something left to kill.
+SHARE_BEFORE_KILLS = 0.6
+LOOK_EVERY_S = 0.005
 
 
 @dataclass
 class Kill:
-    """One of them: after how long, shards that were listed then, and those that were not whole."""
+    """One of them: so long after so many new shards; shards that were listed then, and those that
+    were not whole."""
 
+    shards: int
     after_s: float
     listed: int
     not_whole: list[str]
@@ -53,7 +53,7 @@ def run_through(path: Path, overrides: Sequence[str]) -> tuple[float, float]:
     process = subprocess.Popen(command(path, overrides), cwd=path.parent, stdout=subprocess.DEVNULL)
     first_s = 0.0
     while process.poll() is None:
-        if not first_s and any(path.glob("shards/*.json")):
+        if not first_s and listed(path):
             first_s = time.perf_counter() - begun
         time.sleep(LOOK_EVERY_S)
     if process.returncode:
@@ -61,8 +61,12 @@ def run_through(path: Path, overrides: Sequence[str]) -> tuple[float, float]:
     return first_s, time.perf_counter() - begun
 
 
-def run_killed(path: Path, overrides: Sequence[str], after_s: float) -> bool:
-    """Start to make the dataset and kill it; False if it ended before."""
+def run_killed(path: Path, overrides: Sequence[str], shards: int, after_s: float) -> bool:
+    """Start to make the dataset, and kill it some time after there are so many more shards.
+
+    False if it ended before.
+    """
+    enough = listed(path) + shards
     process = subprocess.Popen(
         command(path, overrides),
         cwd=path.parent,
@@ -70,6 +74,8 @@ def run_killed(path: Path, overrides: Sequence[str], after_s: float) -> bool:
         stderr=subprocess.DEVNULL,
         start_new_session=True,
     )
+    while listed(path) < enough and process.poll() is None:
+        time.sleep(LOOK_EVERY_S)
     try:
         process.wait(after_s)
     except subprocess.TimeoutExpired:
@@ -77,6 +83,11 @@ def run_killed(path: Path, overrides: Sequence[str], after_s: float) -> bool:
         process.wait()
         return True
     return False
+
+
+def listed(path: Path) -> int:
+    """How many shards have an entry."""
+    return len(list(path.glob("shards/shard-*.json")))
 
 
 def look(path: Path) -> tuple[int, list[str]]:
@@ -94,15 +105,18 @@ def faults(folder: Path, kills: int, overrides: Sequence[str], seed: int) -> dic
     """Make a dataset undisturbed and one that is killed, and compare."""
     undisturbed, disturbed = folder / "undisturbed", folder / "disturbed"
     start_s, seconds = run_through(undisturbed, overrides)
-    latest_s = start_s + LATEST * (seconds - start_s) / kills
+    total = listed(undisturbed)
+    most = max(1, int(SHARE_BEFORE_KILLS * total / kills))
     chance = random.Random(seed)
     done: list[Kill] = []
     begun = time.perf_counter()
     while len(done) < kills:
-        after_s = chance.uniform(EARLIEST * start_s, latest_s)
-        if not run_killed(disturbed, overrides, after_s):
+        # While it begins, or while it makes a shard.
+        shards = chance.randint(0, most)
+        after_s = chance.uniform(0.0, (seconds - start_s) / total if shards else start_s)
+        if not run_killed(disturbed, overrides, shards, after_s):
             break
-        done.append(Kill(round(after_s, 3), *look(disturbed)))
+        done.append(Kill(shards, round(after_s, 3), *look(disturbed)))
     _, last = run_through(disturbed, overrides)
     manifests = [(path / "manifest.json").read_bytes() for path in (undisturbed, disturbed)]
     left = [file.name for file in (disturbed / "shards").glob(".*")]
