@@ -52,6 +52,7 @@ class DaskExecutor:
                 threads_per_worker=1,
                 host="127.0.0.1",
                 dashboard_address=None,
+                preload=["snapjump.executor.dask_worker"],
             )
         self._client = Client(self._cluster or self.scheduler, timeout=CONNECT_TIMEOUT_S)
         return self

@@ -102,6 +102,35 @@ def test_workers_started_here_by_the_command_line(command, tmp_path: Path) -> No
     )
 
 
+def still_running(group: int) -> list[str]:
+    """Processes of a group; not those that are only waiting to be forgotten."""
+    shown = subprocess.run(
+        ["ps", "-eo", "pgid=,stat=,args="], capture_output=True, text=True, check=True
+    )
+    rows = [line.split(None, 2) for line in shown.stdout.splitlines()]
+    return [text for found, state, text in rows if int(found) == group and state[0] != "Z"]
+
+
+def test_ctrl_c_of_a_terminal_stops_all_processes_without_a_word_of_theirs(tmp_path: Path) -> None:
+    plan = ("plan=sobol", "plan.count=20000", "dataset.shard_size=16", "executor=dask")
+    process = subprocess.Popen(
+        [sys.executable, str(ROOT / "run.py"), *OVERRIDES, *plan, "dataset.path=d", "tracking=off"],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    while len(list(tmp_path.glob("d/shards/*.json"))) < 3:
+        assert process.poll() is None
+        time.sleep(0.05)
+    os.killpg(process.pid, signal.SIGINT)
+    out, errors = process.communicate(timeout=PATIENCE_S)
+    assert process.returncode == 130
+    assert "Traceback" not in errors and "the same command continues what is in d" in out
+    assert not still_running(process.pid)
+
+
 def test_what_a_worker_raises_comes_here(cluster) -> None:
     address, _ = cluster
     with DaskExecutor(address, 1) as executor:
