@@ -14,6 +14,7 @@ from snapjump.options.discretization import (
     DiscreteElasticRodOptions,
     GeometricallyExactOptions,
 )
+from snapjump.options.executor import DaskExecutorOptions, LocalExecutorOptions
 from snapjump.options.frame import ElasticFrameOptions, FixedFrameOptions, RigidFrameOptions
 from snapjump.options.friction import (
     ImplicitFrictionOptions,
@@ -27,6 +28,11 @@ from snapjump.options.integrator import (
     NewmarkOptions,
 )
 from snapjump.options.linear_solver import BandedSolverOptions
+from snapjump.options.plan import (
+    GridPlanOptions,
+    LatinHypercubePlanOptions,
+    SobolPlanOptions,
+)
 from snapjump.options.runge_kutta import tableaux
 from snapjump.options.sim import (
     BounceScene,
@@ -86,7 +92,18 @@ FAMILIES: dict[str, dict[str, type]] = {
     "backend": {"scalar": ScalarBackend, "lanes": LanesBackend},
 }
 
+# What a dataset has beside its simulation.
+DATASET_FAMILIES: dict[str, dict[str, type]] = {
+    "plan": {
+        "grid": GridPlanOptions,
+        "sobol": SobolPlanOptions,
+        "latin_hypercube": LatinHypercubePlanOptions,
+    },
+    "executor": {"local": LocalExecutorOptions, "dask": DaskExecutorOptions},
+}
+
 
 def name_of(family: str, options: object) -> str:
     """The name under which an option object's class stands in its family."""
-    return next(n for n, cls in FAMILIES[family].items() if cls is type(options))
+    members = (FAMILIES | DATASET_FAMILIES)[family]
+    return next(n for n, cls in members.items() if cls is type(options))

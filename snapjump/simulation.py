@@ -21,7 +21,7 @@ Progress = Callable[[float, str], None]
 PLAIN = {"robot": Robot, "design": Design, "environment": Environment}
 
 
-def _construct(group: str, cls: type, values: Mapping[str, Any]) -> Any:
+def construct(group: str, cls: type, values: Mapping[str, Any]) -> Any:
     """An option object from a group's values. Raises ParameterError for an unknown key."""
     known = [f.name for f in fields(cls)]
     for key, value in values.items():
@@ -43,7 +43,7 @@ def build(config: Mapping[str, Any]) -> Simulation:
         check_group(group, config.get(group) or {})
     parts: dict[str, Any] = {}
     for group, cls in PLAIN.items():
-        parts[group] = _construct(group, cls, config.get(group) or {})
+        parts[group] = construct(group, cls, config.get(group) or {})
     for family, members in FAMILIES.items():
         values = dict(config.get(family) or {})
         if not values:
@@ -52,7 +52,7 @@ def build(config: Mapping[str, Any]) -> Simulation:
         if family == "integrator" and "rows" in values and is_new_name(name, members):
             members[name] = dirk_member(name, "", values)
         check_choice(family, name, tuple(members))
-        parts[family] = _construct(family, members[name], values)
+        parts[family] = construct(family, members[name], values)
     accuracy = config.get("accuracy") or {}
     parts["accuracy"] = accuracy.get("name", "standard")
     return Simulation(**parts)

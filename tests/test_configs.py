@@ -10,7 +10,8 @@ from hydra import compose, initialize_config_dir
 from omegaconf import OmegaConf
 
 from snapjump.accuracy import TIERS
-from snapjump.families import FAMILIES
+from snapjump.dataset.specification import dataset_member
+from snapjump.families import DATASET_FAMILIES, FAMILIES
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.parameters.robot import Robot
@@ -22,7 +23,9 @@ from snapjump.tracking.registry import TRACKERS
 
 CONF = Path(__file__).resolve().parents[1] / "conf"
 FOLDERS = (CONF, TABLEAUX)
+EVERY = FAMILIES | DATASET_FAMILIES
 MEMBERS = [(family, name) for family, members in FAMILIES.items() for name in members]
+OF_DATASETS = [(family, name) for family, members in DATASET_FAMILIES.items() for name in members]
 
 # Members that a jump cannot have.
 NEEDS = {
@@ -58,22 +61,22 @@ def defaults(cls: type) -> dict[str, Any]:
     return {field.name: field.default for field in dataclasses.fields(cls)}
 
 
-@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("family", EVERY)
 def test_every_member_has_its_file_and_every_file_its_member(family: str) -> None:
-    assert files(family) == set(FAMILIES[family])
+    assert files(family) == set(EVERY[family])
 
 
 def test_groups_that_are_no_family_of_the_library() -> None:
     assert files("task") == set(TASKS)
     assert files("tracking") == set(TRACKERS)
     assert files("accuracy") == set(TIERS)
-    others = {"task", "tracking", "accuracy", "robot", "experiment"}
-    assert {path.name for path in CONF.iterdir() if path.is_dir()} == set(FAMILIES) | others
+    others = {"task", "tracking", "accuracy", "robot", "experiment", "cluster"}
+    assert {path.name for path in CONF.iterdir() if path.is_dir()} == set(EVERY) | others
 
 
-@pytest.mark.parametrize(("family", "name"), MEMBERS)
+@pytest.mark.parametrize(("family", "name"), MEMBERS + OF_DATASETS)
 def test_a_file_has_the_fields_and_defaults_of_its_member(family: str, name: str) -> None:
-    expected = defaults(FAMILIES[family][name])
+    expected = defaults(EVERY[family][name])
     values = section(family, name)
     assert values.pop("name") == name
     assert list(values) == list(expected)
@@ -87,9 +90,9 @@ def plain(value: Any) -> Any:
     return [plain(v) for v in value] if isinstance(value, (list, tuple)) else value
 
 
-@pytest.mark.parametrize(("family", "name"), MEMBERS)
+@pytest.mark.parametrize(("family", "name"), MEMBERS + OF_DATASETS)
 def test_a_file_says_what_its_member_says(family: str, name: str) -> None:
-    documented = (FAMILIES[family][name].__doc__ or "").strip().splitlines()[0]
+    documented = (EVERY[family][name].__doc__ or "").strip().splitlines()[0]
     assert describe(file(family, name)) == documented
 
 
@@ -134,6 +137,33 @@ def test_every_member_can_be_chosen(family: str, name: str) -> None:
     config = composed(*scene, *NEEDS.get((family, name), ()), f"{family}={name}")
     assert config[family]["name"] == name
     assert build(config) is not None
+
+
+@pytest.mark.parametrize(("family", "name"), OF_DATASETS)
+def test_every_member_of_a_dataset_can_be_chosen(family: str, name: str) -> None:
+    config = composed("task=dataset", f"{family}={name}")
+    assert dataset_member(family, config[family]) == EVERY[family][name]()
+
+
+def test_a_dataset_has_lanes_unless_told_otherwise() -> None:
+    assert composed("task=dataset")["backend"]["name"] == "lanes"
+    assert composed("task=dataset", "backend=scalar")["backend"]["name"] == "scalar"
+    assert composed()["backend"]["name"] == "scalar"
+
+
+def test_the_seed_of_a_run_is_that_of_its_plan() -> None:
+    assert composed("task=dataset", "plan=sobol", "seed=5")["plan"]["seed"] == 5
+
+
+def test_a_slurm_sweep_composes_with_its_launcher() -> None:
+    pytest.importorskip("hydra_plugins.hydra_submitit_launcher", reason="needs snapjump[cluster]")
+    register_resolvers()
+    with initialize_config_dir(str(CONF), version_base="1.3"):
+        config = compose("config", ["task=dataset", "+cluster=slurm"], return_hydra_config=True)
+    launcher = config.hydra.launcher
+    assert launcher._target_.endswith(".SlurmLauncher")
+    given = yaml.safe_load(file("cluster", "slurm").read_text())["hydra"]["launcher"]
+    assert {key: launcher[key] for key in given} == given
 
 
 def test_the_command_line_wins_over_scene_and_tier() -> None:

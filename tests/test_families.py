@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import snapjump
-from snapjump.families import FAMILIES
+from snapjump.families import DATASET_FAMILIES, FAMILIES
 from snapjump.number.compile_cache import KERNEL_PACKAGES
 
 PACKAGE = Path(snapjump.__file__).parent
@@ -78,8 +78,8 @@ def test_sources_of_all_kernels_name_the_folder_of_the_compiled_ones():
     assert with_kernels <= set(KERNEL_PACKAGES)
 
 
-@pytest.mark.parametrize("family", sorted(FAMILIES))
+@pytest.mark.parametrize("family", sorted(FAMILIES | DATASET_FAMILIES))
 def test_every_option_has_a_docstring_and_defaults(family):
-    for options in FAMILIES[family].values():
+    for options in (FAMILIES | DATASET_FAMILIES)[family].values():
         assert options.__doc__
         options()

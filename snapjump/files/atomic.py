@@ -29,6 +29,8 @@ def atomic_file(path: Path, mode: str = "w") -> Iterator[IO[Any]]:
     except BaseException:
         os.unlink(name)
         raise
+    # Or the new name might be lost with the power, though the contents are safe.
+    flush_folder(path.parent)
 
 
 def write_text(path: Path, text: str) -> None:
@@ -41,6 +43,15 @@ def flush(path: Path) -> None:
     """Have the disk hold all of a file that some other code wrote."""
     with open(path, "rb") as file:
         os.fsync(file.fileno())
+
+
+def flush_folder(path: Path) -> None:
+    """Have the disk hold the names of a folder's files."""
+    handle = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
 
 
 def _umask() -> int:

@@ -6,18 +6,22 @@ from typing import IO
 
 
 class FileLock:
-    """Exclusive use of a path; the lock file itself stays, and means nothing on its own."""
+    """Exclusive use of a path, or one shared with others that share it.
 
-    def __init__(self, path: Path):
+    The lock file itself stays, and means nothing on its own.
+    """
+
+    def __init__(self, path: Path, shared: bool = False):
         self.path = path
+        self._kind = fcntl.LOCK_SH if shared else fcntl.LOCK_EX
         self._file: IO[str] | None = None
 
     def acquire(self, wait: bool = True) -> bool:
         """Take the lock; False if another process holds it and ``wait`` is false."""
         self.path.parent.mkdir(parents=True, exist_ok=True)
-        file = open(self.path, "a")
+        file = open(self.path, "a+")  # a network's file system lets only readers share
         try:
-            fcntl.flock(file, fcntl.LOCK_EX if wait else fcntl.LOCK_EX | fcntl.LOCK_NB)
+            fcntl.flock(file, self._kind if wait else self._kind | fcntl.LOCK_NB)
         except BlockingIOError:
             file.close()
             return False

@@ -20,10 +20,11 @@ PACKAGES = (
     "omegaconf",
     "mlflow",
     "matplotlib",
+    "pyarrow",
 )
 SOURCES = Path(__file__).resolve().parents[1]
 # Packages that only show, keep or ask for results: a change in them changes no number.
-NOT_PHYSICS = ("files", "plots", "studies", "tasks", "terminal", "tracking")
+NOT_PHYSICS = ("executor", "files", "plots", "studies", "tasks", "terminal", "tracking")
 
 
 def now() -> str:
@@ -38,6 +39,13 @@ def provenance(command: str, seed: int, started_at: str) -> dict[str, Any]:
         "seed": seed,
         "started_at": started_at,
         "finished_at": now(),
+        **origin(),
+    }
+
+
+def origin() -> dict[str, Any]:
+    """The code, its versions and the machine."""
+    return {
         **git_state(),
         "source_sha256": source_hash(),
         "versions": {"python": platform.python_version(), **_versions()},

@@ -46,6 +46,8 @@ SECTIONS = (
     "backend",
     "tracking",
 )
+# Which only some tasks have.
+EXTRAS = ("dataset", "plan", "executor")
 SWITCHES = ("figures", "seed", "effort", "publish")
 EFFORTS = ("quick", "full")
 LARGEST_SEED = 2**32 - 1
@@ -117,7 +119,7 @@ def write_outcome(
 def check_run(config: Mapping[str, Any]) -> None:
     """Check the keys that are about the run itself; raises ParameterError."""
     for key in config:
-        if key not in SECTIONS and key not in SWITCHES:
+        if key not in (*SECTIONS, *EXTRAS, *SWITCHES):
             raise ParameterError(key, config[key], "no such key; see --help")
     for key in SECTIONS:
         if not isinstance(config.get(key), Mapping):

@@ -25,7 +25,7 @@ from snapjump.terminal.block import block, number
 from snapjump.terminal.progress import ProgressBar
 from snapjump.tracking.base import Tracker, TrackingError
 from snapjump.tracking.registry import find_tracker
-from snapjump.tracking.tracked import CHILDREN, MARK, record_folder
+from snapjump.tracking.tracked import OWN, record_folder
 
 # A worker process of a parallel sweep imports this module, and nothing before it.
 register_resolvers()
@@ -122,7 +122,7 @@ def _refused(message: str, folder: ResultFolder) -> int:
 
 
 def _tell(task: Task, outcome: Outcome, folder: ResultFolder, place: str) -> None:
-    names = [file.name for file in folder.files() if file.name not in (MARK, CHILDREN)]
+    names = [file.name for file in folder.files() if file.name not in OWN]
     lines = [
         *task.report(outcome),
         ("files", f"{os.path.relpath(folder.path)}: {', '.join(names)}"),

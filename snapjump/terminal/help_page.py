@@ -21,7 +21,10 @@ GROUPS = {
     "stepping": "how long a step is",
     "linear_solver": "how a Newton step is solved",
     "backend": "how many robots at once",
+    "plan": "which designs a dataset has; of task=dataset",
+    "executor": "where a dataset's shards are made; of task=dataset",
     "tracking": "where MLflow records go",
+    "cluster": "sweeps on many machines, added with +cluster=<name>",
     "experiment": "whole compositions, added with +experiment=<name>",
 }
 

@@ -13,6 +13,17 @@ class TrackingError(RuntimeError):
 
 
 @dataclass(frozen=True)
+class DatasetUse:
+    """A dataset that a job made or used: ``digest`` is its hash, ``context`` says for what."""
+
+    name: str
+    digest: str
+    path: str
+    rows: int
+    context: str
+
+
+@dataclass(frozen=True)
 class Record:
     """All of one job that is recorded, at once and at its end. Times are in ms since 1970."""
 
@@ -25,6 +36,7 @@ class Record:
     tags: Mapping[str, str] = field(default_factory=dict)
     files: Sequence[Path] = ()
     parent_id: str | None = None
+    datasets: Sequence[DatasetUse] = ()
 
 
 class Tracker(Protocol):

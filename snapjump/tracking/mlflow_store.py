@@ -1,5 +1,6 @@
 """What all MLflow trackers share: one run per record, written in one batch at the end."""
 
+import json
 import logging
 import os
 from collections.abc import Iterator, Mapping
@@ -7,14 +8,16 @@ from contextlib import contextmanager
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from snapjump.tracking.base import Record, TrackingError
+from snapjump.tracking.base import DatasetUse, Record, TrackingError
 
 if TYPE_CHECKING:
+    from mlflow.entities import DatasetInput
     from mlflow.tracking import MlflowClient
 
 PARAMS_PER_BATCH = 100
 LONGEST_PARAM = 5000
 LONGEST_TAG = 5000
+LONGEST_DIGEST = 36
 ENVIRONMENT = {
     "MLFLOW_DISABLE_TELEMETRY": "true",
     "MLFLOW_SUPPRESS_PRINTING_URL_TO_STDOUT": "true",
@@ -89,6 +92,8 @@ class MlflowStore:
         self.client.log_batch(run_id, metrics=metrics, params=params[:PARAMS_PER_BATCH], tags=tags)
         for first in range(PARAMS_PER_BATCH, len(params), PARAMS_PER_BATCH):
             self.client.log_batch(run_id, params=params[first : first + PARAMS_PER_BATCH])
+        if record.datasets:
+            self.client.log_inputs(run_id, [_input(use) for use in record.datasets])
         for file in record.files:
             self.client.log_artifact(run_id, str(file))
         self.client.set_terminated(run_id, record.state, record.ended_ms)
@@ -138,6 +143,19 @@ def tracking_errors(uri: str) -> Iterator[None]:
     except Exception as error:
         lines = str(error).strip().splitlines() or [type(error).__name__]
         raise TrackingError(f"{uri}: {lines[0]}") from error
+
+
+def _input(use: DatasetUse) -> "DatasetInput":
+    from mlflow.entities import Dataset, DatasetInput, InputTag
+
+    dataset = Dataset(
+        name=use.name,
+        digest=_cut(use.digest, LONGEST_DIGEST),
+        source_type="local",
+        source=json.dumps({"uri": use.path}),
+        profile=json.dumps({"num_rows": use.rows, "dataset_sha256": use.digest}),
+    )
+    return DatasetInput(dataset, [InputTag("mlflow.data.context", use.context)])
 
 
 def _cut(value: Any, longest: int) -> str:

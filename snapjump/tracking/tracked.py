@@ -1,15 +1,19 @@
 """A record made from the files of a job, so that it can be written at any time after."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from datetime import datetime
 from typing import Any
 
 from snapjump.files.json_file import read_json, write_json
 from snapjump.files.result_folder import ResultFolder
-from snapjump.tracking.base import Record, State, Tracker
+from snapjump.tracking.base import DatasetUse, Record, State, Tracker
 
 MARK = "tracking.json"
 CHILDREN = "children.json"
+DATASETS = "datasets.json"
+# What is for the records alone, and no result.
+OWN = (MARK, CHILDREN, DATASETS)
 STATES: dict[str, State] = {"ok": "FINISHED", "no_jump": "FINISHED", "interrupted": "KILLED"}
 
 
@@ -37,6 +41,11 @@ def write_children(folder: ResultFolder, children: Sequence[Mapping[str, Any]]) 
     Each child has a name, a status, a message, started_at, finished_at, params and metrics.
     """
     write_json(folder.path / CHILDREN, {"children": list(children)})
+
+
+def write_datasets(folder: ResultFolder, datasets: Sequence[DatasetUse]) -> None:
+    """Leave which datasets a job made or used, for its record."""
+    write_json(folder.path / DATASETS, {"datasets": [asdict(use) for use in datasets]})
 
 
 def record_children(
@@ -86,8 +95,12 @@ def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Recor
             "mlflow.source.name": "run.py",
             "source_sha256": str(origin.get("source_sha256")),
         },
-        files=[file for file in folder.files() if file.name not in (MARK, CHILDREN)],
+        files=[file for file in folder.files() if file.name not in OWN],
         parent_id=parent_id,
+        datasets=[
+            DatasetUse(**use)
+            for use in (read_json(folder.path / DATASETS) or {}).get("datasets", [])
+        ],
     )
 
 

@@ -28,3 +28,17 @@ def test_a_lock_excludes_other_processes_and_ends_with_its_own(tmp_path: Path) -
     lock = FileLock(path)
     assert lock.acquire(wait=False)
     lock.release()
+
+
+def test_a_shared_lock_is_shared_with_others_that_share_it(tmp_path: Path) -> None:
+    path = tmp_path / "lock"
+    first, second = FileLock(path, shared=True), FileLock(path, shared=True)
+    assert first.acquire(wait=False) and second.acquire(wait=False)
+    alone = FileLock(path)
+    assert not alone.acquire(wait=False)
+    first.release()
+    assert not alone.acquire(wait=False)
+    second.release()
+    assert alone.acquire(wait=False)
+    assert not first.acquire(wait=False)
+    alone.release()

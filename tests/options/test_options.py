@@ -8,11 +8,12 @@ import pytest
 from snapjump.accuracy import TIERS
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
-from snapjump.families import FAMILIES, name_of
+from snapjump.families import DATASET_FAMILIES, FAMILIES, name_of
 from snapjump.options.discretization import DiscreteElasticRodOptions
 from snapjump.options.runge_kutta import tableaux
 from snapjump.simulation import build
 
+EVERY = FAMILIES | DATASET_FAMILIES
 # Values just outside the range of every field: (family, member, field) -> values
 OUTSIDE = {
     ("sim", "jump", "start_fraction"): (-1e-9, 0.951),
@@ -69,8 +70,22 @@ OUTSIDE = {
     ("stepping", "adaptive", "tolerance"): (0.0, 0.9e-12, 1.1e-2),
     ("stepping", "adaptive", "contact_steps"): (0.0, -1.0),
     ("backend", "lanes", "width"): (0, 1, 3, 32),
+    ("executor", "dask", "scheduler"): ("", "localhost", "tcp://host", "http://host:80", 8786),
+    ("executor", "dask", "workers"): (0, 1025, 2.0),
+    ("plan", "grid", "points"): (1, 1001, 15.0),
     ("backend", "lanes", "threads"): (0, 1025, 2.0),
 }
+RANGE_OF = {
+    "delta_alpha_rad": ([-0.51, 0.1], [0.1, 0.51], [0.1, 0.1], [0.2, 0.1], [0.1, math.nan]),
+    "epsilon": ([0.0, 0.2], [0.1, 0.41], [0.1, 0.2, 0.3], {"low": 0.1}),
+    "mass_bar": ([0.0, 1.0], [1.0, math.inf], [0.5, "2"]),
+    "mu": ([-1e-9, 0.5], [True, 2.0]),
+}
+for name in ("grid", "sobol", "latin_hypercube"):
+    OUTSIDE |= {("plan", name, field): values for field, values in RANGE_OF.items()}
+for name in ("sobol", "latin_hypercube"):
+    OUTSIDE[("plan", name, "count")] = (0, 2**30 + 1, 64.0)
+    OUTSIDE[("plan", name, "seed")] = (-1, 2**32, 0.5)
 ROW_OF = {
     "order": (0, 13, 2.5),
     "damping_at_infinity": (-0.1, 1.1),
@@ -80,7 +95,7 @@ ROW_OF = {
 }
 for name in tableaux():
     OUTSIDE |= {("integrator", name, field): values for field, values in ROW_OF.items()}
-MAY_BE_NONE = ("weights", "embedded", "threads")
+MAY_BE_NONE = ("weights", "embedded", "threads", "scheduler")
 WRONG = (math.nan, math.inf, "much", None, [1.0])
 CASES = [
     (family, member, field, value)
@@ -93,7 +108,7 @@ CASES = [
 def test_every_field_of_every_option_is_listed_here():
     fields = {
         (family, name, field.name)
-        for family, members in FAMILIES.items()
+        for family, members in EVERY.items()
         for name, options in members.items()
         for field in dataclasses.fields(options)
     }
@@ -103,7 +118,7 @@ def test_every_field_of_every_option_is_listed_here():
 @pytest.mark.parametrize(("family", "member", "field", "value"), CASES)
 def test_values_out_of_range(family, member, field, value):
     with pytest.raises(ParameterError) as caught:
-        FAMILIES[family][member](**{field: value})
+        EVERY[family][member](**{field: value})
     error = caught.value
     assert error.key == f"{family}.{field}"
     message = str(error)
@@ -118,7 +133,7 @@ def test_numbers_are_not_truth_values():
         if field in ("clamp", "weighting", "beam_on_top"):
             continue
         with pytest.raises(ParameterError):
-            FAMILIES[family][member](**{field: True})
+            EVERY[family][member](**{field: True})
 
 
 @pytest.mark.parametrize("clamp", ["half_element", "two_nodes"])

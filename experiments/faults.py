@@ -1,0 +1,161 @@
+"""``python -m experiments.faults``: a dataset whose making is killed again and again.
+
+``python run.py task=dataset`` is killed (SIGKILL, its whole process group) at random moments and
+started again, until it has been killed so many times; then it is left to finish. After every kill
+each shard that is listed must be whole. At the end the manifest must equal, byte for byte, that of
+a run that nobody disturbed. Prints one JSON object.
+"""
+
+import argparse
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from snapjump.dataset.folder import DatasetFolder
+from snapjump.dataset.sealed import read_sealed, sha256_of
+from snapjump.dataset.shard import read_entry
+
+RUN = Path(__file__).resolve().parents[1] / "run.py"
+# Of all shards, how many the killed runs may make at most: there is always something left to kill.
+SHARE_BEFORE_KILLS = 0.6
+LOOK_EVERY_S = 0.005
+
+
+@dataclass
+class Kill:
+    """One of them: so long after so many new shards; shards that were listed then, and those that
+    were not whole."""
+
+    shards: int
+    after_s: float
+    listed: int
+    not_whole: list[str]
+
+
+def command(path: Path, overrides: Sequence[str]) -> list[str]:
+    """The command that makes the dataset."""
+    own = [f"dataset.path={path}", "tracking=off", "figures=false", "task=dataset"]
+    return [sys.executable, str(RUN), *own, *overrides]
+
+
+def run_through(path: Path, overrides: Sequence[str]) -> tuple[float, float]:
+    """Make the dataset; returns the seconds until it had a shard, and until it had all."""
+    begun = time.perf_counter()
+    process = subprocess.Popen(command(path, overrides), cwd=path.parent, stdout=subprocess.DEVNULL)
+    first_s = 0.0
+    while process.poll() is None:
+        if not first_s and listed(path):
+            first_s = time.perf_counter() - begun
+        time.sleep(LOOK_EVERY_S)
+    if process.returncode:
+        raise subprocess.CalledProcessError(process.returncode, process.args)
+    return first_s, time.perf_counter() - begun
+
+
+def run_killed(path: Path, overrides: Sequence[str], shards: int, after_s: float) -> bool:
+    """Start to make the dataset, and kill it some time after there are so many more shards.
+
+    False if it ended before.
+    """
+    enough = listed(path) + shards
+    process = subprocess.Popen(
+        command(path, overrides),
+        cwd=path.parent,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+    while listed(path) < enough and process.poll() is None:
+        time.sleep(LOOK_EVERY_S)
+    try:
+        process.wait(after_s)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        return True
+    return False
+
+
+def listed(path: Path) -> int:
+    """How many shards have an entry."""
+    return len(list(path.glob("shards/shard-*.json")))
+
+
+def look(path: Path) -> tuple[int, list[str]]:
+    """How many shards are listed, and what is wrong with any of them."""
+    folder = DatasetFolder(path)
+    plain = read_sealed(folder.specification)
+    numbers = sorted(int(file.stem[-5:]) for file in (path / "shards").glob("shard-*.json"))
+    if plain is None:
+        return len(numbers), [] if not folder.specification.exists() else ["dataset.json"]
+    found = [read_entry(folder, number, sha256_of(plain))[1] for number in numbers]
+    return len(numbers), [reason for reason in found if reason]
+
+
+def faults(folder: Path, kills: int, overrides: Sequence[str], seed: int) -> dict[str, Any]:
+    """Make a dataset undisturbed and one that is killed, and compare."""
+    undisturbed, disturbed = folder / "undisturbed", folder / "disturbed"
+    start_s, seconds = run_through(undisturbed, overrides)
+    total = listed(undisturbed)
+    most = max(1, int(SHARE_BEFORE_KILLS * total / kills))
+    chance = random.Random(seed)
+    done: list[Kill] = []
+    begun = time.perf_counter()
+    while len(done) < kills:
+        # While it begins, or while it makes a shard.
+        shards = chance.randint(0, most)
+        after_s = chance.uniform(0.0, (seconds - start_s) / total if shards else start_s)
+        if not run_killed(disturbed, overrides, shards, after_s):
+            break
+        done.append(Kill(shards, round(after_s, 3), *look(disturbed)))
+    _, last = run_through(disturbed, overrides)
+    manifests = [(path / "manifest.json").read_bytes() for path in (undisturbed, disturbed)]
+    left = [file.name for file in (disturbed / "shards").glob(".*")]
+    content = json.loads(manifests[0])
+    return {
+        "designs": content["designs"],
+        "shards": len(content["shards"]),
+        "kills": len(done),
+        "kills_before_the_end": sum(kill.listed < len(content["shards"]) for kill in done),
+        "shards_not_whole_after_kills": sum(len(kill.not_whole) for kill in done),
+        "half_written_files_left": len(left),
+        "manifests_identical": manifests[0] == manifests[1],
+        "dataset_sha256": content["dataset_sha256"],
+        "undisturbed_seconds": seconds,
+        "disturbed_seconds": time.perf_counter() - begun,
+        "last_run_seconds": last,
+        "each": [asdict(kill) for kill in done],
+    }
+
+
+def main() -> None:
+    """The command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--kills", type=int, default=20)
+    parser.add_argument("--designs", type=int, default=4096)
+    parser.add_argument("--shard-size", type=int, default=64)
+    parser.add_argument("--accuracy", default="draft")
+    parser.add_argument("--seed", type=int, default=0)
+    given = parser.parse_args()
+    overrides = (
+        "plan=sobol",
+        f"plan.count={given.designs}",
+        f"dataset.shard_size={given.shard_size}",
+        f"accuracy={given.accuracy}",
+    )
+    with tempfile.TemporaryDirectory() as folder:
+        found = faults(Path(folder), given.kills, overrides, given.seed)
+    print(json.dumps(found, indent=2))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""Datasets: a plan's jumps in Parquet shards that are written whole, checked and continued."""

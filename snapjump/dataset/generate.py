@@ -1,0 +1,130 @@
+"""Generating a dataset: what is missing or damaged, on an executor, until all of it is there."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from snapjump.dataset.folder import DatasetFolder
+from snapjump.dataset.manifest import Manifest, write_manifest
+from snapjump.dataset.pace import Pace
+from snapjump.dataset.shard import read_entry
+from snapjump.dataset.specification import Specification
+from snapjump.dataset.work import job_of, make_shard
+from snapjump.executor.base import Executor
+
+Progress = Callable[[float, str], None]
+ROUNDS = 3  # a shard may be spoilt by a worker that was given up too early
+
+
+class GenerationError(RuntimeError):
+    """Shards that are damaged as often as they are written."""
+
+
+@dataclass
+class Generation:
+    """How it went. ``made``: new rows, in ``seconds`` on ``cores``; ``damaged``: what was wrong
+    with shards that were there, and have been made again; ``manifest`` at its end."""
+
+    kept: int = 0
+    made: int = 0
+    seconds: float = 0.0
+    cores: int = 1
+    damaged: list[str] = field(default_factory=list)
+    manifest: Manifest = field(default_factory=dict)
+
+
+def generate(
+    folder: DatasetFolder,
+    specification: Specification,
+    executor: Executor,
+    backend: Mapping[str, Any],
+    progress: Progress,
+    part: int = 1,
+    parts: int = 1,
+) -> Generation:
+    """Make the shards of a part that are missing or damaged; the caller has claimed the folder.
+
+    Whatever stops it, shards that are done stay, and the manifest lists them.
+    """
+    folder.open(specification)
+    numbers = list(range(part - 1, specification.shards, parts))
+    folder.sweep(numbers)
+    generation = Generation()
+    try:
+        missing = look(folder, specification, numbers, generation.damaged)
+        generation.kept = rows_of(specification, set(numbers) - set(missing))
+        if missing:
+            with executor:
+                _rounds(folder, specification, executor, backend, missing, generation, progress)
+    finally:
+        generation.manifest = write_manifest(folder, specification)
+    return generation
+
+
+def look(
+    folder: DatasetFolder, specification: Specification, numbers: list[int], damaged: list[str]
+) -> list[int]:
+    """Those of the shards that are to be made; adds what is wrong to ``damaged``."""
+    missing = []
+    for number in numbers:
+        entry, reason = read_entry(folder, number, specification.sha256)
+        if entry is None:
+            missing.append(number)
+        if reason:
+            damaged.append(reason)
+    return missing
+
+
+def rows_of(specification: Specification, numbers: set[int]) -> int:
+    """Rows of these shards."""
+    stretches = [specification.stretch(number) for number in numbers]
+    return sum(last - first for first, last in stretches)
+
+
+def _rounds(
+    folder: DatasetFolder,
+    specification: Specification,
+    executor: Executor,
+    backend: Mapping[str, Any],
+    missing: list[int],
+    generation: Generation,
+    progress: Progress,
+) -> None:
+    """Make shards until all of them are whole."""
+    asked = dict(backend)
+    if asked["name"] == "lanes" and asked.get("threads") is None:
+        asked["threads"] = executor.threads
+    threads = asked.get("threads") or executor.cores
+    generation.cores = min(executor.cores, executor.at_once * threads)
+    for _ in range(ROUNDS):
+        _make(folder, specification, executor, asked, missing, generation, progress)
+        missing = look(folder, specification, missing, [])
+        if not missing:
+            return
+    raise GenerationError(f"shards {missing} are damaged whenever they are written")
+
+
+def _make(
+    folder: DatasetFolder,
+    specification: Specification,
+    executor: Executor,
+    backend: Mapping[str, Any],
+    missing: list[int],
+    generation: Generation,
+    progress: Progress,
+) -> None:
+    """Make shards, counting rows and time."""
+    total = rows_of(specification, set(missing))
+    pace = Pace(generation.kept + total, generation.kept, progress)
+    jobs = [job_of(folder, specification, backend, number) for number in missing]
+    try:
+        answers = executor.answers(
+            make_shard, jobs, lambda share: pace.show(share * specification.shard_size)
+        )
+        pace.show()
+        for entry in answers:
+            pace.made += entry["rows"]
+            pace.show()
+    finally:
+        generation.made += pace.made
+        generation.seconds += pace.seconds

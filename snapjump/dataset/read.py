@@ -1,0 +1,97 @@
+"""Reading a dataset that is complete: checked, then whole or shard by shard."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from snapjump.checks import ParameterError
+from snapjump.dataset.columns import NAMES
+from snapjump.dataset.folder import DatasetFolder
+from snapjump.dataset.manifest import dataset_sha256
+from snapjump.dataset.sealed import read_sealed, sha256_of
+from snapjump.dataset.shard import read_entry
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import pyarrow as pa
+
+
+@dataclass(frozen=True)
+class Dataset:
+    """``sha256``: its name for good; ``specification``: all that determines it, plain."""
+
+    folder: DatasetFolder
+    sha256: str
+    rows: int
+    statuses: dict[str, int]
+    specification: dict[str, Any]
+    shard_count: int
+
+    def shards(self, columns: Sequence[str] | None = None) -> "Iterator[pa.Table]":
+        """One shard's rows after the other, in the plan's order; memory is that of one."""
+        import pyarrow.parquet as pq
+
+        chosen = checked_columns(columns)
+        for number in range(self.shard_count):
+            yield pq.read_table(
+                self.folder.shard(number), columns=chosen, page_checksum_verification=True
+            )
+
+    def table(self, columns: Sequence[str] | None = None) -> "pa.Table":
+        """All rows, null where there is no value; ``columns``: which, None for all."""
+        import pyarrow as pa
+
+        return pa.concat_tables(
+            table.replace_schema_metadata(None).unify_dictionaries()
+            for table in self.shards(columns)
+        )
+
+    def frame(self, columns: Sequence[str] | None = None) -> "pd.DataFrame":
+        """All rows for pandas, NaN where there is no value (and a status that tells why)."""
+        return self.table(columns).to_pandas()
+
+
+def checked_columns(columns: Sequence[str] | None) -> list[str]:
+    """Columns that there are. Raises ParameterError."""
+    chosen = list(NAMES if columns is None else columns)
+    for name in chosen:
+        if name not in NAMES:
+            raise ParameterError("columns", name, "some of " + ", ".join(NAMES))
+    return chosen
+
+
+def open_dataset(path: str | Path) -> Dataset:
+    """A dataset whose every shard is as it was written.
+
+    Raises ParameterError, which names what is missing or damaged: running its generation again
+    makes that good.
+    """
+    folder = DatasetFolder(Path(path))
+    manifest = read_sealed(folder.manifest)
+    if manifest is None:
+        raise _refused(folder, f"a folder with a {folder.manifest.name} that is not damaged")
+    if not manifest["complete"]:
+        have = f"{manifest['rows']} of {manifest['designs']} rows are there"
+        raise _refused(folder, f"a dataset that is complete ({have})")
+    specification = manifest["specification"]
+    for number, listed in enumerate(manifest["shards"]):
+        entry, reason = read_entry(folder, number, sha256_of(specification))
+        if entry is None:
+            name = folder.shard(number).name
+            raise _refused(folder, f"a dataset without damage ({reason or name + ' is missing'})")
+        if entry["content_sha256"] != listed["content_sha256"]:
+            raise _refused(folder, f"a manifest of these shards (shard {number} is another)")
+    contents = [listed["content_sha256"] for listed in manifest["shards"]]
+    return Dataset(
+        folder,
+        dataset_sha256(specification, contents),
+        manifest["rows"],
+        manifest["statuses"],
+        specification,
+        len(contents),
+    )
+
+
+def _refused(folder: DatasetFolder, allowed: str) -> ParameterError:
+    return ParameterError("dataset.path", str(folder.path), allowed)

@@ -1,0 +1,82 @@
+"""One shard on disk: written whole, then listed; and found out if it is not what was written."""
+
+import hashlib
+import json
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+from snapjump.dataset.columns import Rows, content_sha256, table_of
+from snapjump.dataset.folder import DatasetFolder
+from snapjump.dataset.sealed import read_sealed, sha256_of, write_sealed
+from snapjump.dataset.specification import Specification
+from snapjump.files.atomic import atomic_file
+from snapjump.files.provenance import now, origin
+
+METADATA = b"snapjump"
+Entry = dict[str, Any]
+
+
+def write_shard(
+    folder: DatasetFolder, specification: Specification, number: int, rows: Rows
+) -> Entry:
+    """Write the rows of a shard, then its entry; returns the entry."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    table = table_of(rows)
+    content = content_sha256(table)
+    about = {
+        "specification": specification.plain,
+        "plan_sha256": sha256_of(specification.plain["plan"]),
+        "shard": number,
+        "content_sha256": content,
+        "written_at": now(),
+        **origin(),
+    }
+    table = table.replace_schema_metadata({METADATA: json.dumps(about)})
+    stream = pa.BufferOutputStream()
+    pq.write_table(table, stream, compression="zstd", write_page_checksum=True)
+    whole = stream.getvalue()
+    with atomic_file(folder.shard(number), "wb") as file:
+        file.write(whole)
+    entry = {
+        "shard": number,
+        "rows": len(table),
+        "specification_sha256": specification.sha256,
+        "content_sha256": content,
+        "file_sha256": hashlib.sha256(whole).hexdigest(),
+        "bytes": whole.size,
+        "statuses": dict(sorted(Counter(table["status"].to_pylist()).items())),
+    }
+    write_sealed(folder.entry(number), entry)
+    return entry
+
+
+def read_entry(
+    folder: DatasetFolder, number: int, specification_sha256: str
+) -> tuple[Entry | None, str]:
+    """The entry of a shard that is whole, else None and what is wrong: empty if it is not done."""
+    file = folder.entry(number)
+    if not file.exists():
+        return None, ""
+    entry = read_sealed(file)
+    if entry is None:
+        return None, f"{file.name} is damaged"
+    if (entry["shard"], entry["specification_sha256"]) != (number, specification_sha256):
+        return None, f"{file.name} is of another dataset or shard"
+    reason = damage(folder.shard(number), entry)
+    return (None, reason) if reason else (entry, "")
+
+
+def damage(shard: Path, entry: Entry) -> str:
+    """What is wrong with the file of a shard; empty if it is what was written."""
+    if not shard.exists():
+        return f"{shard.name} is missing"
+    size = shard.stat().st_size
+    if size != entry["bytes"]:
+        return f"{shard.name} has {size} bytes instead of {entry['bytes']}"
+    with open(shard, "rb") as file:
+        if hashlib.file_digest(file, "sha256").hexdigest() != entry["file_sha256"]:
+            return f"{shard.name} is not what was written"
+    return ""

@@ -1,0 +1,77 @@
+"""From designs to rows: the one place where a dataset meets the simulation."""
+
+from typing import Any
+
+import numpy as np
+
+from snapjump.batch import Batch, simulate_designs, variant
+from snapjump.checks import ParameterError
+from snapjump.composition import Simulation
+from snapjump.dataset.columns import Rows
+from snapjump.dataset.specification import Specification
+from snapjump.executor.base import Progress
+from snapjump.options.backend import ScalarBackend
+from snapjump.plan.base import AXES, Range
+from snapjump.scenes.frame_body import compression
+from snapjump.statics.threshold_curve import ThresholdCurve
+
+
+class Simulator:
+    """Simulates any stretch of a plan.
+
+    Its thresholds come from one curve over the plan's range, the same for every shard.
+    """
+
+    def __init__(self, specification: Specification):
+        self.specification = specification
+        epsilons = specification.ranges[AXES.index("epsilon")]
+        self.curve = curve_over(specification.simulation, epsilons)
+
+    def rows(self, first: int, last: int, progress: Progress | None) -> Rows:
+        """The rows of designs first to last - 1."""
+        designs = self.specification.plan.designs(first, last)
+        base = self.specification.simulation
+        batch = simulate_designs(
+            base,
+            designs,
+            curve=self.curve,
+            progress=None if progress is None else lambda share, text: progress(share),
+            lanes=1 if isinstance(base.backend, ScalarBackend) else None,
+        )
+        inputs = dict(zip(AXES, designs.T, strict=True))
+        return {"index": np.arange(first, last), **inputs, **outcomes(batch)}
+
+
+def curve_over(base: Simulation, epsilons: Range) -> ThresholdCurve | None:
+    """Thresholds over a range of pre-compressions; None where some of it has none.
+
+    Then each design's own is computed, and those without are told apart.
+    """
+    mass_bar = base.environment.mass_bar
+    try:
+        low, high = (compression(variant(base, (0.0, e, mass_bar, 0.0))) for e in epsilons)
+        return ThresholdCurve.through(base.robot, base.discretization, low, high)
+    except ParameterError:
+        return None
+
+
+def outcomes(batch: Batch) -> dict[str, Any]:
+    """What became of the jumps, by column."""
+    return {
+        "h_bar": batch.mount_height_bar,
+        "x_bar": batch.x_bar,
+        "y_bar": batch.y_bar,
+        "apex_time_s": batch.apex_time_s,
+        "liftoff_time_s": batch.liftoff_time_s,
+        "liftoff_x_bar": batch.liftoff_x_bar,
+        "liftoff_y_bar": batch.liftoff_y_bar,
+        "liftoff_vx_m_s": batch.liftoff_vx_m_s,
+        "liftoff_vy_m_s": batch.liftoff_vy_m_s,
+        "status": np.array(batch.status, dtype=object),
+        "steps": batch.steps.astype(np.int64),
+        "newton_iterations": batch.newton_iterations.astype(np.int64),
+        "kernel_seconds": batch.kernel_seconds_each,
+        "x_error_estimate_percent": batch.estimate.x_percent,
+        "y_error_estimate_percent": batch.estimate.y_percent,
+        "within_tier": batch.estimate.within_tier,
+    }

@@ -1,0 +1,121 @@
+"""Everything that determines a dataset's numbers, in plain JSON; and back to what computes them."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from snapjump.checks import ParameterError, check_choice, check_group, check_integer
+from snapjump.composition import Simulation
+from snapjump.dataset.sealed import sha256_of
+from snapjump.families import DATASET_FAMILIES, FAMILIES, name_of
+from snapjump.files.provenance import source_hash
+from snapjump.parameters.environment import Environment
+from snapjump.plan.base import Plan
+from snapjump.simulation import build, construct
+
+FORMAT = 1  # of the files; another number for other columns or another hash
+LARGEST_SHARD = 1_000_000
+# Lanes and threads change nothing to the last bit; another kind of processor does.
+CPU = ("scalar", "lanes")
+
+
+@dataclass(frozen=True)
+class Specification:
+    """``plain``: all of it as JSON; ``simulation``: that of its jumps, but for the design."""
+
+    plain: Mapping[str, Any]
+    simulation: Simulation
+    plan: Plan
+    ranges: tuple[tuple[float, float], ...]
+
+    @property
+    def sha256(self) -> str:
+        """Of everything, sources included: what one folder holds."""
+        return sha256_of(self.plain)
+
+    @property
+    def shard_size(self) -> int:
+        return int(self.plain["shard_size"])
+
+    @property
+    def shards(self) -> int:
+        return -(-self.plan.count // self.shard_size)
+
+    def stretch(self, shard: int) -> tuple[int, int]:
+        """First design of a shard, and the one after its last."""
+        first = shard * self.shard_size
+        return first, min(first + self.shard_size, self.plan.count)
+
+
+def dataset_member(family: str, values: Any) -> Any:
+    """Checked options of a plan or an executor, from its group. Raises ParameterError."""
+    check_group(family, values)
+    values = dict(values)
+    name = values.pop("name", None)
+    check_choice(family, name, tuple(DATASET_FAMILIES[family]))
+    return construct(family, DATASET_FAMILIES[family][name], values)
+
+
+def specify(config: Mapping[str, Any], shard_size: int) -> Specification:
+    """The specification of a configuration's dataset.
+
+    ``config``: groups as for :func:`snapjump.simulation.build`, and ``plan``. Raises
+    ParameterError for what no design of the plan could be simulated with.
+    """
+    check_integer("dataset.shard_size", shard_size, 1, LARGEST_SHARD)
+    scene = (config.get("sim") or {}).get("name", "jump")
+    if scene != "jump":
+        raise ParameterError("sim", scene, "jump, which is what datasets are of")
+    simulation = build({**config, "design": {}, "environment": {}})
+    options = dataset_member("plan", config.get("plan"))
+    check_lightest(simulation, options)
+    configuration = {
+        family: {"name": simulation.name(family), **asdict(getattr(simulation, family))}
+        for family in FAMILIES
+        if family != "backend"
+    }
+    backend = simulation.name("backend")
+    plain = {
+        "format": FORMAT,
+        "plan": {"name": name_of("plan", options), **asdict(options)},
+        "shard_size": shard_size,
+        "configuration": {
+            "accuracy": {"name": simulation.accuracy},
+            "robot": asdict(simulation.robot),
+            **configuration,
+        },
+        "processor": "cpu" if backend in CPU else backend,
+        "source_sha256": source_hash(),
+    }
+    plain = json.loads(json.dumps(plain))  # tuples become lists, as in the files
+    return Specification(plain, simulation, options.member(), options.ranges)
+
+
+def restored(plain: Mapping[str, Any], backend: Mapping[str, Any]) -> Specification:
+    """The specification that a plain one came from, to be computed by a backend."""
+    config = {**plain["configuration"], "plan": plain["plan"], "backend": backend}
+    return specify(config, plain["shard_size"])
+
+
+def check_lightest(simulation: Simulation, options: Any) -> None:
+    """Raise ParameterError for a range that has robots lighter than their beams."""
+    try:
+        Environment(mass_bar=options.mass_bar[0]).mass_kg(simulation.robot)
+    except ParameterError as error:
+        if error.key != "environment.mass_bar":
+            raise
+        raise ParameterError("plan.mass_bar", list(options.mass_bar), error.allowed) from None
+
+
+def first_difference(ours: Any, theirs: Any, key: str = "") -> tuple[str, Any, Any] | None:
+    """The first key that two plain values differ in, with both of its values."""
+    if isinstance(ours, Mapping) and isinstance(theirs, Mapping):
+        for name in dict.fromkeys([*ours, *theirs]):
+            found = first_difference(
+                ours.get(name), theirs.get(name), f"{key}.{name}" if key else name
+            )
+            if found is not None:
+                return found
+        return None
+    return None if ours == theirs else (key, ours, theirs)

@@ -1,0 +1,144 @@
+"""What a dataset looks like, gathered shard by shard: memory is that of one shard and some bins."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.dataset.read import Dataset
+from snapjump.plan.base import AXES, Range
+
+Array = NDArray[np.float64]
+
+OUTCOMES = ("x_bar", "y_bar")
+PAIRS = tuple(combinations(range(len(AXES)), 2))
+KNOWN = ("ok", "no_jump")  # statuses with an apex
+FEWEST_BINS, MOST_BINS = 5, 24
+LEVELS = 500  # bins of an outcome, from which its quantiles are taken
+
+
+@dataclass
+class Statistics:
+    """Counts and sums over bins.
+
+    ``edges``: bins of each input (4, B + 1); ``levels``: of each outcome (2, LEVELS + 1);
+    ``spread`` (2, 4, B, LEVELS): rows by outcome and bin of an input; over bins of each pair of
+    inputs (6, B, B): ``rows``, ``marked`` rows (failed, or less exact than their tier promises),
+    and ``known`` rows with the ``sums`` (2, 6, B, B) of their outcomes.
+    """
+
+    edges: Array
+    levels: Array
+    spread: Array
+    rows: Array
+    marked: Array
+    known: Array
+    sums: Array
+
+    def quantiles(self, outcome: int, axis: int, shares: Sequence[float]) -> Array:
+        """Quantiles of an outcome in the bins of an input (len(shares), B); NaN where empty."""
+        counts = self.spread[outcome, axis]
+        below = np.cumsum(counts, axis=1)
+        middles = 0.5 * (self.levels[outcome, 1:] + self.levels[outcome, :-1])
+        found = np.full((len(shares), len(counts)), np.nan)
+        for j in np.nonzero(below[:, -1])[0]:
+            places = np.searchsorted(below[j], np.array(shares) * below[j, -1])
+            found[:, j] = middles[np.minimum(places, LEVELS - 1)]
+        return found
+
+    def means(self, outcome: int, pair: int) -> Array:
+        """Mean of an outcome over the bins of a pair of inputs (B, B), NaN where empty."""
+        with np.errstate(invalid="ignore"):
+            return np.asarray(self.sums[outcome, pair] / self.known[pair])
+
+    def marked_percent(self, pair: int) -> Array:
+        """Share of marked rows over the bins of a pair (B, B), NaN where empty."""
+        with np.errstate(invalid="ignore"):
+            return np.asarray(100.0 * self.marked[pair] / self.rows[pair])
+
+
+def bin_edges(plan: dict[str, Any], rows: int) -> Array:
+    """Bins of each input (4, B + 1): one a value of a grid, if these are not too many."""
+    points = plan.get("points", MOST_BINS + 1)
+    if points <= MOST_BINS:
+        return np.array([_around(plan[axis], points) for axis in AXES])
+    bins = int(np.clip(np.sqrt(rows) / 3.0, FEWEST_BINS, MOST_BINS))
+    low, high = np.array([plan[axis] for axis in AXES]).T
+    return np.linspace(low, high, bins + 1, axis=1)
+
+
+def _around(limits: Range, points: int) -> Array:
+    half = 0.5 * (limits[1] - limits[0]) / (points - 1)
+    return np.linspace(limits[0] - half, limits[1] + half, points + 1)
+
+
+def outcome_levels(dataset: Dataset) -> Array:
+    """Bins of the outcomes (2, LEVELS + 1), from the least to the greatest."""
+    low, high = np.full(len(OUTCOMES), np.inf), np.full(len(OUTCOMES), -np.inf)
+    for table in dataset.shards(OUTCOMES):
+        for k, name in enumerate(OUTCOMES):
+            values = table[name].drop_null().to_numpy()
+            if len(values):
+                low[k], high[k] = min(low[k], values.min()), max(high[k], values.max())
+    nothing = low > high
+    low[nothing], high[nothing] = 0.0, 1.0
+    high = np.where(high > low, high, low + 1.0)
+    return np.linspace(low, high, LEVELS + 1, axis=1)
+
+
+def gather(dataset: Dataset) -> Statistics:
+    """The statistics of all rows, in two passes."""
+    edges = bin_edges(dataset.specification["plan"], dataset.rows)
+    bins = edges.shape[1] - 1
+    pairs = (len(PAIRS), bins, bins)
+    found = Statistics(
+        edges=edges,
+        levels=outcome_levels(dataset),
+        spread=np.zeros((len(OUTCOMES), len(AXES), bins, LEVELS)),
+        rows=np.zeros(pairs),
+        marked=np.zeros(pairs),
+        known=np.zeros(pairs),
+        sums=np.zeros((len(OUTCOMES), *pairs)),
+    )
+    for table in dataset.shards([*AXES, *OUTCOMES, "status", "within_tier"]):
+        _add(found, table)
+    return found
+
+
+def _add(found: Statistics, table: Any) -> None:
+    """Count the rows of one shard."""
+    bins = found.edges.shape[1] - 1
+    places = [
+        _places(table[name].to_numpy(), edges)
+        for name, edges in zip(AXES, found.edges, strict=True)
+    ]
+    status = np.array(table["status"].to_pylist())
+    known = np.isin(status, KNOWN)
+    marked = ~(known & table["within_tier"].to_numpy())
+    values = [table[name].to_numpy() for name in OUTCOMES]
+    for k, (i, j) in enumerate(PAIRS):
+        cells = places[i] * bins + places[j]
+        found.rows[k] += _counted(cells, bins)
+        found.marked[k] += _counted(cells[marked], bins)
+        found.known[k] += _counted(cells[known], bins)
+        for o, value in enumerate(values):
+            found.sums[o, k] += _counted(cells[known], bins, value[known])
+    for o, value in enumerate(values):
+        level = _places(value[known], found.levels[o])
+        for axis, place in enumerate(places):
+            cells = place[known] * LEVELS + level
+            counts = np.bincount(cells, minlength=bins * LEVELS)
+            found.spread[o, axis] += counts.reshape(bins, LEVELS)
+
+
+def _places(values: Array, edges: Array) -> NDArray[np.int64]:
+    """The bin of each value; the last one has its upper edge."""
+    return np.clip(np.searchsorted(edges, values, side="right") - 1, 0, len(edges) - 2)
+
+
+def _counted(cells: NDArray[np.int64], bins: int, weights: Array | None = None) -> Array:
+    counts = np.bincount(cells, weights, minlength=bins * bins)
+    return counts.reshape(bins, bins).astype(np.float64)

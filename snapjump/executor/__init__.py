@@ -1,0 +1,1 @@
+"""Executors: where the pieces of a long computation are done."""

@@ -1,0 +1,1 @@
+"""Sampling plans: which designs a dataset has, any stretch of them without the rest."""

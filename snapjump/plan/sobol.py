@@ -1,0 +1,27 @@
+"""Scrambled Sobol points: fill the box evenly, whatever their number."""
+
+import warnings
+from dataclasses import dataclass
+
+from snapjump.plan.base import AXES, Array, Range, check_stretch, stretched
+
+
+@dataclass(frozen=True)
+class SobolPlan:
+    """The first ``count`` points of the sequence that ``seed`` scrambles."""
+
+    ranges: tuple[Range, ...]
+    count: int
+    seed: int
+
+    def designs(self, first: int, last: int) -> Array:
+        from scipy.stats.qmc import Sobol
+
+        check_stretch(first, last, self.count)
+        sequence = Sobol(d=len(AXES), scramble=True, rng=self.seed)
+        if first > 0:
+            sequence.fast_forward(first)
+        with warnings.catch_warnings():
+            # That a stretch is best a power of two long is said of the whole, not of stretches.
+            warnings.simplefilter("ignore", UserWarning)
+            return stretched(sequence.random(last - first), self.ranges)

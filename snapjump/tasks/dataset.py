@@ -1,0 +1,176 @@
+"""``task=dataset``: all jumps of a plan, in a folder that is continued where it was left."""
+
+import os
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from snapjump.checks import ParameterError, check_integer
+from snapjump.files.result_folder import ResultFolder
+from snapjump.tasks.base import INTERRUPTED, OK, Outcome, Progress
+from snapjump.tasks.simulate import check_complete
+from snapjump.terminal.block import number
+from snapjump.tracking.base import DatasetUse
+from snapjump.tracking.tracked import write_datasets
+
+if TYPE_CHECKING:
+    from snapjump.dataset.folder import DatasetFolder
+    from snapjump.dataset.generate import Generation
+    from snapjump.dataset.specification import Specification
+    from snapjump.executor.base import Executor
+    from snapjump.files.lock import FileLock
+
+KEYS = ("path", "shard_size", "part", "parts")
+MOST_PARTS = 10_000
+# Share of the progress bar for the jumps; the rest is for reading them again and drawing.
+GENERATION_SHARE = 0.95
+
+
+class GenerateDataset:
+    """Generates what is missing, then looks at all of it."""
+
+    def __init__(self) -> None:
+        self._config: Mapping[str, Any] = {}
+        self._specification: Specification
+        self._executor: Executor
+        self._folder: DatasetFolder
+        self._locks: list[FileLock] = []
+        self._damaged: list[str] = []
+
+    def prepare(self, config: Mapping[str, Any]) -> None:
+        """Check every value, the folder and the executor; claim the folder."""
+        from snapjump.dataset.folder import DatasetFolder, default_path
+        from snapjump.dataset.specification import dataset_member, specify
+
+        self._config = config
+        keys = config.get("dataset") or {}
+        check_keys(keys)
+        self._specification = specify(config, keys["shard_size"])
+        check_complete(config, self._specification.simulation)
+        self._executor = dataset_member("executor", config.get("executor")).member()
+        self._executor.check()
+        path = keys["path"]
+        self._folder = DatasetFolder(Path(path) if path else default_path(self._specification))
+        self._folder.check(self._specification)
+        try:
+            self._locks = self._folder.claim(keys["part"], keys["parts"])
+        except OSError as error:
+            allowed = f"a folder that can be written to ({error.strerror})"
+            raise ParameterError("dataset.path", str(self._folder.path), allowed) from error
+
+    def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
+        """Generate, read it all once more, and leave figures and the record of its hash."""
+        from snapjump.dataset.generate import generate
+
+        keys = self._config["dataset"]
+        shown = GENERATION_SHARE if self._config["figures"] else 1.0
+        try:
+            generation = generate(
+                self._folder,
+                self._specification,
+                self._executor,
+                self._config["backend"],
+                lambda done, text: progress(shown * done, text),
+                keys["part"],
+                keys["parts"],
+            )
+        finally:
+            for lock in self._locks:
+                lock.release()
+        self._damaged = generation.damaged
+        for damage in generation.damaged:
+            print(f"made again: {damage}", file=sys.stderr)
+        if generation.manifest["complete"]:
+            progress(shown, "looking at all of it")
+            self._conclude(folder, generation)
+        return Outcome(OK, "", summary(self._folder, generation))
+
+    def report(self, outcome: Outcome) -> list[tuple[str, str]]:
+        """The closing block; of a run that was stopped, how it goes on."""
+        plan = self._config["plan"]
+        found = outcome.summary
+        title = f"{plan['name']}, {self._specification.plan.count:,} jumps at "
+        lines = [("dataset", title + str(self._specification.simulation.accuracy))]
+        place = os.path.relpath(self._folder.path)
+        if outcome.status == INTERRUPTED:
+            again = f"the same command continues what is in {place}"
+            return [*lines, ("stopped", again)]
+        if "rows" not in found:
+            return lines
+        statuses = {k[5:]: n for k, n in found.items() if k.startswith("rows_") and n}
+        told = [
+            f"{n:,} {status}" for status, n in statuses.items() if status not in ("made", "kept")
+        ]
+        rate = found["jumps_per_second"]
+        speed = f"{number(rate)} jumps/s, {number(found['jumps_per_second_core'])} a core"
+        return [
+            *lines,
+            ("status", ", ".join(told)),
+            ("made", f"{found['rows_made']:,} now, {found['rows_kept']:,} before"),
+            ("damaged", "; ".join(self._damaged)),
+            ("speed", speed if rate else ""),
+            ("hash", str(found["dataset_sha256"] or "not before all parts are done")),
+            ("dataset in", place),
+        ]
+
+    def _conclude(self, folder: ResultFolder, generation: "Generation") -> None:
+        """Figures of the whole dataset, and what its record names."""
+        from snapjump.dataset.read import open_dataset
+        from snapjump.dataset.statistics import gather
+
+        dataset = open_dataset(self._folder.path)
+        plan = self._config["plan"]["name"]
+        name = f"{plan}-{self._specification.simulation.accuracy}"
+        use = DatasetUse(name, dataset.sha256, str(self._folder.path), dataset.rows, "generated")
+        write_datasets(folder, [use])
+        if not self._config["figures"]:
+            return
+        from snapjump.plots.dataset import draw_dataset, draw_status
+
+        statistics = gather(dataset)
+        tier = self._specification.simulation.accuracy
+        title = f"{dataset.rows:,} jumps at {tier}, plan {plan}, dataset {dataset.sha256[:8]}"
+
+        def draw(path: Path) -> None:
+            draw_dataset(statistics, title, path / "dataset.png")
+            draw_status(statistics, dataset.statuses, title, path / "status.png")
+
+        folder.write_figures(draw)
+
+
+def check_keys(keys: Mapping[str, Any]) -> None:
+    """Check the group ``dataset``, but for what its shards may be. Raises ParameterError."""
+    for key in keys:
+        if key not in KEYS:
+            raise ParameterError(f"dataset.{key}", keys[key], "dataset has " + ", ".join(KEYS))
+    for key in KEYS:
+        if key not in keys:
+            raise ParameterError(f"dataset.{key}", None, "a value, which cannot be left out")
+    path = keys["path"]
+    if path is not None and (not isinstance(path, str) or not path):
+        raise ParameterError("dataset.path", path, "null, or a folder")
+    check_integer("dataset.parts", keys["parts"], 1, MOST_PARTS)
+    check_integer("dataset.part", keys["part"], 1, keys["parts"])
+
+
+def summary(folder: "DatasetFolder", generation: "Generation") -> dict[str, Any]:
+    """The flat numbers of result.json; speeds are of what this run made, null if nothing."""
+    manifest = generation.manifest
+    rate = generation.made / generation.seconds if generation.made else None
+    return {
+        "dataset_path": str(folder.path),
+        "dataset_sha256": manifest["dataset_sha256"],
+        "complete": manifest["complete"],
+        "designs": manifest["designs"],
+        "rows": manifest["rows"],
+        **{f"rows_{status}": count for status, count in manifest["statuses"].items()},
+        "rows_made": generation.made,
+        "rows_kept": generation.kept,
+        "shards": len(manifest["shards"]),
+        "shards_damaged": len(generation.damaged),
+        "generation_seconds": generation.seconds,
+        "cores": generation.cores,
+        "jumps_per_second": rate,
+        "jumps_per_second_core": None if rate is None else rate / generation.cores,
+    }

@@ -1,0 +1,159 @@
+"""Generating: real jumps, continued, repaired, in parts, stopped; always the same dataset."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from small_datasets import BACKEND, generated, small
+
+from snapjump.checks import ParameterError
+from snapjump.dataset.folder import DatasetFolder
+from snapjump.dataset.generate import GenerationError
+from snapjump.dataset.read import open_dataset
+from snapjump.dataset.sealed import read_sealed
+from snapjump.dataset.work import job_of, make_shard
+from snapjump.executor.local import LocalExecutor
+from snapjump.plan.base import AXES
+
+SPECIFICATION = small()
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory) -> Path:
+    """A dataset that nobody disturbed."""
+    path = tmp_path_factory.mktemp("whole")
+    generated(path, SPECIFICATION)
+    return path
+
+
+def same(path: Path, whole: Path) -> bool:
+    return (path / "manifest.json").read_bytes() == (whole / "manifest.json").read_bytes()
+
+
+def test_rows_are_those_of_the_designs(whole):
+    frame = open_dataset(whole).frame()
+    designs = SPECIFICATION.plan.designs(0, 24)
+    assert (frame[list(AXES)].to_numpy() == designs).all()
+    assert frame["index"].tolist() == list(range(24))
+    jumped = frame["status"] == "ok"
+    assert jumped.sum() >= 20
+    for name in ("x_bar", "y_bar", "x_error_estimate_percent", "y_error_estimate_percent"):
+        assert np.isfinite(frame[name][jumped]).all()
+    assert (frame["y_bar"][jumped] > 0.0).all()
+    assert (frame["steps"] > 50).all() and (frame["newton_iterations"] > frame["steps"]).all()
+    assert (frame["kernel_seconds"] > 0.0).all()
+    assert (frame["h_bar"].between(0.04, 0.1)).all()
+    flown = frame[jumped]
+    # Nothing is missing without a status that tells why; derivatives have a flag of their own.
+    explained = [name for name in frame if "_d_" not in name and name != "differentiable"]
+    assert not flown[explained].isna().to_numpy().any()
+    # The flight from lift-off to the apex is a parabola.
+    seconds = flown["apex_time_s"] - flown["liftoff_time_s"]
+    length_m, gravity_m_s2 = 0.02, 10.0
+    assert np.allclose(seconds * gravity_m_s2, flown["liftoff_vy_m_s"], rtol=1e-9)
+    rise = flown["liftoff_vy_m_s"] ** 2 / (2.0 * gravity_m_s2 * length_m)
+    assert np.allclose(flown["liftoff_y_bar"] + rise, flown["y_bar"], rtol=1e-9)
+    along = flown["liftoff_x_bar"] + flown["liftoff_vx_m_s"] * seconds / length_m
+    assert np.allclose(along, flown["x_bar"], rtol=1e-9)
+
+
+def test_designs_that_cannot_be_are_rows_with_a_status(tmp_path):
+    """A beam of eight elements buckles at large pre-compressions only."""
+    plan = {"name": "sobol", "count": 16, "epsilon": [0.1, 0.4]}
+    specification = small(16, plan=plan, discretization={"name": "der", "elements": 8})
+    assert generated(tmp_path, specification).manifest["statuses"] == {"no_threshold": 8, "ok": 8}
+    frame = open_dataset(tmp_path).frame()
+    refused = frame["status"] == "no_threshold"
+    assert frame.loc[refused, "epsilon"].max() < frame.loc[~refused, "epsilon"].min()
+    for name in ("h_bar", "x_bar", "y_bar", "liftoff_time_s", "x_error_estimate_percent"):
+        assert (frame[name].isna() == refused).all()
+    assert not frame.loc[refused, "within_tier"].any()
+
+
+def test_shards_of_any_size_hold_the_same_rows(whole, tmp_path):
+    generated(tmp_path, small(shard_size=24))
+    one, several = (open_dataset(path).frame() for path in (tmp_path, whole))
+    times = ["kernel_seconds"]
+    assert one.drop(columns=times).equals(several.drop(columns=times))
+
+
+def test_what_is_there_is_kept_and_what_is_missing_made(whole, tmp_path):
+    told: list[str] = []
+    first = generated(tmp_path, SPECIFICATION, progress=lambda done, text: told.append(text))
+    assert (first.made, first.kept, first.damaged) == (24, 0, [])
+    assert told[0] == "0 of 24 jumps" and told[-1].startswith("24 of 24 jumps, ")
+    assert "/s, " in told[-1] and told[-1].endswith(" left")
+    before = {file: file.stat().st_mtime_ns for file in tmp_path.glob("shards/*")}
+    (tmp_path / "shards" / "shard-00001.json").unlink()
+    second = generated(tmp_path, SPECIFICATION)
+    assert (second.made, second.kept, second.damaged) == (8, 16, [])
+    after = {file: file.stat().st_mtime_ns for file in tmp_path.glob("shards/*")}
+    changed = {file.stem for file in after if after[file] != before[file]}
+    assert changed == {"shard-00001"} and same(tmp_path, whole)
+
+
+def test_damage_is_named_and_repaired(whole, tmp_path):
+    generated(tmp_path, SPECIFICATION)
+    shard = tmp_path / "shards" / "shard-00002.parquet"
+    content = bytearray(shard.read_bytes())
+    content[len(content) // 2] ^= 1
+    shard.write_bytes(content)
+    (tmp_path / "manifest.json").write_text("{")
+    again = generated(tmp_path, SPECIFICATION)
+    assert again.damaged == ["shard-00002.parquet is not what was written"]
+    assert again.made == 8 and same(tmp_path, whole)
+
+
+def test_parts_make_the_whole(whole, tmp_path):
+    first = generated(tmp_path, SPECIFICATION, part=2, parts=2)
+    assert first.made == 8 and not first.manifest["complete"]
+    assert first.manifest["dataset_sha256"] is None
+    with pytest.raises(ParameterError, match="8 of 24 rows"):
+        open_dataset(tmp_path)
+    second = generated(tmp_path, SPECIFICATION, part=1, parts=2)
+    assert second.made == 16 and same(tmp_path, whole)
+
+
+def test_what_stops_it_leaves_what_is_done_listed(whole, tmp_path):
+    def stop(done: float, text: str) -> None:
+        if (tmp_path / "shards" / "shard-00001.json").exists():
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        generated(tmp_path, SPECIFICATION, progress=stop)
+    manifest = read_sealed(tmp_path / "manifest.json")
+    assert manifest is not None and manifest["rows"] == 16 and not manifest["complete"]
+    assert generated(tmp_path, SPECIFICATION).made == 8 and same(tmp_path, whole)
+
+
+def test_a_shard_that_another_spoils_is_made_again(whole, tmp_path):
+    """As a worker does that was given up too early, and writes all the same."""
+
+    class Spoiling(LocalExecutor):
+        rounds = 0
+
+        def answers(self, work, jobs, progress):
+            self.rounds += 1
+            for answer in super().answers(work, jobs, progress):
+                if self.rounds <= self.spoilt and answer["shard"] == 1:
+                    (tmp_path / "shards" / "shard-00001.parquet").write_bytes(b"other")
+                yield answer
+
+    executor = Spoiling()
+    executor.spoilt = 1
+    assert generated(tmp_path, SPECIFICATION, executor).made == 24 + 8
+    assert same(tmp_path, whole)
+    (tmp_path / "shards" / "shard-00001.json").unlink()
+    executor.rounds, executor.spoilt = 0, 10
+    with pytest.raises(GenerationError, match=r"\[1\]"):
+        generated(tmp_path, SPECIFICATION, executor)
+
+
+def test_a_worker_with_other_sources_refuses(tmp_path):
+    folder = DatasetFolder(tmp_path)
+    folder.open(SPECIFICATION)
+    job = job_of(folder, SPECIFICATION, BACKEND, 0)
+    job["specification"] = {**job["specification"], "source_sha256": "of another version"}
+    with pytest.raises(ParameterError, match="source_sha256"):
+        make_shard(job, None)
+    assert not list(tmp_path.glob("shards/*"))

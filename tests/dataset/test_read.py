@@ -1,0 +1,116 @@
+"""Reading: the rows that were written, some columns of them, shard by shard; statistics."""
+
+import tracemalloc
+
+import numpy as np
+import pyarrow as pa
+import pytest
+from small_datasets import made_up, made_up_rows, small
+
+from snapjump.checks import ParameterError
+from snapjump.dataset.columns import NAMES
+from snapjump.dataset.folder import DatasetFolder
+from snapjump.dataset.manifest import write_manifest
+from snapjump.dataset.read import open_dataset
+from snapjump.dataset.statistics import PAIRS, gather
+from snapjump.plan.base import AXES
+
+
+@pytest.fixture(scope="module")
+def dataset(tmp_path_factory):
+    specification = small(100, 16)
+    path = tmp_path_factory.mktemp("made_up")
+    made_up(path, specification)
+    rows = [made_up_rows(specification, number) for number in range(specification.shards)]
+    return open_dataset(path), {n: np.concatenate([row[n] for row in rows]) for n in NAMES}
+
+
+def test_what_was_written_is_read(dataset):
+    found, written = dataset
+    frame = found.frame()
+    assert list(frame.columns) == list(NAMES) and len(frame) == found.rows == 100
+    for name in NAMES:
+        if written[name].dtype.kind == "f":
+            assert np.array_equal(frame[name], written[name], equal_nan=True)
+        else:
+            assert (frame[name] == written[name]).all()
+    assert found.statuses == {"ok": 90, "step_underflow": 10}
+    assert (frame["x_bar"].isna() == (frame["status"] != "ok")).all()
+
+
+def test_some_columns_shard_by_shard(dataset):
+    found, written = dataset
+    tables = list(found.shards(["mu", "y_bar"]))
+    assert [len(table) for table in tables] == [16] * 6 + [4]
+    assert tables[0].column_names == ["mu", "y_bar"]
+    assert np.concatenate([t["mu"].to_numpy() for t in tables]).tolist() == written["mu"].tolist()
+    assert found.table(["mu"]).num_rows == 100
+    with pytest.raises(ParameterError, match="columns = 'z_bar'"):
+        found.table(["z_bar"])
+
+
+def test_a_dataset_that_is_not_complete_is_refused(tmp_path):
+    specification = small(100, 16)
+    with pytest.raises(ParameterError, match=r"manifest\.json"):
+        open_dataset(tmp_path)
+    folder = DatasetFolder(tmp_path)
+    folder.open(specification)
+    write_manifest(folder, specification)
+    with pytest.raises(ParameterError, match="0 of 100 rows"):
+        open_dataset(tmp_path)
+
+
+def test_statistics_are_those_of_the_rows(dataset):
+    found, written = dataset
+    statistics = gather(found)
+    ok = written["status"] == "ok"
+    for o, name in enumerate(("x_bar", "y_bar")):
+        for pair, (i, j) in enumerate(PAIRS):
+            place = [
+                np.clip(np.digitize(written[AXES[a]], statistics.edges[a]) - 1, 0, 4)
+                for a in (i, j)
+            ]
+            means = statistics.means(o, pair)
+            for a in range(5):
+                for b in range(5):
+                    inside = ok & (place[0] == a) & (place[1] == b)
+                    if inside.any():
+                        assert means[a, b] == pytest.approx(written[name][inside].mean())
+                    else:
+                        assert np.isnan(means[a, b])
+        first = np.digitize(written[AXES[0]], statistics.edges[0]) - 1 == 0
+        values = written[name][ok & first]
+        width = np.diff(statistics.levels[o])[0]
+        (median,) = statistics.quantiles(o, 0, [0.5])
+        assert abs(median[0] - np.sort(values)[(len(values) - 1) // 2]) <= width
+    marked = ~(ok & written["within_tier"])
+    assert statistics.marked[0].sum() == marked.sum()
+    assert statistics.rows.sum() == 100 * len(PAIRS)
+
+
+def test_bins_of_a_grid_are_its_values(tmp_path):
+    specification = small(plan={"name": "grid", "points": 3}, shard_size=50)
+    made_up(tmp_path, specification)
+    statistics = gather(open_dataset(tmp_path))
+    assert statistics.edges.shape == (4, 4)
+    assert (statistics.rows == 9).all()
+
+
+def test_memory_does_not_grow_with_the_dataset(tmp_path):
+    """Peak of Python's and Arrow's memory while opening and gathering 12 and 60 shards."""
+    peaks = []
+    for shards in (12, 60):
+        specification = small(512 * shards, 512)
+        made_up(tmp_path / str(shards), specification)
+        gather(open_dataset(tmp_path / str(shards)))
+        pool = pa.proxy_memory_pool(pa.default_memory_pool())
+        before = pa.default_memory_pool()
+        pa.set_memory_pool(pool)
+        tracemalloc.start()
+        try:
+            gather(open_dataset(tmp_path / str(shards)))
+            peaks.append(tracemalloc.get_traced_memory()[1] + pool.max_memory())
+        finally:
+            tracemalloc.stop()
+            pa.set_memory_pool(before)
+    assert peaks[1] < 1.1 * peaks[0]

@@ -1,0 +1,161 @@
+"""The dask executor: workers on loopback, of which one is killed in the middle of its work."""
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from small_datasets import BACKEND, OVERRIDES, generated, small
+
+from snapjump.checks import ParameterError
+from snapjump.dataset.read import open_dataset
+from snapjump.executor.dask import DaskExecutor
+from snapjump.options.executor import DaskExecutorOptions
+
+ROOT = Path(__file__).resolve().parents[2]
+PATIENCE_S = 60.0
+SPECIFICATION = small(192, 16)
+
+
+def start(tool: str, *arguments: str) -> "subprocess.Popen[bytes]":
+    """A dask process that finds this library as this one does."""
+    return subprocess.Popen(
+        [sys.executable, "-m", f"distributed.cli.dask_{tool}", "--no-dashboard", *arguments],
+        cwd=ROOT,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+
+
+@pytest.fixture
+def cluster(tmp_path: Path) -> Iterator[tuple[str, list["subprocess.Popen[bytes]"]]]:
+    """Address of a real scheduler, and its two worker processes."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    address = f"tcp://127.0.0.1:{port}"
+    scheduler = start("scheduler", "--host", "127.0.0.1", "--port", str(port))
+    worker = ("--nthreads", "1", "--no-nanny", "--local-directory", str(tmp_path))
+    workers = [start("worker", address, *worker) for _ in range(2)]
+    try:
+        wait_for_workers(address)
+        yield address, workers
+    finally:
+        for process in (*workers, scheduler):
+            process.kill()
+            process.wait()
+
+
+def wait_for_workers(address: str) -> None:
+    from distributed import Client
+
+    end = time.monotonic() + PATIENCE_S
+    while True:
+        try:
+            DaskExecutor(address, 1).check()
+            break
+        except ParameterError:
+            assert time.monotonic() < end
+            time.sleep(0.2)
+    with Client(address) as client:
+        client.wait_for_workers(2, timeout=PATIENCE_S)
+
+
+def test_a_killed_worker_costs_nothing_but_time(cluster, tmp_path: Path) -> None:
+    address, workers = cluster
+    killed: list[float] = []
+
+    def kill(done: float, text: str) -> None:
+        if done > 0.0 and not killed:
+            workers[0].send_signal(signal.SIGKILL)
+            killed.append(done)
+
+    path = tmp_path / "dask"
+    generation = generated(path, SPECIFICATION, DaskExecutor(address, 1), progress=kill)
+    assert killed and killed[0] < 0.5 and workers[0].wait(10) == -signal.SIGKILL
+    assert generation.manifest["complete"] and generation.made == 192
+    generated(tmp_path / "local", SPECIFICATION)
+    local, dask = (tmp_path / name / "manifest.json" for name in ("local", "dask"))
+    assert local.read_bytes() == dask.read_bytes()
+    assert open_dataset(path).sha256 == open_dataset(tmp_path / "local").sha256
+    assert not list((path / "shards").glob(".*.json.*"))
+
+
+def test_workers_started_here_by_the_command_line(command, tmp_path: Path) -> None:
+    plan = ("plan=latin_hypercube", "plan.count=24", "dataset.shard_size=8")
+    done = command(
+        *OVERRIDES, *plan, "executor=dask", "dataset.path=d", "tracking=off", "figures=false"
+    )
+    assert done.returncode == 0, done.stderr
+    assert "24 now" in done.stdout
+    generated(tmp_path / "local", small())
+    assert (
+        open_dataset(tmp_path / "d")
+        .table(["index", "x_bar"])
+        .equals(open_dataset(tmp_path / "local").table(["index", "x_bar"]))
+    )
+
+
+def still_running(group: int) -> list[str]:
+    """Processes of a group; not those that are only waiting to be forgotten."""
+    shown = subprocess.run(
+        ["ps", "-eo", "pgid=,stat=,args="], capture_output=True, text=True, check=True
+    )
+    rows = [line.split(None, 2) for line in shown.stdout.splitlines()]
+    return [text for found, state, text in rows if int(found) == group and state[0] != "Z"]
+
+
+def test_ctrl_c_of_a_terminal_stops_all_processes_without_a_word_of_theirs(tmp_path: Path) -> None:
+    plan = ("plan=sobol", "plan.count=20000", "dataset.shard_size=16", "executor=dask")
+    process = subprocess.Popen(
+        [sys.executable, str(ROOT / "run.py"), *OVERRIDES, *plan, "dataset.path=d", "tracking=off"],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    while len(list(tmp_path.glob("d/shards/*.json"))) < 3:
+        assert process.poll() is None
+        time.sleep(0.05)
+    os.killpg(process.pid, signal.SIGINT)
+    out, errors = process.communicate(timeout=PATIENCE_S)
+    assert process.returncode == 130
+    assert "Traceback" not in errors and "the same command continues what is in d" in out
+    assert not still_running(process.pid)
+
+
+def test_what_a_worker_raises_comes_here(cluster) -> None:
+    address, _ = cluster
+    with DaskExecutor(address, 1) as executor:
+        assert executor.cores >= 1 and executor.threads is None
+        with pytest.raises(KeyError, match="specification"):
+            from snapjump.dataset.work import make_shard
+
+            list(executor.answers(make_shard, [{"backend": BACKEND}], lambda share: None))
+
+
+def test_no_scheduler_is_bad_input() -> None:
+    with socket.socket() as unused:
+        unused.bind(("127.0.0.1", 0))
+        address = f"tcp://127.0.0.1:{unused.getsockname()[1]}"
+        with pytest.raises(ParameterError, match=r"executor\.scheduler"):
+            DaskExecutorOptions(address).member().check()
+
+
+def test_without_the_package_it_says_what_to_install(monkeypatch) -> None:
+    monkeypatch.setattr("snapjump.executor.dask.find_spec", lambda name: None)
+    with pytest.raises(ParameterError, match=r"snapjump\[cluster\]"):
+        DaskExecutorOptions().member().check()
+
+
+def test_workers_here_share_the_cores() -> None:
+    cores = len(os.sched_getaffinity(0))
+    assert DaskExecutor(None, 1).threads == cores
+    assert DaskExecutor(None, 10 * cores).threads == 1

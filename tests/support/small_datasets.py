@@ -1,0 +1,91 @@
+"""Small datasets: real ones of a coarse simulation, and shards of made-up numbers."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from snapjump.dataset.columns import COLUMNS, FLAG, INTEGER, NUMBER, Rows
+from snapjump.dataset.folder import DatasetFolder
+from snapjump.dataset.generate import Generation, generate
+from snapjump.dataset.manifest import write_manifest
+from snapjump.dataset.shard import write_shard
+from snapjump.dataset.specification import Specification, specify
+from snapjump.executor.local import LocalExecutor
+from snapjump.plan.base import AXES
+
+BACKEND = {"name": "lanes"}
+CONFIG: dict[str, Any] = {
+    "accuracy": {"name": "draft"},
+    "discretization": {"name": "der", "elements": 24},
+    "stepping": {"name": "adaptive", "tolerance": 1e-5},
+    "contact": {"name": "logbarrier", "distance_m": 1e-3},
+    "backend": BACKEND,
+}
+# The same for the command line.
+OVERRIDES = (
+    "task=dataset",
+    "accuracy=draft",
+    "discretization.elements=24",
+    "stepping.tolerance=1e-5",
+    "contact.distance_m=1e-3",
+)
+
+
+def small(count: int = 24, shard_size: int = 8, **changes: Any) -> Specification:
+    """Few coarse jumps."""
+    plan = {"name": "latin_hypercube", "count": count}
+    return specify({**CONFIG, "plan": plan, **changes}, shard_size)
+
+
+def generated(
+    path: Path, specification: Specification, executor: Any = None, **options: Any
+) -> Generation:
+    """What becomes of generating a dataset in a folder."""
+    folder = DatasetFolder(path)
+    folder.check(specification)
+    locks = folder.claim(options.get("part", 1), options.get("parts", 1))
+    try:
+        return generate(
+            folder,
+            specification,
+            executor or LocalExecutor(),
+            BACKEND,
+            options.pop("progress", lambda done, text: None),
+            **options,
+        )
+    finally:
+        for lock in locks:
+            lock.release()
+
+
+def made_up_rows(specification: Specification, number: int) -> Rows:
+    """Numbers that look like those of a shard: a tenth of the designs failed."""
+    first, last = specification.stretch(number)
+    count = last - first
+    random = np.random.default_rng(number)
+    rows: dict[str, Any] = {}
+    for column in COLUMNS:
+        if column.kind == NUMBER:
+            rows[column.name] = random.normal(size=count)
+        elif column.kind == INTEGER:
+            rows[column.name] = random.integers(0, 1000, count)
+        elif column.kind == FLAG:
+            rows[column.name] = random.random(count) < 0.9
+    rows["index"] = np.arange(first, last)
+    rows |= dict(zip(AXES, specification.plan.designs(first, last).T, strict=True))
+    failed = np.arange(first, last) % 10 == 3
+    rows["status"] = np.where(failed, "step_underflow", "ok").astype(object)
+    for name in ("x_bar", "y_bar"):
+        rows[name][failed] = np.nan
+    return rows
+
+
+def made_up(path: Path, specification: Specification) -> DatasetFolder:
+    """A complete dataset of made-up numbers."""
+    folder = DatasetFolder(path)
+    folder.open(specification)
+    for number in range(specification.shards):
+        write_shard(folder, specification, number, made_up_rows(specification, number))
+    write_manifest(folder, specification)
+    return folder
