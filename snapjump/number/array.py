@@ -7,7 +7,8 @@ it counts references to every array that is passed on. Kernels need neither.
 import operator
 from typing import Any
 
-from numba.core import types
+from llvmlite import ir
+from numba.core import cgutils, types
 from numba.core.imputils import lower_builtin
 from numba.extending import models, register_model
 from numba.np import arrayobj
@@ -79,6 +80,25 @@ for _index in (types.Integer, types.SliceType):
 lower_builtin(operator.getitem, NumberArray, types.BaseTuple)(
     _counted_from_the_beginning(arrayobj.getitem_array_tuple)
 )
+
+
+def _store(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    """numba's own code for a store; of lanes, through a fence that costs nothing.
+
+    LLVM would merge ``x[i] = where(mask, y, x[i])`` into a masked store, which AMD's processors
+    take a dozen cycles for, against one for the choice and the store by themselves.
+    """
+    value = args[2]
+    if isinstance(value.type, ir.VectorType):
+        fence = cgutils.get_or_insert_function(
+            builder.module,
+            ir.FunctionType(value.type, [value.type]),
+            f"llvm.arithmetic.fence.v{value.type.count}f64",
+        )
+        value = builder.call(fence, [value])
+    return arrayobj.setitem_array(context, builder, sig, (*args[:2], value))
+
+
 lower_builtin(operator.setitem, NumberArray, types.Any, types.Any)(
-    _counted_from_the_beginning(arrayobj.setitem_array)
+    _counted_from_the_beginning(_store)
 )
