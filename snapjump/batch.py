@@ -14,10 +14,11 @@ from snapjump.engine.status import NAMES, NO_JUMP, OK
 from snapjump.error_estimate import ErrorEstimate, error_estimate
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
+from snapjump.scenes.card_march import check_backend, march_on
 from snapjump.scenes.flight_check import checked_status
 from snapjump.scenes.frame_body import frame_mesh
 from snapjump.scenes.jump_start import jump_model, resting_guess
-from snapjump.scenes.runner import MOST_ITERATIONS, March
+from snapjump.scenes.runner import MOST_ITERATIONS
 
 Array = NDArray[np.float64]
 
@@ -67,7 +68,7 @@ def march_together(
     """Outcome (R, ROWS) of jumps whose frames have one mesh, and the kernel's seconds."""
     base = simulations[0]
     states = np.array([resting_guess(s, m) for s, m in zip(simulations, models, strict=True)])
-    march = March(
+    march = march_on(base)(
         models=list(models),
         masses=base.discretization.masses(),
         states=states,
@@ -86,11 +87,14 @@ def simulate_batch(
 ) -> Batch:
     """Simulate jumps, ``lanes`` at a time, each for at most so many Newton iterations.
 
+    With ``backend=cuda`` they run on the card instead, one in each of its threads.
+
     They differ in numbers of the model only: design, environment, gravity, rotation, and values of
     the contact, friction and damping laws. Frames whose mesh depends on the design march with
     those of the same mesh.
     """
     base = simulations[0]
+    check_backend(base)
     models = [jump_model(s) for s in simulations]
     groups: dict[tuple[int, ...], list[int]] = {}
     for k, (simulation, model) in enumerate(zip(simulations, models, strict=True)):

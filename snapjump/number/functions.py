@@ -8,7 +8,7 @@ import math
 from typing import Any
 
 from llvmlite import ir
-from numba.core import types
+from numba.core import cgutils, types
 from numba.extending import intrinsic, overload
 
 from snapjump.number.dispatch import INLINED, kernel
@@ -20,6 +20,15 @@ from snapjump.number.lane import (
     splat,
     vector_intrinsic,
 )
+
+
+def _scalar_function(module: ir.Module, name: str) -> ir.Function:
+    """A function of one double: LLVM's intrinsic, or CUDA's own library where that runs."""
+    double = ir.DoubleType()
+    if module.triple.startswith("nvptx"):
+        kind = ir.FunctionType(double, [double])
+        return cgutils.get_or_insert_function(module, kind, f"__nv_{name}")
+    return module.declare_intrinsic(f"llvm.{name}", [double])
 
 
 def _elementwise(name: str, vectorised: bool, in_python: Any) -> Any:
@@ -36,8 +45,7 @@ def _elementwise(name: str, vectorised: bool, in_python: Any) -> Any:
 
         def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
             value = context.cast(builder, args[0], sig.args[0], kind)
-            double = ir.DoubleType()
-            scalar = builder.module.declare_intrinsic(f"llvm.{name}", [double])
+            scalar = _scalar_function(builder.module, name)
             if not isinstance(kind, LaneType):
                 return builder.call(scalar, [value])
             if vectorised:

@@ -70,6 +70,9 @@ OUTSIDE = {
     ("stepping", "adaptive", "contact_steps"): (0.0, -1.0),
     ("backend", "lanes", "width"): (0, 1, 3, 32),
     ("backend", "lanes", "threads"): (0, 1025, 2.0),
+    ("backend", "cuda", "device"): (-1, 1024, 0.0),
+    ("backend", "cuda", "memory_gib"): (0.0, -1.0, 1025.0),
+    ("backend", "cuda", "threads_per_block"): (0, 16, 33, 288, 64.0),
 }
 ROW_OF = {
     "order": (0, 13, 2.5),
