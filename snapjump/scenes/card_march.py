@@ -42,6 +42,7 @@ class CardMarch(March):
         from snapjump.cuda.card import Card
 
         super().__post_init__()
+        self.passes_of_threads: list[NDArray[np.int64]] = []  # of every chunk
         backend = self.simulation.backend
         self.plan = make_plan(
             len(self.models),
@@ -140,5 +141,6 @@ class CardMarch(March):
                     progress((part.start + taken - under_way) / robots, "marching")
             self.queue.outcome[part] = self.card.fetch(queue.outcome)
             self.queue.counts[1] += int(counts[:, 1].sum())
+            self.passes_of_threads.append(counts[:, 1])
         self.crew[0].kernel_seconds += self.card.kernel_seconds - begun
         return self.queue.outcome
