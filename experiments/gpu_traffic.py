@@ -22,7 +22,8 @@ from snapjump.engine.march import Limits
 from snapjump.engine.model import Model
 from snapjump.engine.work import System, Work
 from snapjump.recorder.none import NoRecorder
-from snapjump.scenes.jump_start import jump_model, resting_guess
+from snapjump.scenes.jump_start import jump_model
+from snapjump.scenes.resting import resting_guess
 from snapjump.scenes.runner import March
 
 BASELINE = (0.1, 0.2, 0.768, 0.3)

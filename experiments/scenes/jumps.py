@@ -18,7 +18,8 @@ from snapjump.ending.apex import ApexEnding
 from snapjump.engine import clock as c
 from snapjump.engine.status import NAMES, OK
 from snapjump.families import FAMILIES
-from snapjump.scenes.jump_start import jump_model, resting_guess
+from snapjump.scenes.jump_start import jump_model
+from snapjump.scenes.resting import resting_guesses
 from snapjump.scenes.runner import March
 from snapjump.simulation import simulate
 from snapjump.studies.base import Row
@@ -57,11 +58,10 @@ def flown(simulation: Simulation, designs: Designs) -> list[Row]:
     """The same jumps followed through the air until the centre of mass sinks."""
     simulations = variants(simulation, designs)
     models = [jump_model(one) for one in simulations]
-    states = np.array([resting_guess(s, m) for s, m in zip(simulations, models, strict=True)])
     march = March(
         models=models,
         masses=simulation.discretization.masses(),
-        states=states,
+        states=resting_guesses(simulations, models),
         simulation=simulation,
         ending=ApexEnding(FLIGHT_LIMIT_S / simulation.robot.scales.time_s, FLOWN_HEIGHT),
         lanes=LANES,

@@ -55,7 +55,13 @@ from snapjump.integrator.base import ends_in_a_stage, error_order, is_explicit, 
 from snapjump.number.atomic import fetch_add
 from snapjump.number.dispatch import routine
 from snapjump.number.functions import any_true, maximum, minimum, negate, where
-from snapjump.recorder.base import record_stage, record_start, record_step
+from snapjump.recorder.base import (
+    record_end,
+    record_robot,
+    record_stage,
+    record_start,
+    record_step,
+)
 from snapjump.stepping.base import (
     accepts,
     first_step,
@@ -119,7 +125,7 @@ def load_robot(memory: Any, lane: int, queue: Any, robot: int, step: float) -> N
 
 
 @routine
-def refill(memory: Any, lane: int, queue: Any, step: float) -> None:
+def refill(memory: Any, lane: int, queue: Any, recorder: Any, step: float) -> None:
     """Give a lane the next robot of the queue, or let it idle on the one it has."""
     while True:
         robot = fetch_add(queue.cursor, 1, 1)
@@ -129,6 +135,7 @@ def refill(memory: Any, lane: int, queue: Any, step: float) -> None:
             return
         if queue.status[robot] == RUNNING:
             load_robot(memory, lane, queue, robot, step)
+            record_robot(recorder, lane, robot)
             queue.carried[lane] = robot
             queue.counts[0] += 1
             return
@@ -195,7 +202,7 @@ def march(
         queue.counts[0] = 0
         for lane in range(width):
             load_robot(memory, lane, queue, 0, step)
-            refill(memory, lane, queue, step)
+            refill(memory, lane, queue, recorder, step)
         if queue.counts[0] == 0:
             return True
         model = with_numbers(template, work.numbers)
@@ -252,10 +259,11 @@ def march(
             clock[STATUS] = where(leaving, status, 0.0)
             for lane in range(width):
                 if memory.clock[STATUS, lane] > 0.0:
+                    record_end(recorder, model, masses, lane, queue.carried[lane])
                     for k in range(memory.clock.shape[0]):
                         queue.outcome[queue.carried[lane], k] = memory.clock[k, lane]
                     queue.counts[0] -= 1
-                    refill(memory, lane, queue, step)
+                    refill(memory, lane, queue, recorder, step)
                     memory.clock[STATUS, lane] = 0.0
             model = with_numbers(template, work.numbers)
         if any_true(restage):
@@ -298,7 +306,7 @@ def finish_step(
     clock[STAGE] = where(ended, 1.0, clock[STAGE])
     clock[SMALLEST_GAP] = where(good, minimum(clock[SMALLEST_GAP], clock[GAP]), clock[SMALLEST_GAP])
     commit_step(scheme, work, good)
-    record_step(recorder, work)
+    record_step(recorder, scheme, work, good)
     touching = good & (clock[GAP] < clearance(model.contact))
     clock[LAST_CONTACT] = where(touching, clock[TIME], clock[LAST_CONTACT])
     verdict = judge(ending, model, masses, work, good)

@@ -9,6 +9,9 @@ TIME_LIMIT = 5
 NOT_FINITE = 6
 NO_EQUILIBRIUM = 7
 ENERGY_GAINED = 8
+# Of designs in a batch, which are refused one by one where a single one is an error.
+BAD_DESIGN = 9
+NO_THRESHOLD = 10
 
 NAMES = {
     OK: "ok",
@@ -19,6 +22,8 @@ NAMES = {
     NOT_FINITE: "not_finite",
     NO_EQUILIBRIUM: "no_equilibrium",
     ENERGY_GAINED: "energy_gained",
+    BAD_DESIGN: "bad_design",
+    NO_THRESHOLD: "no_threshold",
 }
 
 REASONS = {
@@ -30,4 +35,6 @@ REASONS = {
     NOT_FINITE: "a number was not finite",
     NO_EQUILIBRIUM: "no stable equilibrium to start from was found",
     ENERGY_GAINED: "the steps put energy in: the apex is beyond what the beam could have held",
+    BAD_DESIGN: "a value of the design lies outside its range, or its parts do not fit each other",
+    NO_THRESHOLD: "the arch of this pre-compression does not buckle, or does not snap",
 }

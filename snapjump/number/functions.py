@@ -12,10 +12,21 @@ from numba.core import cgutils, types
 from numba.extending import intrinsic, overload
 
 from snapjump.number.dispatch import INLINED, kernel
+from snapjump.number.dual import (
+    DUAL,
+    DualType,
+    Parts,
+    added,
+    dual,
+    is_dual,
+    scaled,
+    slopes_of,
+    together,
+    value_of,
+)
 from snapjump.number.lane import (
     LaneType,
     MaskType,
-    each_lane,
     lane_type,
     splat,
     vector_intrinsic,
@@ -31,8 +42,11 @@ def _scalar_function(module: ir.Module, name: str) -> ir.Function:
     return module.declare_intrinsic(f"llvm.{name}", [double])
 
 
-def _elementwise(name: str, vectorised: bool, in_python: Any) -> Any:
-    """A function of one number: ``llvm.<name>`` in numba, ``in_python`` outside it."""
+def _elementwise(name: str, in_python: Any, of_dual: Any) -> Any:
+    """A function of one number: ``llvm.<name>`` in numba, ``in_python`` outside it.
+
+    ``of_dual``: the function of a dual, given that of its value.
+    """
 
     def function(x: Any) -> Any:
         return in_python(x)
@@ -45,29 +59,42 @@ def _elementwise(name: str, vectorised: bool, in_python: Any) -> Any:
 
         def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
             value = context.cast(builder, args[0], sig.args[0], kind)
-            scalar = _scalar_function(builder.module, name)
-            if not isinstance(kind, LaneType):
-                return builder.call(scalar, [value])
-            if vectorised:
+            if isinstance(kind, LaneType):
                 return vector_intrinsic(builder, name, value)
-            return each_lane(builder, value, lambda v: builder.call(scalar, [v]))
+            return builder.call(_scalar_function(builder.module, name), [value])
 
         return kind(x), codegen
 
     @overload(function, strict=False, jit_options=INLINED)
     def _in_numba(x: Any) -> Any:
+        if isinstance(x, DualType):
+            return of_dual(of_number)
         return lambda x: of_number(x)
 
     return function
 
 
+def _sqrt_of_dual(root: Any) -> Any:
+    def differentiated(x: Any) -> Any:
+        value = root(value_of(x))
+        return dual(value, slopes_of(x) * (0.5 / value))
+
+    return differentiated
+
+
+def _nearest_of_dual(rounded: Any) -> Any:
+    return lambda x: rounded(value_of(x))
+
+
+def _absolute_of_dual(magnitude: Any) -> Any:
+    return lambda x: -x if value_of(x) < 0.0 else x
+
+
 sqrt = _elementwise(
-    "sqrt", True, lambda x: cmath.sqrt(x) if isinstance(x, complex) else math.sqrt(x)
+    "sqrt", lambda x: cmath.sqrt(x) if isinstance(x, complex) else math.sqrt(x), _sqrt_of_dual
 )
-log = _elementwise("log", False, lambda x: cmath.log(x) if isinstance(x, complex) else math.log(x))
-exp = _elementwise("exp", False, lambda x: cmath.exp(x) if isinstance(x, complex) else math.exp(x))
-nearest = _elementwise("rint", True, lambda x: float(round(x.real)))
-absolute = _elementwise("fabs", True, lambda x: x if x.real >= 0 else -x)
+nearest = _elementwise("rint", lambda x: float(round(x.real)), _nearest_of_dual)
+absolute = _elementwise("fabs", lambda x: x if x.real >= 0 else -x, _absolute_of_dual)
 
 
 def where(mask: Any, a: Any, b: Any) -> Any:
@@ -114,7 +141,22 @@ def _fused(typingctx: Any, a: Any, b: Any, c: Any) -> Any:
 
 @overload(fma, strict=False, jit_options=INLINED)
 def _fma(a: Any, b: Any, c: Any) -> Any:
+    if is_dual(a, b, c):
+        return lambda a, b, c: _fused_duals(a, b, c)
     return lambda a, b, c: _fused(a, b, c)
+
+
+@intrinsic
+def _fused_duals(typingctx: Any, a: Any, b: Any, c: Any) -> Any:
+    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        x, y, z = (Parts(context, builder, t, v) for t, v in zip(sig.args, args, strict=True))
+        product = added(
+            builder, scaled(builder, x.slopes, y.value), scaled(builder, y.slopes, x.value)
+        )
+        value = builder.fma(x.value, y.value, z.value)
+        return together(context, builder, value, added(builder, product, z.slopes))
+
+    return DUAL(a, b, c), codegen
 
 
 # pi / 2 in two parts, and the polynomials of sine and cosine on [-pi/4, pi/4] from fdlibm.

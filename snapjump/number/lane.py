@@ -158,17 +158,6 @@ def vector_intrinsic(builder: ir.IRBuilder, name: str, *args: ir.Value) -> ir.Va
     return builder.call(function, args)
 
 
-def each_lane(builder: ir.IRBuilder, vector: ir.Value, apply: Callable[[Any], Any]) -> ir.Value:
-    """Apply a scalar LLVM operation lane by lane (for functions without a vector form)."""
-    result = ir.Constant(vector.type, ir.Undefined)
-    for i in range(vector.type.count):
-        index = ir.Constant(ir.IntType(32), i)
-        result = builder.insert_element(
-            result, apply(builder.extract_element(vector, index)), index
-        )
-    return result
-
-
 @intrinsic
 def view_numbers(typingctx: Any, array: Any, lanes: Any) -> Any:
     """View a float64 array of shape (..., W) as an array of numbers of shape (...).

@@ -9,6 +9,11 @@ from snapjump.number.dispatch import family_function
 
 
 @family_function
+def record_robot(recorder: Any, lane: Any, robot: Any) -> None:
+    """Called when a lane has been given a robot of the queue."""
+
+
+@family_function
 def record_start(recorder: Any, model: Any, masses: Any, work: Any) -> None:
     """Called once before the first step."""
 
@@ -21,5 +26,10 @@ def record_stage(
 
 
 @family_function
-def record_step(recorder: Any, work: Any) -> None:
-    """Called when a step has been judged and, if it stands, committed."""
+def record_step(recorder: Any, scheme: Any, work: Any, good: Any) -> None:
+    """Called when steps have been judged; ``good`` is the mask of those that stand, committed."""
+
+
+@family_function
+def record_end(recorder: Any, model: Any, masses: Any, lane: Any, robot: Any) -> None:
+    """Called when a robot is about to leave its lane."""

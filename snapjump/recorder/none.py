@@ -2,31 +2,22 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.recorder.base import record_stage, record_start, record_step
+from snapjump.recorder.base import (
+    record_end,
+    record_robot,
+    record_stage,
+    record_start,
+    record_step,
+)
 
 
 class NoRecorder(NamedTuple):
     """For batches: only the outcome counts."""
 
 
-@record_start.member(NoRecorder)
-def _record_start(recorder: NoRecorder, model: Any, masses: Any, work: Any) -> None:
+def _nothing(recorder: Any, *args: Any) -> None:
     pass
 
 
-@record_stage.member(NoRecorder)
-def _record_stage(
-    recorder: NoRecorder,
-    model: Any,
-    masses: Any,
-    motion: Any,
-    scheme: Any,
-    work: Any,
-    converged: Any,
-) -> None:
-    pass
-
-
-@record_step.member(NoRecorder)
-def _record_step(recorder: NoRecorder, work: Any) -> None:
-    pass
+for _function in (record_robot, record_start, record_stage, record_step, record_end):
+    _function.member(NoRecorder)(_nothing)

@@ -26,7 +26,13 @@ from snapjump.frame.base import (
 from snapjump.integrator.base import stage_count
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import any_true, sqrt
-from snapjump.recorder.base import record_stage, record_start, record_step
+from snapjump.recorder.base import (
+    record_end,
+    record_robot,
+    record_stage,
+    record_start,
+    record_step,
+)
 
 
 class ObservablesRecorder(NamedTuple):
@@ -147,8 +153,20 @@ def _record_stage(
 
 
 @record_step.member(ObservablesRecorder)
-def _record_step(recorder: ObservablesRecorder, work: Any) -> None:
+def _record_step(recorder: ObservablesRecorder, scheme: Any, work: Any, good: Any) -> None:
     time = work.clock[TIME]
     if any_true(time > recorder.clock[0]):
         recorder.clock[0] = time
         keep(recorder)
+
+
+@record_robot.member(ObservablesRecorder)
+def _record_robot(recorder: ObservablesRecorder, lane: Any, robot: Any) -> None:
+    pass
+
+
+@record_end.member(ObservablesRecorder)
+def _record_end(
+    recorder: ObservablesRecorder, model: Any, masses: Any, lane: Any, robot: Any
+) -> None:
+    pass

@@ -16,7 +16,13 @@ from snapjump.frame.base import border_width
 from snapjump.integrator.base import is_explicit, quadrature_weight
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, any_true, maximum
-from snapjump.recorder.base import record_stage, record_start, record_step
+from snapjump.recorder.base import (
+    record_end,
+    record_robot,
+    record_stage,
+    record_start,
+    record_step,
+)
 
 LEDGER = 4  # works of friction, damping, clamps, contact
 
@@ -120,7 +126,7 @@ def _record_stage(
 
 
 @record_step.member(TrajectoryRecorder)
-def _record_step(recorder: TrajectoryRecorder, work: Any) -> None:
+def _record_step(recorder: TrajectoryRecorder, scheme: Any, work: Any, good: Any) -> None:
     time = work.clock[TIME]
     if any_true(time > recorder.clock[0]):
         recorder.clock[0] = time
@@ -131,3 +137,15 @@ def _record_step(recorder: TrajectoryRecorder, work: Any) -> None:
         room = recorder.filled[0] < recorder.times.shape[0] - 1
         if room and time >= last + recorder.interval[0]:
             keep_sample(recorder, work)
+
+
+@record_robot.member(TrajectoryRecorder)
+def _record_robot(recorder: TrajectoryRecorder, lane: Any, robot: Any) -> None:
+    pass
+
+
+@record_end.member(TrajectoryRecorder)
+def _record_end(
+    recorder: TrajectoryRecorder, model: Any, masses: Any, lane: Any, robot: Any
+) -> None:
+    pass

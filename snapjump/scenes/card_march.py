@@ -41,6 +41,7 @@ class CardMarch(March):
     def __post_init__(self) -> None:
         from snapjump.cuda.card import Card
 
+        self.lanes = self.threads = 1
         super().__post_init__()
         self.passes_of_threads: list[NDArray[np.int64]] = []  # of every chunk
         backend = self.simulation.backend

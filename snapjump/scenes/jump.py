@@ -16,9 +16,11 @@ from snapjump.recorder.none import NoRecorder
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
 from snapjump.scenes.card_march import check_backend, march_on
+from snapjump.scenes.flight import flight
 from snapjump.scenes.flight_check import checked_status
 from snapjump.scenes.frame_body import frame_mesh
-from snapjump.scenes.jump_start import jump_model, resting_guess
+from snapjump.scenes.jump_start import jump_model
+from snapjump.scenes.resting import resting_guess
 from snapjump.scenes.runner import Progress
 from snapjump.scenes.trajectory import trajectory_arrays
 
@@ -76,42 +78,26 @@ def jump_message(simulation: Simulation, outcome: Any) -> str:
     return f"{REASONS[status]} ({time_ms:.4g} ms after the start)"
 
 
-def apex_bar(model: Any, outcome: Any) -> tuple[float, float, float]:
-    """Apex (x, y in L) of the centre of mass, and the time to it (T), from a jump's outcome."""
-    fall = model.load.acceleration
-    rise = max(float(outcome[c.COM_VY]), 0.0)
-    if int(outcome[c.STATUS]) != OK:
-        rise = 0.0
-    time_bar = rise / fall
-    x = outcome[c.COM_X] + outcome[c.COM_VX] * time_bar
-    return float(x), float(outcome[c.COM_Y] + 0.5 * rise * time_bar), time_bar
-
-
 def jump_summary(simulation: Simulation, model: Any, outcome: Any) -> dict[str, Any]:
     """The figures of result.json; times count from the beginning of the clamps' rotation.
 
     Without an apex (any status but ok and no_jump) its figures are NaN, and null in files.
     """
     scales = simulation.robot.scales
-    x, y, time_bar = apex_bar(model, outcome)
-    fall = model.load.acceleration
+    flown = flight(model.clamp.start / model.clamp.rate, model.load.acceleration, outcome)
     status = int(outcome[c.STATUS])
     flew = status == OK
-    begun = model.clamp.start / model.clamp.rate
-    aloft = outcome[c.TIME] - outcome[c.LAST_CONTACT]
     nothing = math.nan
     known = status in (OK, NO_JUMP)
     estimate = error_estimate(simulation, outcome[c.ERROR_SUM], 1.0 / model.frame.mass)
     return {
         "status": NAMES[status],
-        "x_bar": x if known else nothing,
-        "y_bar": y if known else nothing,
-        "apex_time_s": (begun + outcome[c.TIME] + time_bar) * scales.time_s if flew else nothing,
-        "liftoff_time_s": (begun + outcome[c.LAST_CONTACT]) * scales.time_s if flew else nothing,
-        "liftoff_vx_m_s": outcome[c.COM_VX] * scales.velocity_m_s if flew else nothing,
-        "liftoff_vy_m_s": (outcome[c.COM_VY] + fall * aloft) * scales.velocity_m_s
-        if flew
-        else nothing,
+        "x_bar": float(flown.apex_x) if known else nothing,
+        "y_bar": float(flown.apex_y) if known else nothing,
+        "apex_time_s": float(flown.apex_time) * scales.time_s if flew else nothing,
+        "liftoff_time_s": float(flown.liftoff_time) * scales.time_s if flew else nothing,
+        "liftoff_vx_m_s": float(flown.liftoff_vx) * scales.velocity_m_s if flew else nothing,
+        "liftoff_vy_m_s": float(flown.liftoff_vy) * scales.velocity_m_s if flew else nothing,
         "mount_height_m": (model.frame.mount_y - model.frame.foot_y) * scales.length_m,
         "start_angle_rad": model.clamp.start,
         "steps": int(outcome[c.STEPS]),

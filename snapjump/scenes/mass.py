@@ -9,6 +9,7 @@ import numpy as np
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
 from snapjump.contact.base import Approach, contact_reach, force_if_acting
+from snapjump.contact.resting import resting_gap
 from snapjump.damping.none import NoDamping
 from snapjump.discretization.none import LooseNodes
 from snapjump.ending.timed import TimedEnding
@@ -20,7 +21,6 @@ from snapjump.friction.base import slip
 from snapjump.load.inclined import InclinedGravity
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
-from snapjump.scenes.jump_start import resting_gap
 from snapjump.scenes.runner import March, Progress
 from snapjump.scenes.trajectory import trajectory_arrays
 

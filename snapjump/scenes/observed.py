@@ -10,7 +10,8 @@ from snapjump.ending.flight import FlightEnding
 from snapjump.recorder.observables import make_observables
 from snapjump.scenes.frame_body import frame_mesh
 from snapjump.scenes.jump import jump_summary
-from snapjump.scenes.jump_start import jump_model, resting_guess
+from snapjump.scenes.jump_start import jump_model
+from snapjump.scenes.resting import resting_guess
 from snapjump.scenes.runner import March
 
 Array = NDArray[np.float64]

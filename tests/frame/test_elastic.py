@@ -38,7 +38,8 @@ from snapjump.friction.none import NoFriction
 from snapjump.options.discretization import DiscreteElasticRodOptions
 from snapjump.options.frame import ElasticFrameOptions
 from snapjump.scenes.frame_body import frame_mesh, rigid_frame
-from snapjump.scenes.jump_start import jump_model, resting_guess
+from snapjump.scenes.jump_start import jump_model
+from snapjump.scenes.resting import resting_guess
 
 OPTIONS = ElasticFrameOptions(30.0, 2.0, 6, 5, inset_m=3e-4)
 MOVING = Motion(0.2, 50.0, 50.0, 0.0)

@@ -1,15 +1,13 @@
 """B1: the apex from a state of flight, and the bias of implicit Euler in free fall."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 
 from snapjump.ending.timed import TimedEnding
 from snapjump.engine import clock as c
-from snapjump.engine.status import OK
+from snapjump.engine.status import NO_JUMP, OK
 from snapjump.recorder.trajectory import make_recorder
-from snapjump.scenes.jump import apex_bar
+from snapjump.scenes.flight import flight
 from snapjump.scenes.mass import mass_model
 from snapjump.scenes.runner import March
 
@@ -21,11 +19,30 @@ def test_apex(reference):
     outcome = np.zeros(c.ROWS)
     outcome[c.STATUS] = OK
     outcome[c.COM_Y], outcome[c.COM_VX], outcome[c.COM_VY] = START, VX, VY
-    model = SimpleNamespace(load=SimpleNamespace(acceleration=G))
-    x, y, time = apex_bar(model, outcome)
-    assert x == pytest.approx(exact["xc_minus_x"], rel=1e-12)
-    assert y == pytest.approx(exact["yc"], rel=1e-12)
-    assert time == pytest.approx(VY / G, rel=1e-12)
+    found = flight(2.0, G, outcome)
+    assert found.apex_x == pytest.approx(exact["xc_minus_x"], rel=1e-12)
+    assert found.apex_y == pytest.approx(exact["yc"], rel=1e-12)
+    assert found.apex_time == pytest.approx(2.0 + VY / G, rel=1e-12)
+
+
+def test_liftoff():
+    """Thrown at t = 0.5 from (0.2, 0.1) at (VX, VY), seen 0.03 later; and one still on the ground,
+    of the same flights."""
+    later = 0.03
+    outcome = np.zeros((2, c.ROWS))
+    outcome[:, c.STATUS] = OK, NO_JUMP
+    outcome[:, c.LAST_CONTACT] = 0.5
+    outcome[:, c.TIME] = 0.5 + later
+    outcome[:, c.COM_X] = 0.2 + VX * later
+    outcome[:, c.COM_Y] = 0.1 + VY * later - 0.5 * G * later**2
+    outcome[:, c.COM_VX], outcome[:, c.COM_VY] = VX, VY - G * later
+    found = flight(np.array([1.0, 2.0]), np.array([G, G]), outcome)
+    thrown = [values[0] for values in found]
+    reached = [0.2 + VX * VY / G, 0.1 + 0.5 * VY**2 / G, 1.5 + VY / G]
+    assert thrown == pytest.approx([*reached, 0.2, 0.1, VX, VY, 1.5], rel=1e-12)
+    assert found.apex_x[1] == outcome[1, c.COM_X]
+    assert found.apex_y[1] == outcome[1, c.COM_Y]
+    assert found.apex_time[1] == 2.0 + outcome[1, c.TIME]
 
 
 @pytest.mark.parametrize("step_s, accuracy", [(1e-3, 1e-12), (1e-5, 2e-8)])

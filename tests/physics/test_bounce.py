@@ -9,7 +9,7 @@ import pytest
 from scipy.interpolate import CubicHermiteSpline
 
 from snapjump.contact.base import at_rest, contact_force
-from snapjump.scenes.jump_start import resting_gap
+from snapjump.contact.resting import resting_gap
 from snapjump.scenes.mass import march_mass, mass_model
 
 STIFFNESS_N_M = 1e4

@@ -29,12 +29,14 @@ def filled(template: Model, numbers: Any) -> Model:
 
 def without_compiling(monkeypatch: Any) -> None:
     """Let marches run as the Python that they are written in."""
+    from snapjump.contact.resting import resting_gap
     from snapjump.engine import march
-    from snapjump.scenes import runner
+    from snapjump.scenes import resting, runner
 
     monkeypatch.setattr(march, "view_work", view)
     monkeypatch.setattr(march, "with_numbers", filled)
     monkeypatch.setattr(runner, "march", march.march.py_func)
     monkeypatch.setattr(runner, "find_starts", march.find_starts.py_func)
+    monkeypatch.setattr(resting, "resting_gap", resting_gap.py_func)
     monkeypatch.setattr(runner, "load", lambda *arguments: None)
     np.seterr(all="ignore")

@@ -15,7 +15,7 @@ from snapjump.options.stepping import AdaptiveStepOptions
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.scenes.frame_body import rigid_frame
-from snapjump.scenes.jump_start import resting_guess
+from snapjump.scenes.resting import resting_guess
 from snapjump.scenes.runner import March
 
 # epsilon: critical angle (rad) and depth of the lowest point there (L), S5 of physics.json

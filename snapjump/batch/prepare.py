@@ -1,0 +1,92 @@
+"""Robots of many designs: their models, or why there is none."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.batch.variants import variant
+from snapjump.checks import ParameterError
+from snapjump.composition import Simulation
+from snapjump.engine.model import Model
+from snapjump.engine.status import BAD_DESIGN, NO_THRESHOLD, RUNNING
+from snapjump.scenes.frame_body import compression
+from snapjump.scenes.jump_start import NoThresholdError, jump_model
+from snapjump.statics.threshold import Threshold
+from snapjump.statics.threshold_curve import ThresholdCurve
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """Of R designs those that can be simulated, M of them.
+
+    simulations, models (M); chosen (M): which designs they are; status (R): RUNNING, or why a
+    design cannot be simulated (see :mod:`snapjump.engine.status`).
+    """
+
+    simulations: list[Simulation]
+    models: list[Model]
+    chosen: NDArray[np.int64]
+    status: NDArray[np.int64]
+
+
+def check_curve(base: Simulation, curve: ThresholdCurve | None) -> None:
+    """Require a curve of a beam like the simulation's. Raises ParameterError."""
+    if curve is None:
+        return
+    given = curve.discretization.member(curve.robot)
+    needed = base.discretization.member(base.robot)
+    if given != needed:
+        raise ParameterError("curve", given, f"one of this robot and mesh, {needed}")
+
+
+def thresholds(
+    simulations: list[Simulation], curve: ThresholdCurve | None
+) -> Iterator[Threshold | None]:
+    """The threshold of each from the curve; None where that does not reach."""
+    if curve is None:
+        yield from (None for _ in simulations)
+        return
+    shortenings = np.array([compression(simulation) for simulation in simulations])
+    inside = curve.covers(shortenings)
+    angles, depths = curve.values(np.clip(shortenings, curve.low, curve.high))
+    for covered, angle, depth in zip(inside, angles, depths, strict=True):
+        yield Threshold(float(angle), float(depth)) if covered else None
+
+
+def prepare_designs(
+    base: Simulation, designs: Array, curve: ThresholdCurve | None = None
+) -> Prepared:
+    """Models of designs (R, 4): delta_alpha, epsilon, mass_bar, mu.
+
+    Thresholds are taken from the curve where it reaches, and computed elsewhere. Refused designs
+    get a status. Raises ParameterError for a curve of another robot or mesh.
+    """
+    check_curve(base, curve)
+    status = np.full(len(designs), RUNNING)
+    possible, places = [], []
+    for k, design in enumerate(designs):
+        try:
+            simulation = variant(base, design)
+            compression(simulation)
+        except ParameterError:
+            status[k] = BAD_DESIGN
+        else:
+            possible.append(simulation)
+            places.append(k)
+    simulations, models, chosen = [], [], []
+    for k, simulation, known in zip(places, possible, thresholds(possible, curve), strict=True):
+        try:
+            model = jump_model(simulation, known)
+        except NoThresholdError:
+            status[k] = NO_THRESHOLD
+        except ParameterError:
+            status[k] = BAD_DESIGN
+        else:
+            simulations.append(simulation)
+            models.append(model)
+            chosen.append(k)
+    return Prepared(simulations, models, np.array(chosen, dtype=np.int64), status)

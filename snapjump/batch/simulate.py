@@ -1,0 +1,145 @@
+"""Batches of jumps: on the processor, or on a card with ``backend=cuda``."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.batch.outcome import Batch, batch_of
+from snapjump.batch.prepare import prepare_designs
+from snapjump.batch.progress import BatchProgress, Progress
+from snapjump.checks import ParameterError, check_integer
+from snapjump.composition import Simulation
+from snapjump.ending.flight import FlightEnding
+from snapjump.engine import clock as c
+from snapjump.engine.model import Model
+from snapjump.engine.status import RUNNING
+from snapjump.options.backend import MOST_THREADS, WIDTHS, LanesBackend
+from snapjump.scenes.card_march import check_backend, march_on
+from snapjump.scenes.frame_body import frame_mesh
+from snapjump.scenes.jump_start import jump_model
+from snapjump.scenes.resting import resting_guesses
+from snapjump.scenes.runner import MOST_ITERATIONS, March
+from snapjump.statics.threshold_curve import ThresholdCurve
+
+Array = NDArray[np.float64]
+
+
+def marches(
+    simulations: Sequence[Simulation],
+    models: Sequence[Model],
+    lanes: int,
+    threads: int,
+    most_iterations: float,
+) -> list[tuple[list[int], March]]:
+    """Which jumps march together: those whose frames have one mesh."""
+    groups: dict[tuple[int, ...], list[int]] = {}
+    for k, (simulation, model) in enumerate(zip(simulations, models, strict=True)):
+        groups.setdefault(tuple(frame_mesh(simulation, model.frame)), []).append(k)
+    found = []
+    for members in groups.values():
+        ours = [models[k] for k in members]
+        base = simulations[members[0]]
+        march = march_on(base)(
+            models=ours,
+            masses=base.discretization.masses(),
+            states=resting_guesses([simulations[k] for k in members], ours),
+            simulation=base,
+            ending=FlightEnding(base.sim.time_limit_s / base.robot.scales.time_s),
+            lanes=lanes,
+            threads=threads,
+            most_iterations=most_iterations,
+            mesh=frame_mesh(base, ours[0].frame),
+        )
+        found.append((members, march))
+    return found
+
+
+def march_all(
+    simulations: Sequence[Simulation],
+    models: Sequence[Model],
+    lanes: int,
+    threads: int,
+    most_iterations: float,
+    progress: Progress | None,
+) -> tuple[Array, float, int]:
+    """Outcomes (M, ROWS), the kernels' seconds, and the iterations that lanes had time for."""
+    outcome = np.zeros((len(models), c.ROWS))
+    told = BatchProgress(len(models), progress or (lambda share, text: None))
+    kernel_seconds, lane_passes = 0.0, 0
+    for members, march in marches(simulations, models, lanes, threads, most_iterations):
+        march.find_starts(told.starts(len(members)))
+        outcome[members] = march.run(told.jumps(len(members)))
+        told.finish(len(members))
+        kernel_seconds += march.kernel_seconds
+        lane_passes += march.lanes * march.passes
+    return outcome, kernel_seconds, lane_passes
+
+
+def simulate_batch(
+    simulations: Sequence[Simulation],
+    lanes: int = 8,
+    most_iterations: float = MOST_ITERATIONS,
+    threads: int = 1,
+    progress: Progress | None = None,
+) -> Batch:
+    """Simulate jumps, ``lanes`` at a time in each thread, each for at most so many iterations.
+
+    They differ in numbers of the model only: design, environment, gravity, rotation, and values of
+    the contact, friction and damping laws. Frames whose mesh depends on the design march with
+    those of the same mesh. Results depend neither on lanes, threads nor order. With
+    ``backend=cuda`` they run on the card, one in each of its threads.
+    """
+    check_backend(simulations[0])
+    models = [jump_model(simulation) for simulation in simulations]
+    marched, seconds, passes = march_all(
+        simulations, models, lanes, threads, most_iterations, progress
+    )
+    everyone = np.arange(len(models))
+    nobody = np.full(len(models), RUNNING)
+    return batch_of(simulations[0], models, everyone, nobody, marched, seconds, passes)
+
+
+def simulate_designs(
+    base: Simulation,
+    designs: NDArray[np.float64],
+    *,
+    curve: ThresholdCurve | None = None,
+    progress: Progress | None = None,
+    threads: int | None = None,
+    lanes: int | None = None,
+) -> Batch:
+    """Simulate designs (R, 4) of one robot: delta_alpha (rad), epsilon, mass_bar, mu.
+
+    ``threads`` (default: one a core) with ``lanes`` jumps in each; both default to what ``base``
+    says if its backend is ``lanes``, and mean nothing with ``backend=cuda``.
+    A curve spares a threshold for every epsilon in its range.
+    A design that is refused is a row with the status ``bad_design`` or ``no_threshold``.
+
+    Raises ParameterError for an array of another shape, a scene that is no jump, a number of lanes
+    or threads out of range, or a curve of another robot or mesh.
+    """
+    table = np.asarray(designs, dtype=float)
+    if table.ndim != 2 or table.shape[1] != 4:
+        raise ParameterError(
+            "designs", table.shape, "rows of delta_alpha, epsilon, mass_bar, mu: shape (R, 4)"
+        )
+    if base.scene_name != "jump":
+        raise ParameterError("sim", base.scene_name, "jump, for batches")
+    check_backend(base)
+    backend = base.backend if isinstance(base.backend, LanesBackend) else LanesBackend()
+    width = backend.width if lanes is None else lanes
+    if width not in (1, *WIDTHS):
+        raise ParameterError("lanes", lanes, "1, 2, 4, 8 or 16")
+    crew = backend.thread_count if threads is None else threads
+    check_integer("threads", crew, 1, MOST_THREADS)
+    ready = prepare_designs(base, table, curve)
+    marched, seconds, passes = march_all(
+        ready.simulations,
+        ready.models,
+        width,
+        crew,
+        MOST_ITERATIONS,
+        progress,
+    )
+    return batch_of(base, ready.models, ready.chosen, ready.status, marched, seconds, passes)

@@ -1,0 +1,39 @@
+"""How far a weight at rest stands above the ground."""
+
+from typing import Any
+
+from numba import njit
+
+from snapjump.contact.base import (
+    at_rest,
+    contact_reach,
+    force_if_acting,
+    keeps_open,
+)
+
+HALVINGS = 60
+
+
+@njit(cache=True, error_model="numpy")
+def resting_gap(contact: Any, weight: float, points: float) -> float:
+    """Gap (in L) at which a law carries a weight (in EI/L^2) at so many points.
+
+    By bisection: the force falls with the gap, and vanishes at the law's reach.
+    """
+    high = 1.0 * contact_reach(contact)
+    if weight == 0.0:
+        return high
+    low = 1e-12 * high
+    if not keeps_open(contact):
+        depth = 1e-9
+        low = high - depth
+        while points * force_if_acting(contact, low, at_rest(low))[1] < weight:
+            depth *= 2.0
+            low = high - depth
+    for _ in range(HALVINGS):
+        gap = 0.5 * (low + high)
+        if points * force_if_acting(contact, gap, at_rest(gap))[1] > weight:
+            low = gap
+        else:
+            high = gap
+    return 0.5 * (low + high)

@@ -1,0 +1,177 @@
+"""Derivatives of a march's discrete steps, stage by stage, with the sizes of its steps frozen.
+
+A stage solves R(q, p) = 0, so that K dq/dp = -dR/dp, with origin and drift of the stage depending
+on the parameters p as well. The shadow takes the march's own guess of q, differentiated; what the
+guess leaves of dR/dp comes out of the residual in duals, and is corrected with the matrix that
+Newton's method has just factored. That one lacks unsymmetric parts that are small (Kelvin-Voigt's,
+and friction's at nodes): each refinement shrinks what they leave by a large factor.
+"""
+
+from typing import Any
+
+from snapjump.clamp.base import clamp_angles
+from snapjump.discretization.base import has_elements
+from snapjump.engine.assemble import Motion, assemble
+from snapjump.engine.clock import LAST_STEP, STAGE, STEP, TIME
+from snapjump.engine.model import with_numbers
+from snapjump.engine.shadow import view_shadow
+from snapjump.frame.base import frame_dofs, place_ends
+from snapjump.integrator.base import (
+    end_step,
+    ends_in_a_stage,
+    keep_history,
+    predict,
+    stage_count,
+    stage_node,
+    stage_rates,
+    store_stage,
+    weigh_slots,
+)
+from snapjump.linear_solver.more_sides import FOUR, solve_more_sides
+from snapjump.number.dispatch import kernel, routine
+from snapjump.number.dual import constant, dual, slopes_of, value_of, view_duals
+from snapjump.number.lane import view_numbers
+
+
+@routine
+def ratio_of(memory: Any, lane: Any) -> Any:
+    """A lane's step over its last one, 0 where there was none."""
+    last = memory.clock[LAST_STEP, lane]
+    return memory.clock[STEP, lane] / last if last > 0.0 else 0.0
+
+
+@routine
+def hold_ends(model: Any, time: Any, work: Any) -> None:
+    """Put the slave nodes where the clamps hold them at a time."""
+    if has_elements(model.discretization):
+        angles = clamp_angles(model.clamp, constant(time))
+        place_ends(model.frame, work.mesh, model.discretization, angles, work.state)
+
+
+@kernel
+def shadow_model(template: Any, shadow: Any, lane: Any) -> Any:
+    """The model of a lane's shadow."""
+    return with_numbers(template, view_duals(shadow.numbers[lane]))
+
+
+@routine
+def predict_stage(template: Any, scheme: Any, memory: Any, shadow: Any, lane: Any) -> None:
+    """Begin the stage that a lane has just converged: its origin, drift and guess in duals."""
+    work = view_shadow(shadow, lane, memory.mesh)
+    model = shadow_model(template, shadow, lane)
+    stage = memory.clock[STAGE, lane]
+    step = memory.clock[STEP, lane]
+    ratio = ratio_of(memory, lane)
+    rates = stage_rates(scheme, step, ratio)
+    weigh_slots(scheme, stage, step, ratio, work.weights)
+    for i in range(work.state.shape[0]):
+        origin, drift, guess = predict(scheme, work, i, stage, rates)
+        work.origin[i] = origin
+        work.drift[i] = drift
+        # Where the matrix was assembled: there it belongs to the residual.
+        before = memory.state[i, lane] + memory.change[i, lane]
+        work.state[i] = dual(before, slopes_of(guess))
+    hold_ends(model, memory.clock[TIME, lane] + stage_node(scheme, stage) * step, work)
+
+
+@routine
+def write_sides(model: Any, motion: Any, masses: Any, memory: Any, shadow: Any, lane: Any) -> None:
+    """Assemble a lane's residual in duals and take its slopes as right-hand sides."""
+    work = view_shadow(shadow, lane, memory.mesh)
+    assemble(model, motion, masses, work)
+    sides = view_numbers(shadow.slopes[lane], FOUR)
+    frame_sides = view_numbers(shadow.frame_slopes[lane], FOUR)
+    for i in range(sides.shape[0]):
+        sides[i] = slopes_of(work.system.residual[i])
+    for i in range(frame_dofs(model.frame, memory.mesh)):
+        frame_sides[i] = slopes_of(work.system.frame_residual[i])
+
+
+@routine
+def correct(model: Any, time: Any, memory: Any, shadow: Any, lane: Any) -> None:
+    """Subtract the solved corrections from the slopes of a lane's state."""
+    work = view_shadow(shadow, lane, memory.mesh)
+    dofs = frame_dofs(model.frame, memory.mesh)
+    sides = view_numbers(shadow.slopes[lane], FOUR)
+    frame_sides = view_numbers(shadow.frame_slopes[lane], FOUR)
+    for i in range(work.state.shape[0]):
+        change = frame_sides[i] if i < dofs else sides[i - dofs]
+        before = work.state[i]
+        work.state[i] = dual(value_of(before), slopes_of(before) - change)
+    hold_ends(model, time, work)
+
+
+@routine
+def differentiate_stages(
+    template: Any,
+    scheme: Any,
+    masses: Any,
+    memory: Any,
+    shadow: Any,
+    chosen: Any,
+    count: int,
+    refinements: int,
+) -> None:
+    """Bring the shadows of the first ``count`` lanes in ``chosen`` through the stages that they
+    have just converged."""
+    for c in range(count):
+        predict_stage(template, scheme, memory, shadow, chosen[c])
+    for _ in range(refinements):
+        for c in range(count):
+            lane = chosen[c]
+            model = shadow_model(template, shadow, lane)
+            motion = motion_of(scheme, memory, lane)
+            write_sides(model, motion, masses, memory, shadow, lane)
+        solve_more_sides(memory.system, shadow.slopes, shadow.frame_slopes, chosen, count)
+        for c in range(count):
+            lane = chosen[c]
+            node = stage_node(scheme, memory.clock[STAGE, lane])
+            time = memory.clock[TIME, lane] + node * memory.clock[STEP, lane]
+            model = shadow_model(template, shadow, lane)
+            correct(model, time, memory, shadow, lane)
+    for c in range(count):
+        store(template, scheme, memory, shadow, chosen[c])
+
+
+@routine
+def motion_of(scheme: Any, memory: Any, lane: Any) -> Motion:
+    """Time and rates of a lane's stage as duals without slopes."""
+    step = memory.clock[STEP, lane]
+    rates = stage_rates(scheme, step, ratio_of(memory, lane))
+    time = memory.clock[TIME, lane] + stage_node(scheme, memory.clock[STAGE, lane]) * step
+    return Motion(
+        constant(time),
+        constant(rates.rate_factor),
+        constant(rates.inertia_rate),
+        constant(0.0),
+    )
+
+
+@routine
+def store(template: Any, scheme: Any, memory: Any, shadow: Any, lane: Any) -> None:
+    """Keep a lane's stage; after its last one move on to the end of the step."""
+    work = view_shadow(shadow, lane, memory.mesh)
+    stage = memory.clock[STAGE, lane]
+    step = memory.clock[STEP, lane]
+    ratio = ratio_of(memory, lane)
+    rates = stage_rates(scheme, step, ratio)
+    for i in range(work.state.shape[0]):
+        work.state[i] = dual(memory.state[i, lane], slopes_of(work.state[i]))
+    store_stage(scheme, work, stage, step, ratio, rates, True)
+    if not ends_in_a_stage(scheme):
+        if stage >= 1.0 * stage_count(scheme):
+            model = shadow_model(template, shadow, lane)
+            end_step(scheme, work, step, True)
+            hold_ends(model, memory.clock[TIME, lane] + step, work)
+
+
+@routine
+def commit(scheme: Any, memory: Any, shadow: Any, lane: Any) -> None:
+    """Make a lane's last stage the beginning of its next step; the clock has moved on already."""
+    work = view_shadow(shadow, lane, memory.mesh)
+    last = stage_count(scheme)
+    keep_history(scheme, work, memory.clock[LAST_STEP, lane], True)
+    for i in range(work.state.shape[0]):
+        work.start[i] = work.state[i]
+        work.velocity[0, i] = work.velocity[last, i]
+        work.acceleration[0, i] = work.acceleration[last, i]

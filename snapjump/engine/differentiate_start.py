@@ -1,0 +1,119 @@
+"""Derivatives of the quasi-static start: of its equilibrium, velocity and acceleration."""
+
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from snapjump.engine.assemble import Motion
+from snapjump.engine.differentiate import correct, hold_ends, shadow_model, write_sides
+from snapjump.engine.equilibrium import settle
+from snapjump.engine.model import with_numbers
+from snapjump.engine.newton import solve_linearised
+from snapjump.engine.shadow import view_shadow
+from snapjump.engine.start import DIFFERENCE_RAD, stay_in_place, with_angles
+from snapjump.engine.status import RUNNING
+from snapjump.engine.view import view_work
+from snapjump.linear_solver.more_sides import FOUR, solve_more_sides
+from snapjump.number.dispatch import routine
+from snapjump.number.dual import PARAMETERS, constant, dual, slopes_of
+from snapjump.number.lane import view_numbers
+
+# The spring that holds x in statics, and those that bring lifted feet back, are no part of the
+# equilibrium: nearly without them the matrix is its derivative, and few corrections are needed.
+WEAK_ANCHOR = 1.0
+MOST_CORRECTIONS = 30
+SMALL = 1e-13  # correction (L by a parameter) after which there is no need of another
+
+
+@routine
+def differentiate_equilibrium(
+    model: Any, twin_model: Any, masses: Any, memory: Any, shadow: Any, chosen: Any, time: float
+) -> None:
+    """Slopes of the equilibrium near ``memory.state`` at a time, into the shadow's state."""
+    work = view_work(memory, (0,))
+    settle(model, masses, work, time)
+    zero = 0.0 * time
+    solve_linearised(model, Motion(time, zero, zero, zero + WEAK_ANCHOR), masses, work)
+    twin = view_shadow(shadow, 0, memory.mesh)
+    for i in range(twin.state.shape[0]):
+        twin.state[i] = constant(memory.state[i, 0])
+        twin.origin[i] = constant(memory.state[i, 0])
+    hold_ends(twin_model, time, twin)
+    still = Motion(constant(time), constant(0.0), constant(0.0), constant(WEAK_ANCHOR))
+    for _ in range(MOST_CORRECTIONS):
+        write_sides(twin_model, still, masses, memory, shadow, 0)
+        solve_more_sides(memory.system, shadow.slopes, shadow.frame_slopes, chosen, 1)
+        correct(twin_model, time, memory, shadow, 0)
+        largest = 0.0
+        for i in range(shadow.slopes.shape[1]):
+            for k in range(PARAMETERS):
+                largest = max(largest, abs(shadow.slopes[0, i, k]))
+        if largest < SMALL:
+            break
+
+
+@routine
+def guess_at(memory: Any, queue: Any, robot: int, time: float) -> None:
+    """Put the state of a robot's branch at a time, by its tangent and curvature, into memory."""
+    for i in range(memory.state.shape[0]):
+        bend = 0.5 * time * queue.acceleration[robot, i]
+        memory.state[i, 0] = queue.state[robot, i] + time * (queue.velocity[robot, i] + bend)
+
+
+@njit(cache=True, error_model="numpy", nogil=True)
+def differentiate_starts(
+    template: Any,
+    masses: Any,
+    memory: Any,
+    shadow: Any,
+    queue: Any,
+    numbers: Any,
+    starts: Any,
+    first: int,
+    last: int,
+) -> None:
+    """Slopes of the starts of robots ``first`` to ``last`` - 1, which have been found already.
+
+    ``memory``, ``shadow``: of one lane; numbers (R, P, 4): slopes of the models' numbers; starts
+    (R, 3, D, 4): filled with those of state, velocity and acceleration.
+    """
+    chosen = np.zeros(1, dtype=np.int64)
+    work = view_work(memory, (0,))
+    twin = view_shadow(shadow, 0, memory.mesh)
+    for robot in range(first, last):
+        if queue.status[robot] != RUNNING:
+            continue
+        given = view_numbers(numbers[robot], FOUR)
+        for k in range(memory.numbers.shape[0]):
+            memory.numbers[k, 0] = queue.numbers[robot, k]
+            twin.numbers[k] = dual(queue.numbers[robot, k], given[k])
+        moving = with_numbers(template, work.numbers)
+        model = with_angles(moving, moving.clamp.start, moving.clamp.delta_alpha)
+        shadowed = shadow_model(template, shadow, 0)
+        twin_model = with_angles(shadowed, shadowed.clamp.start, shadowed.clamp.delta_alpha)
+        difference = DIFFERENCE_RAD / moving.clamp.rate
+
+        guess_at(memory, queue, robot, 0.0)
+        differentiate_equilibrium(model, twin_model, masses, memory, shadow, chosen, 0.0)
+        for i in range(twin.state.shape[0]):
+            twin.start[i] = twin.state[i]
+        guess_at(memory, queue, robot, -difference)
+        differentiate_equilibrium(model, twin_model, masses, memory, shadow, chosen, -difference)
+        for i in range(twin.state.shape[0]):
+            twin.velocity[0, i] = twin.state[i]
+        guess_at(memory, queue, robot, difference)
+        differentiate_equilibrium(model, twin_model, masses, memory, shadow, chosen, difference)
+        for i in range(twin.state.shape[0]):
+            before = twin.velocity[0, i]
+            after = twin.state[i]
+            now = twin.start[i]
+            bend = after - 2.0 * now + before
+            twin.velocity[0, i] = (after - before) / (2.0 * difference)
+            twin.acceleration[0, i] = bend / (difference * difference)
+        stay_in_place(shadowed, masses, twin)
+        found = view_numbers(starts[robot], FOUR)
+        for i in range(twin.state.shape[0]):
+            found[0, i] = slopes_of(twin.start[i])
+            found[1, i] = slopes_of(twin.velocity[0, i])
+            found[2, i] = slopes_of(twin.acceleration[0, i])

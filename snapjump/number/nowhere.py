@@ -1,0 +1,60 @@
+"""An array that keeps nothing: what is written to it is not even computed.
+
+An assembly whose matrix goes nowhere compiles to one of the residual alone.
+"""
+
+import operator
+from typing import Any
+
+from llvmlite import ir
+from numba.core import types
+from numba.core.imputils import lower_builtin
+from numba.core.typing.templates import AbstractTemplate, infer_global, signature
+from numba.extending import intrinsic, models, register_model
+
+
+class NowhereType(types.Type):
+    """The type of an array that forgets every entry; read, all are zero."""
+
+    def __init__(self) -> None:
+        super().__init__(name="Nowhere")
+
+
+@register_model(NowhereType)
+class NowhereModel(models.OpaqueModel):
+    """Nothing at all."""
+
+
+NOWHERE = NowhereType()
+
+
+@infer_global(operator.getitem)
+class _Reading(AbstractTemplate):
+    def generic(self, args: Any, kws: Any) -> Any:
+        return signature(types.float64, *args) if args[0] is NOWHERE else None
+
+
+@infer_global(operator.setitem)
+class _Writing(AbstractTemplate):
+    def generic(self, args: Any, kws: Any) -> Any:
+        return signature(types.none, *args) if args[0] is NOWHERE else None
+
+
+@lower_builtin(operator.getitem, NowhereType, types.Any)
+def _read(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    return ir.Constant(ir.DoubleType(), 0.0)
+
+
+@lower_builtin(operator.setitem, NowhereType, types.Any, types.Any)
+def _write(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    return context.get_dummy_value()
+
+
+@intrinsic
+def nowhere(typingctx: Any) -> Any:
+    """An array that keeps nothing."""
+
+    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        return context.get_dummy_value()
+
+    return NOWHERE(), codegen

@@ -1,0 +1,124 @@
+"""Derivatives of where every robot's centre of mass flies, by four parameters.
+
+The march itself is not touched: it takes the same steps with and without this recorder.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.engine.centre_of_mass import centre_of_mass
+from snapjump.engine.clock import MARK
+from snapjump.engine.differentiate import commit, differentiate_stages
+from snapjump.engine.model import with_numbers
+from snapjump.engine.shadow import Shadow, view_shadow
+from snapjump.linear_solver.more_sides import FOUR
+from snapjump.number.dispatch import kernel
+from snapjump.number.dual import dual, slopes_of
+from snapjump.number.functions import any_true, where
+from snapjump.number.lane import view_numbers
+from snapjump.recorder.base import (
+    record_end,
+    record_robot,
+    record_stage,
+    record_start,
+    record_step,
+)
+
+Array = NDArray[np.float64]
+
+
+class SensitivityRecorder(NamedTuple):
+    """Of R robots in W lanes.
+
+    memory: of the march; shadow: of its lanes; numbers (R, P, 4): derivatives of the model's
+    numbers; starts (R, 3, D, 4): of state, velocity and acceleration at the beginning; flights
+    (R, 4, 4): of x, y, vx, vy of the centre of mass at the end; chosen (W): lanes at hand;
+    refinements (1): corrections of a stage's derivatives.
+    """
+
+    memory: Any
+    shadow: Shadow
+    numbers: Array
+    starts: Array
+    flights: Array
+    chosen: NDArray[np.int64]
+    refinements: NDArray[np.int64]
+
+
+@kernel
+def marked(recorder: Any, work: Any, mask: Any) -> int:
+    """Put the masked lanes into ``chosen``; returns how many there are."""
+    work.clock[MARK] = where(mask, 1.0, 0.0)
+    count = 0
+    for lane in range(recorder.chosen.shape[0]):
+        if recorder.memory.clock[MARK, lane] > 0.0:
+            recorder.chosen[count] = lane
+            count += 1
+    return count
+
+
+@record_robot.member(SensitivityRecorder)
+def _record_robot(recorder: SensitivityRecorder, lane: Any, robot: Any) -> None:
+    memory = recorder.memory
+    work = view_shadow(recorder.shadow, lane, memory.mesh)
+    numbers = view_numbers(recorder.numbers[robot], FOUR)
+    starts = view_numbers(recorder.starts[robot], FOUR)
+    for k in range(work.numbers.shape[0]):
+        work.numbers[k] = dual(memory.numbers[k, lane], numbers[k])
+    for i in range(work.state.shape[0]):
+        work.start[i] = dual(memory.start[i, lane], starts[0, i])
+        for slot in range(work.velocity.shape[0]):
+            work.velocity[slot, i] = dual(memory.velocity[slot, i, lane], starts[1, i])
+            work.acceleration[slot, i] = dual(memory.acceleration[slot, i, lane], starts[2, i])
+
+
+@record_start.member(SensitivityRecorder)
+def _record_start(recorder: SensitivityRecorder, model: Any, masses: Any, work: Any) -> None:
+    pass
+
+
+@record_stage.member(SensitivityRecorder)
+def _record_stage(
+    recorder: SensitivityRecorder,
+    model: Any,
+    masses: Any,
+    motion: Any,
+    scheme: Any,
+    work: Any,
+    converged: Any,
+) -> None:
+    count = marked(recorder, work, converged)
+    differentiate_stages(
+        model,
+        scheme,
+        masses,
+        recorder.memory,
+        recorder.shadow,
+        recorder.chosen,
+        count,
+        recorder.refinements[0],
+    )
+
+
+@record_step.member(SensitivityRecorder)
+def _record_step(recorder: SensitivityRecorder, scheme: Any, work: Any, good: Any) -> None:
+    if any_true(good):
+        for c in range(marked(recorder, work, good)):
+            commit(scheme, recorder.memory, recorder.shadow, recorder.chosen[c])
+
+
+@record_end.member(SensitivityRecorder)
+def _record_end(
+    recorder: SensitivityRecorder, model: Any, masses: Any, lane: Any, robot: Any
+) -> None:
+    mesh = recorder.memory.mesh
+    work = view_shadow(recorder.shadow, lane, mesh)
+    shadow = with_numbers(model, work.numbers)
+    flight = view_numbers(recorder.flights[robot], FOUR)
+    x, y, vx, vy = centre_of_mass(shadow, masses, mesh, work.start, work.velocity[0])
+    flight[0] = slopes_of(x)
+    flight[1] = slopes_of(y)
+    flight[2] = slopes_of(vx)
+    flight[3] = slopes_of(vy)

@@ -1,0 +1,52 @@
+"""The flight of a robot that has left the ground: lift-off and apex from a march's outcome."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.engine import clock as c
+from snapjump.engine.status import OK
+
+Array = NDArray[np.float64]
+
+
+class Flight(NamedTuple):
+    """Apex and lift-off of the centre of mass, all dimensionless (L, T), of one jump or of many.
+
+    Times count from the beginning of the clamps' rotation. Lift-off is the end of the last
+    contact; place and velocity then follow from the parabola on which the march has ended.
+    """
+
+    apex_x: Array
+    apex_y: Array
+    apex_time: Array
+    liftoff_x: Array
+    liftoff_y: Array
+    liftoff_vx: Array
+    liftoff_vy: Array
+    liftoff_time: Array
+
+
+def flight(begun: Any, fall: Any, outcome: Array) -> Flight:
+    """The flight of outcomes (..., ROWS) of marches that began at times ``begun`` (T) of the
+    rotation, under gravity ``fall`` (L/T^2).
+
+    Whatever has not jumped has its apex where it is.
+    """
+    x, y = outcome[..., c.COM_X], outcome[..., c.COM_Y]
+    vx, vy = outcome[..., c.COM_VX], outcome[..., c.COM_VY]
+    time = outcome[..., c.TIME]
+    rise = np.where(outcome[..., c.STATUS] == OK, np.maximum(vy, 0.0), 0.0)
+    ahead = rise / fall
+    aloft = time - outcome[..., c.LAST_CONTACT]
+    return Flight(
+        x + vx * ahead,
+        y + 0.5 * rise * ahead,
+        begun + time + ahead,
+        x - vx * aloft,
+        y - (vy + 0.5 * fall * aloft) * aloft,
+        vx,
+        vy + fall * aloft,
+        begun + outcome[..., c.LAST_CONTACT],
+    )

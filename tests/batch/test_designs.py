@@ -1,0 +1,169 @@
+"""Many designs at once: rows like those of single jumps, and a status for what is refused."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from snapjump.batch import simulate_batch, simulate_designs, variants
+from snapjump.checks import ParameterError
+from snapjump.composition import with_tier
+from snapjump.families import FAMILIES
+from snapjump.options.backend import LanesBackend
+from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.parameters.robot import Robot
+from snapjump.scenes.jump import simulate_jump_scene
+from snapjump.statics.threshold_curve import ThresholdCurve
+
+# delta_alpha, epsilon, mass_bar, mu
+GOOD = (
+    (0.10, 0.20, 0.768, 0.3),
+    (0.02, 0.11, 0.400, 0.1),
+    (0.15, 0.29, 1.500, 0.6),
+    (0.05, 0.17, 2.000, 0.2),
+    (-0.10, 0.23, 0.500, 0.5),
+)
+BAD = {
+    (0.1, 0.41, 0.768, 0.3): "bad_design",  # compressed too far
+    (0.6, 0.20, 0.768, 0.3): "bad_design",  # too oblique
+    (0.1, 0.20, 0.001, 0.3): "bad_design",  # lighter than its beam
+    (0.1, 0.20, 0.768, -0.1): "bad_design",  # friction that pushes
+    (0.1, np.nan, 0.768, 0.3): "bad_design",
+    (0.1, 1e-6, 0.768, 0.3): "no_threshold",  # compressed straight
+}
+ALL = np.array([GOOD[0], *BAD, *GOOD[1:]])
+PLACES = [0, *range(1 + len(BAD), len(ALL))]
+SUMMARY = {
+    "x_bar": "x_bar",
+    "y_bar": "y_bar",
+    "apex_time_s": "apex_time_s",
+    "liftoff_time_s": "liftoff_time_s",
+    "liftoff_vx_m_s": "liftoff_vx_m_s",
+    "liftoff_vy_m_s": "liftoff_vy_m_s",
+    "steps": "steps",
+    "newton_iterations": "newton_iterations",
+    "min_gap_m": "min_gap_m",
+}
+
+
+@pytest.fixture(scope="module")
+def batch(base):
+    return simulate_designs(base, ALL, threads=2, lanes=2)
+
+
+@pytest.fixture(scope="module")
+def curve(base):
+    return ThresholdCurve.through(base.robot, base.discretization, 0.1, 0.3)
+
+
+def test_refused_designs_are_rows_with_a_status(batch):
+    assert batch.status == ["ok", *BAD.values(), *["ok"] * (len(GOOD) - 1)]
+    refused = np.array([status != "ok" for status in batch.status])
+    arrays = {name: v for name, v in vars(batch).items() if isinstance(v, np.ndarray)}
+    arrays |= {"x_percent": batch.estimate.x_percent, "y_percent": batch.estimate.y_percent}
+    counts = ("steps", "newton_iterations", "kernel_seconds_each", "error_sum_bar")
+    for name, values in arrays.items():
+        assert values.shape == (len(ALL),)
+        assert np.isfinite(values[~refused]).all(), name
+        if name in (*counts, "coarsest_contact_step"):
+            assert (values[refused] == 0.0).all(), name
+        else:
+            assert np.isnan(values[refused]).all(), name
+    assert not batch.estimate.within_tier[refused].any()
+
+
+def test_rows_are_those_of_the_batch_of_good_designs(base, batch):
+    """To the last bit, at another width and number of threads."""
+    alone = simulate_batch(variants(base, GOOD), lanes=8)
+    for name in (*SUMMARY, "liftoff_x_bar", "liftoff_y_bar", "mount_height_bar"):
+        assert np.array_equal(getattr(batch, name)[PLACES], getattr(alone, name)), name
+
+
+def test_rows_are_those_of_single_jumps(base, batch):
+    for place, simulation in zip(PLACES, variants(base, GOOD), strict=True):
+        summary = simulate_jump_scene(simulation).summary
+        for name, key in SUMMARY.items():
+            assert getattr(batch, name)[place] == summary[key], name
+        height_m = batch.mount_height_bar[place] * base.robot.length_m
+        assert height_m == pytest.approx(summary["mount_height_m"], rel=1e-14)
+        assert batch.estimate.x_percent[place] == summary["x_error_estimate_percent"]
+        assert batch.estimate.y_percent[place] == summary["y_error_estimate_percent"]
+        assert batch.estimate.within_tier[place] == summary["within_tier"]
+
+
+def test_the_flight_is_one_parabola(base, batch):
+    """From lift-off to the apex, in SI units."""
+    length, gravity = base.robot.length_m, base.robot.gravity_m_s2
+    aloft = batch.apex_time_s - batch.liftoff_time_s
+    rise = batch.liftoff_vy_m_s * aloft - 0.5 * gravity * aloft**2
+    np.testing.assert_allclose((batch.y_bar - batch.liftoff_y_bar) * length, rise, rtol=1e-9)
+    drift = batch.liftoff_vx_m_s * aloft
+    np.testing.assert_allclose((batch.x_bar - batch.liftoff_x_bar) * length, drift, rtol=1e-9)
+    np.testing.assert_allclose(batch.liftoff_vy_m_s, gravity * aloft, rtol=1e-9)
+
+
+def test_kernel_time_is_shared_by_iterations(batch):
+    assert batch.kernel_seconds_each.sum() == pytest.approx(batch.kernel_seconds, rel=1e-12)
+    assert batch.lane_passes >= batch.newton_iterations.sum()
+    longest = np.argmax(batch.newton_iterations)
+    assert np.argmax(batch.kernel_seconds_each) == longest
+
+
+def test_thresholds_from_a_curve(base, batch, curve):
+    found = simulate_designs(base, ALL[PLACES], curve=curve, threads=1)
+    assert found.status == ["ok"] * len(GOOD)
+    heights = batch.mount_height_bar[PLACES]
+    np.testing.assert_allclose(found.mount_height_bar, heights, atol=1e-8)
+    # The start differs by 1e-9; adaptive steps make of that what the tolerance allows.
+    np.testing.assert_allclose(found.y_bar, batch.y_bar[PLACES], rtol=1e-2)
+
+
+def test_beyond_the_curve_thresholds_are_computed(base, curve):
+    beyond = np.array([[0.1, 0.35, 0.768, 0.3]])
+    with_curve = simulate_designs(base, beyond, curve=curve, threads=1)
+    without = simulate_designs(base, beyond, threads=1)
+    assert with_curve.x_bar[0] == without.x_bar[0]
+
+
+def test_the_backend_says_how_many_lanes_and_threads(base, batch):
+    lanes = replace(base, backend=LanesBackend(width=4, threads=1))
+    found = simulate_designs(lanes, ALL)
+    assert np.array_equal(found.x_bar, batch.x_bar, equal_nan=True)
+    assert found.lane_passes % 4 == 0
+
+
+def test_progress_ends_with_all_jumps(base):
+    told = []
+    simulate_designs(
+        base, np.array(GOOD), threads=2, lanes=1, progress=lambda *args: told.append(args)
+    )
+    assert told[-1][0] == 1.0
+    assert told[-1][1].startswith("5 of 5 jumps")
+
+
+def test_no_designs_at_all(base):
+    assert simulate_designs(base, np.zeros((0, 4))).status == []
+
+
+def test_wrong_arguments(base, curve):
+    one = np.array([GOOD[0]])
+    with pytest.raises(ParameterError, match="designs = .*shape"):
+        simulate_designs(base, one[0])
+    with pytest.raises(ParameterError, match="lanes = 3"):
+        simulate_designs(base, one, lanes=3)
+    with pytest.raises(ParameterError, match="threads = 0"):
+        simulate_designs(base, one, threads=0)
+    finer = replace(base, discretization=DiscreteElasticRodOptions(elements=32))
+    with pytest.raises(ParameterError, match="curve = .*element_length"):
+        simulate_designs(finer, one, curve=curve)
+    with pytest.raises(ParameterError, match="curve = .*of this robot"):
+        simulate_designs(replace(base, robot=Robot(length_m=0.03)), one, curve=curve)
+    static = with_tier(
+        "draft",
+        sim=FAMILIES["sim"]["static"](),
+        frame=FAMILIES["frame"]["fixed"](),
+        contact=FAMILIES["contact"]["none"](),
+        friction=FAMILIES["friction"]["none"](),
+    )
+    with pytest.raises(ParameterError, match="sim = 'static'"):
+        simulate_designs(static, one)
