@@ -12,6 +12,8 @@ from snapjump.cuda.plan import GIB, Plan
 from snapjump.cuda.rounding import rounded_as_written
 from snapjump.number.announcement import load
 
+COMPILING_S = 30  # a program for the card, with NVIDIA's compiler
+
 
 class Program:
     """A kernel with its grid: called like a function, it is queued and runs by itself."""
@@ -72,7 +74,7 @@ class Card:
 
     def compile(self, kernel: Any, *arguments: Any) -> None:
         """Call a kernel that has nothing to do, telling the user if it is compiled first."""
-        load(Program(kernel, self.plan), *arguments)
+        load(Program(kernel, self.plan), *arguments, typical_seconds=COMPILING_S)
         cuda.synchronize()
 
     def run(self, kernel: Any, *arguments: Any) -> None:

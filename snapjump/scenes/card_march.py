@@ -7,12 +7,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.cuda.availability import check_card
 from snapjump.cuda.plan import make_plan
 from snapjump.engine.march import Limits, Queue
 from snapjump.number.memory import aligned_zeros
 from snapjump.options.backend import CudaBackend
+from snapjump.recorder.none import NoRecorder
 from snapjump.scenes.runner import ITERATIONS_PER_STAGE, March, Progress
 
 Array = NDArray[np.float64]
@@ -41,6 +43,10 @@ class CardMarch(March):
     def __post_init__(self) -> None:
         from snapjump.cuda.card import Card
 
+        if not isinstance(self.recorder, NoRecorder):
+            raise ParameterError(
+                "backend", "cuda", "scalar or lanes for more than outcomes, which need a recorder"
+            )
         self.lanes = self.threads = 1
         super().__post_init__()
         self.passes_of_threads: list[NDArray[np.int64]] = []  # of every chunk

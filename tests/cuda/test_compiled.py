@@ -20,6 +20,7 @@ def check(ptx, folder):
     # Products and sums that could still be merged have no rounding mode.
     assert re.findall(r"\b(?:mul|add|sub)\.f64", ptx) == []
     assert "mul.rn.f64" in ptx and "fma.rn.f64" in ptx
+    assert not re.search(r"approx|ftz", ptx)
     # Neither a stack of its own, nor calls: everything is merged into one program.
     assert "__local_depot" not in ptx
     assert not re.search(r"^\s*call", ptx, re.MULTILINE)
