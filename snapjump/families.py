@@ -1,6 +1,6 @@
 """Every family and its members by name: what can be composed, in one place."""
 
-from snapjump.options.backend import LanesBackend, ScalarBackend
+from snapjump.options.backend import CudaBackend, LanesBackend, ScalarBackend
 from snapjump.options.contact import (
     HuntCrossleyOptions,
     LogBarrierOptions,
@@ -89,7 +89,7 @@ FAMILIES: dict[str, dict[str, type]] = {
     },
     "stepping": {"adaptive": AdaptiveStepOptions, "fixed": FixedStepOptions},
     "linear_solver": {"banded": BandedSolverOptions},
-    "backend": {"scalar": ScalarBackend, "lanes": LanesBackend},
+    "backend": {"scalar": ScalarBackend, "lanes": LanesBackend, "cuda": CudaBackend},
 }
 
 # What a dataset has beside its simulation.

@@ -13,6 +13,7 @@ from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.parameters.robot import Robot
 from snapjump.results import Result
+from snapjump.scenes.card_march import check_backend
 from snapjump.scenes.jump import simulate_jump_scene
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.registry import SCENES
@@ -64,7 +65,9 @@ def is_new_name(name: Any, members: Mapping[str, Any]) -> bool:
 
 
 def check_scene(simulation: Simulation) -> None:
-    """What only the robot's statics tell. Raises ParameterError if the scene cannot begin."""
+    """What only the machine and the robot's statics tell. Raises ParameterError if the scene cannot
+    begin."""
+    check_backend(simulation)
     if simulation.scene_name == "jump":
         jump_model(simulation)
 

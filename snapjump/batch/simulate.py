@@ -1,4 +1,4 @@
-"""Batches of jumps on the CPU."""
+"""Batches of jumps: on the processor, or on a card with ``backend=cuda``."""
 
 from collections.abc import Sequence
 
@@ -16,6 +16,7 @@ from snapjump.engine import clock as c
 from snapjump.engine.model import Model
 from snapjump.engine.status import RUNNING
 from snapjump.options.backend import MOST_THREADS, WIDTHS, LanesBackend
+from snapjump.scenes.card_march import check_backend, march_on
 from snapjump.scenes.frame_body import frame_mesh
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.resting import resting_guesses
@@ -41,7 +42,7 @@ def marches(
     for members in groups.values():
         ours = [models[k] for k in members]
         base = simulations[members[0]]
-        march = March(
+        march = march_on(base)(
             models=ours,
             masses=base.discretization.masses(),
             states=resting_guesses([simulations[k] for k in members], ours),
@@ -84,7 +85,7 @@ def march_all(
             slopes[0][members], slopes[1][members] = recorded
         told.finish(len(members))
         kernel_seconds += march.kernel_seconds
-        lane_passes += lanes * march.passes
+        lane_passes += march.lanes * march.passes
     return outcome, kernel_seconds, lane_passes, slopes
 
 
@@ -99,8 +100,10 @@ def simulate_batch(
 
     They differ in numbers of the model only: design, environment, gravity, rotation, and values of
     the contact, friction and damping laws. Frames whose mesh depends on the design march with
-    those of the same mesh. Results depend neither on lanes, threads nor order.
+    those of the same mesh. Results depend neither on lanes, threads nor order. With
+    ``backend=cuda`` they run on the card, one in each of its threads.
     """
+    check_backend(simulations[0])
     models = [jump_model(simulation) for simulation in simulations]
     marched, seconds, passes, _ = march_all(
         simulations, models, lanes, threads, most_iterations, progress
@@ -123,7 +126,8 @@ def simulate_designs(
     """Simulate designs (R, 4) of one robot: delta_alpha (rad), epsilon, mass_bar, mu.
 
     ``threads`` (default: one a core) with ``lanes`` jumps in each; both default to what ``base``
-    says if its backend is ``lanes``. A curve spares a threshold for every epsilon in its range.
+    says if its backend is ``lanes``, and mean nothing with ``backend=cuda``.
+    A curve spares a threshold for every epsilon in its range.
     With ``sensitivities`` the batch has derivatives of every apex; the jumps are the same.
     A design that is refused is a row with the status ``bad_design`` or ``no_threshold``.
 
@@ -138,6 +142,7 @@ def simulate_designs(
         )
     if base.scene_name != "jump":
         raise ParameterError("sim", base.scene_name, "jump, for batches")
+    check_backend(base)
     backend = base.backend if isinstance(base.backend, LanesBackend) else LanesBackend()
     width = backend.width if lanes is None else lanes
     if width not in (1, *WIDTHS):

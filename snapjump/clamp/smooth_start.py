@@ -3,7 +3,8 @@
 from typing import Any, NamedTuple
 
 from snapjump.clamp.base import ClampAngles, clamp_angles
-from snapjump.number.functions import exp, where
+from snapjump.number.exponentials import exp
+from snapjump.number.functions import where
 
 
 class SmoothStart(NamedTuple):

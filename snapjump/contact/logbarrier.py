@@ -24,7 +24,8 @@ from snapjump.contact.base import (
     keeps_open,
 )
 from snapjump.number.dispatch import kernel
-from snapjump.number.functions import log, where
+from snapjump.number.exponentials import log
+from snapjump.number.functions import where
 
 
 class LogBarrier(NamedTuple):

@@ -49,7 +49,8 @@ COLUMNS = (
         for apex in ("x_bar", "y_bar")
         for name, unit in INPUTS.items()
     ),
-    Column("differentiable", "", "whether the derivatives mean anything: no contact grazed", FLAG),
+    Column("graze_distance", "1", "change of a parameter that makes or breaks a contact"),
+    Column("differentiable", "", "whether that is more than 1e-5: no contact is grazed", FLAG),
     Column("status", "", "ok, no_jump, or the failure that explains what is missing", WORD),
     Column("steps", "1", "time steps", INTEGER),
     Column("newton_iterations", "1", "of all steps", INTEGER),

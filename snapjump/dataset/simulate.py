@@ -37,6 +37,7 @@ class Simulator:
             curve=self.curve,
             progress=None if progress is None else lambda share, text: progress(share),
             lanes=1 if isinstance(base.backend, ScalarBackend) else None,
+            sensitivities=self.specification.sensitivities,
         )
         inputs = dict(zip(AXES, designs.T, strict=True))
         return {"index": np.arange(first, last), **inputs, **outcomes(batch)}
@@ -58,6 +59,7 @@ def curve_over(base: Simulation, epsilons: Range) -> ThresholdCurve | None:
 def outcomes(batch: Batch) -> dict[str, Any]:
     """What became of the jumps, by column."""
     return {
+        **derivatives(batch),
         "h_bar": batch.mount_height_bar,
         "x_bar": batch.x_bar,
         "y_bar": batch.y_bar,
@@ -75,3 +77,18 @@ def outcomes(batch: Batch) -> dict[str, Any]:
         "y_error_estimate_percent": batch.estimate.y_percent,
         "within_tier": batch.estimate.within_tier,
     }
+
+
+def derivatives(batch: Batch) -> dict[str, Any]:
+    """Sensitivities of the jumps, by column; none where none were asked for."""
+    found = batch.sensitivities
+    if found is None:
+        return {}
+    columns: dict[str, Any] = {
+        f"d{apex}_d_{name}": values[:, k]
+        for apex, values in (("x_bar", found.dx_bar), ("y_bar", found.dy_bar))
+        for k, name in enumerate(AXES)
+    }
+    columns["graze_distance"] = found.graze_distance
+    columns["differentiable"] = found.differentiable
+    return columns

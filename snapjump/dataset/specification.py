@@ -12,6 +12,7 @@ from snapjump.families import DATASET_FAMILIES, FAMILIES, name_of
 from snapjump.files.provenance import source_hash
 from snapjump.parameters.environment import Environment
 from snapjump.plan.base import Plan
+from snapjump.scenes.sensitivities import check_differentiable
 from snapjump.simulation import build, construct
 
 FORMAT = 1  # of the files; another number for other columns or another hash
@@ -39,6 +40,11 @@ class Specification:
         return int(self.plain["shard_size"])
 
     @property
+    def sensitivities(self) -> bool:
+        """Whether rows have the derivatives of their apexes."""
+        return bool(self.plain["sensitivities"])
+
+    @property
     def shards(self) -> int:
         return -(-self.plan.count // self.shard_size)
 
@@ -57,7 +63,9 @@ def dataset_member(family: str, values: Any) -> Any:
     return construct(family, DATASET_FAMILIES[family][name], values)
 
 
-def specify(config: Mapping[str, Any], shard_size: int) -> Specification:
+def specify(
+    config: Mapping[str, Any], shard_size: int, sensitivities: bool = False
+) -> Specification:
     """The specification of a configuration's dataset.
 
     ``config``: groups as for :func:`snapjump.simulation.build`, and ``plan``. Raises
@@ -68,6 +76,10 @@ def specify(config: Mapping[str, Any], shard_size: int) -> Specification:
     if scene != "jump":
         raise ParameterError("sim", scene, "jump, which is what datasets are of")
     simulation = build({**config, "design": {}, "environment": {}})
+    if not isinstance(sensitivities, bool):
+        raise ParameterError("dataset.sensitivities", sensitivities, "true or false")
+    if sensitivities:
+        check_differentiable(simulation)
     options = dataset_member("plan", config.get("plan"))
     check_lightest(simulation, options)
     configuration = {
@@ -80,6 +92,7 @@ def specify(config: Mapping[str, Any], shard_size: int) -> Specification:
         "format": FORMAT,
         "plan": {"name": name_of("plan", options), **asdict(options)},
         "shard_size": shard_size,
+        "sensitivities": sensitivities,
         "configuration": {
             "accuracy": {"name": simulation.accuracy},
             "robot": asdict(simulation.robot),
@@ -95,7 +108,7 @@ def specify(config: Mapping[str, Any], shard_size: int) -> Specification:
 def restored(plain: Mapping[str, Any], backend: Mapping[str, Any]) -> Specification:
     """The specification that a plain one came from, to be computed by a backend."""
     config = {**plain["configuration"], "plan": plain["plan"], "backend": backend}
-    return specify(config, plain["shard_size"])
+    return specify(config, plain["shard_size"], plain["sensitivities"])
 
 
 def check_lightest(simulation: Simulation, options: Any) -> None:

@@ -3,7 +3,7 @@
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba.core import types
+from numba.core import cgutils, types
 from numba.extending import intrinsic
 from numpy.typing import NDArray
 
@@ -51,7 +51,10 @@ def with_numbers(typingctx: Any, model: Any, numbers: Any) -> Any:
             values = []
             for _ in range(len(member)):
                 index = ir.Constant(ir.IntType(64), position)
-                values.append(builder.load(builder.gep(array.data, [index])))
+                address = cgutils.get_item_pointer(
+                    context, builder, numbers, array, [index], wraparound=False
+                )
+                values.append(builder.load(address))
                 position += 1
             built.append(context.make_tuple(builder, member, values))
         return context.make_tuple(builder, filled, built)

@@ -1,5 +1,6 @@
 """The memory of a march: every array the time loop touches, allocated once before it starts."""
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -78,6 +79,7 @@ def make_work(
     lanes: int,
     node_dofs: int = 2,
     mesh: NDArray[np.int64] = NO_MESH,
+    allocate: Callable[[tuple[int, ...]], Any] = aligned_zeros,
 ) -> Work:
     """Zeroed memory of shape (..., lanes)."""
     chain = frame_dofs if len(mesh) else 0
@@ -85,8 +87,8 @@ def make_work(
     beam = node_dofs * nodes
     size = frame_dofs + beam
 
-    def zeros(*shape: int) -> NDArray[np.float64]:
-        return aligned_zeros((*shape, lanes))
+    def zeros(*shape: int) -> Any:
+        return allocate((*shape, lanes))
 
     pad = HALF_BANDWIDTH
     residual = zeros(beam + 2 * pad)

@@ -8,7 +8,7 @@ TYPICAL_SECONDS = 15
 PATIENCE_SECONDS = 2.0  # longer than loading a compiled kernel from disk takes
 
 
-def load(kernel: Any, *args: Any) -> None:
+def load(kernel: Any, *args: Any, typical_seconds: int = TYPICAL_SECONDS) -> None:
     """Call a numba function, announcing on stderr that it is being compiled if that takes time.
 
     Meant for a first call that does no work, so that compilation is not timed as simulation.
@@ -18,7 +18,7 @@ def load(kernel: Any, *args: Any) -> None:
     def announce() -> None:
         if len(kernel.signatures) == before:
             print(
-                f"compiling kernels, once, about {TYPICAL_SECONDS} s ...",
+                f"compiling kernels, once, about {typical_seconds} s ...",
                 file=sys.stderr,
                 flush=True,
             )

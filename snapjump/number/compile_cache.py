@@ -14,6 +14,7 @@ PACKAGE = Path(__file__).resolve().parent.parent
 KERNEL_PACKAGES = (
     "clamp",
     "contact",
+    "cuda",
     "damping",
     "discretization",
     "ending",

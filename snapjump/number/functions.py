@@ -8,7 +8,7 @@ import math
 from typing import Any
 
 from llvmlite import ir
-from numba.core import types
+from numba.core import cgutils, types
 from numba.extending import intrinsic, overload
 
 from snapjump.number.dispatch import INLINED, kernel
@@ -27,14 +27,22 @@ from snapjump.number.dual import (
 from snapjump.number.lane import (
     LaneType,
     MaskType,
-    each_lane,
     lane_type,
     splat,
     vector_intrinsic,
 )
 
 
-def _elementwise(name: str, vectorised: bool, in_python: Any, of_dual: Any) -> Any:
+def _scalar_function(module: ir.Module, name: str) -> ir.Function:
+    """A function of one double: LLVM's intrinsic, or CUDA's own library where that runs."""
+    double = ir.DoubleType()
+    if module.triple.startswith("nvptx"):
+        kind = ir.FunctionType(double, [double])
+        return cgutils.get_or_insert_function(module, kind, f"__nv_{name}")
+    return module.declare_intrinsic(f"llvm.{name}", [double])
+
+
+def _elementwise(name: str, in_python: Any, of_dual: Any) -> Any:
     """A function of one number: ``llvm.<name>`` in numba, ``in_python`` outside it.
 
     ``of_dual``: the function of a dual, given that of its value.
@@ -51,13 +59,9 @@ def _elementwise(name: str, vectorised: bool, in_python: Any, of_dual: Any) -> A
 
         def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
             value = context.cast(builder, args[0], sig.args[0], kind)
-            double = ir.DoubleType()
-            scalar = builder.module.declare_intrinsic(f"llvm.{name}", [double])
-            if not isinstance(kind, LaneType):
-                return builder.call(scalar, [value])
-            if vectorised:
+            if isinstance(kind, LaneType):
                 return vector_intrinsic(builder, name, value)
-            return each_lane(builder, value, lambda v: builder.call(scalar, [v]))
+            return builder.call(_scalar_function(builder.module, name), [value])
 
         return kind(x), codegen
 
@@ -78,18 +82,6 @@ def _sqrt_of_dual(root: Any) -> Any:
     return differentiated
 
 
-def _log_of_dual(logarithm: Any) -> Any:
-    return lambda x: dual(logarithm(value_of(x)), slopes_of(x) * (1.0 / value_of(x)))
-
-
-def _exp_of_dual(exponential: Any) -> Any:
-    def differentiated(x: Any) -> Any:
-        value = exponential(value_of(x))
-        return dual(value, slopes_of(x) * value)
-
-    return differentiated
-
-
 def _nearest_of_dual(rounded: Any) -> Any:
     return lambda x: rounded(value_of(x))
 
@@ -99,16 +91,10 @@ def _absolute_of_dual(magnitude: Any) -> Any:
 
 
 sqrt = _elementwise(
-    "sqrt", True, lambda x: cmath.sqrt(x) if isinstance(x, complex) else math.sqrt(x), _sqrt_of_dual
+    "sqrt", lambda x: cmath.sqrt(x) if isinstance(x, complex) else math.sqrt(x), _sqrt_of_dual
 )
-log = _elementwise(
-    "log", False, lambda x: cmath.log(x) if isinstance(x, complex) else math.log(x), _log_of_dual
-)
-exp = _elementwise(
-    "exp", False, lambda x: cmath.exp(x) if isinstance(x, complex) else math.exp(x), _exp_of_dual
-)
-nearest = _elementwise("rint", True, lambda x: float(round(x.real)), _nearest_of_dual)
-absolute = _elementwise("fabs", True, lambda x: x if x.real >= 0 else -x, _absolute_of_dual)
+nearest = _elementwise("rint", lambda x: float(round(x.real)), _nearest_of_dual)
+absolute = _elementwise("fabs", lambda x: x if x.real >= 0 else -x, _absolute_of_dual)
 
 
 def where(mask: Any, a: Any, b: Any) -> Any:

@@ -158,30 +158,19 @@ def vector_intrinsic(builder: ir.IRBuilder, name: str, *args: ir.Value) -> ir.Va
     return builder.call(function, args)
 
 
-def each_lane(builder: ir.IRBuilder, vector: ir.Value, apply: Callable[[Any], Any]) -> ir.Value:
-    """Apply a scalar LLVM operation lane by lane (for functions without a vector form)."""
-    result = ir.Constant(vector.type, ir.Undefined)
-    for i in range(vector.type.count):
-        index = ir.Constant(ir.IntType(32), i)
-        result = builder.insert_element(
-            result, apply(builder.extract_element(vector, index)), index
-        )
-    return result
-
-
 @intrinsic
 def view_numbers(typingctx: Any, array: Any, lanes: Any) -> Any:
-    """View a C-contiguous float64 array of shape (..., W) as an array of numbers of shape (...).
+    """View a float64 array of shape (..., W) as an array of numbers of shape (...).
 
     ``lanes`` is a tuple of W integers, of which only the length counts: one gives plain doubles,
-    more give lanes. The data must be aligned to 8 W bytes (:mod:`snapjump.number.memory`), and
-    the caller keeps the array alive.
+    more give lanes, whose array must be C-contiguous. The data must be aligned to 8 W bytes
+    (:mod:`snapjump.number.memory`), and the caller keeps the array alive.
     """
     width = lanes.count
-    if array.layout != "C" or array.dtype != types.float64:
+    if (array.layout != "C" and width > 1) or array.dtype != types.float64:
         raise TypeError(f"view_numbers needs C-contiguous doubles, not {array}")
     number = types.float64 if width == 1 else LaneType(width)
-    viewed = NumberArray(number, array.ndim - 1)
+    viewed = NumberArray(number, array.ndim - 1, "C" if array.layout == "C" else "A")
 
     def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         source = context.make_array(array)(context, builder, args[0])

@@ -3,10 +3,12 @@
 import os
 from dataclasses import dataclass
 
-from snapjump.checks import ParameterError, check_integer
+from snapjump.checks import ParameterError, check_integer, check_number
 
 WIDTHS = (2, 4, 8, 16)
 MOST_THREADS = 1024
+WARP = 32  # threads of a card that march in step
+LARGEST_BLOCK = 256  # whose threads still find registers
 
 
 def available_cores() -> int:
@@ -41,3 +43,34 @@ class LanesBackend:
     def thread_count(self) -> int:
         """Threads that a batch is simulated with."""
         return available_cores() if self.threads is None else self.threads
+
+
+@dataclass(frozen=True)
+class CudaBackend:
+    """One robot a thread of an NVIDIA card: for batches, outcomes only.
+
+    As many robots at once as fit ``memory_gib`` of the card's memory, the others follow.
+    """
+
+    device: int = 0
+    memory_gib: float = 4.0
+    threads_per_block: int = 64
+
+    def __post_init__(self) -> None:
+        check_integer("backend.device", self.device, 0, 1023)
+        check_number("backend.memory_gib", self.memory_gib, 0.0, 1024.0, above=True, unit="GiB")
+        block = self.threads_per_block
+        if type(block) is not int or block % WARP or not WARP <= block <= LARGEST_BLOCK:
+            raise ParameterError(
+                "backend.threads_per_block", block, f"a multiple of {WARP} up to {LARGEST_BLOCK}"
+            )
+
+    @property
+    def width(self) -> int:
+        """Robots side by side in a thread."""
+        return 1
+
+    @property
+    def thread_count(self) -> int:
+        """Threads of the processor."""
+        return 1

@@ -15,20 +15,23 @@ from snapjump.options.backend import ScalarBackend
 from snapjump.recorder.none import NoRecorder
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
+from snapjump.scenes.card_march import check_backend, march_on
 from snapjump.scenes.flight import flight
 from snapjump.scenes.flight_check import checked_status
 from snapjump.scenes.frame_body import frame_mesh
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.resting import resting_guess
-from snapjump.scenes.runner import March, Progress
+from snapjump.scenes.runner import Progress
 from snapjump.scenes.trajectory import trajectory_arrays
 
 
 def simulate_jump_scene(simulation: Simulation, progress: Progress | None = None) -> Result:
     """Simulate one jump with its whole trajectory and energy ledger.
 
-    With ``backend=lanes`` the program for batches is used, which gives outcomes only.
+    With ``backend=lanes`` and ``backend=cuda`` the program for batches is used, which gives
+    outcomes only.
     """
+    check_backend(simulation)
     begun = time.perf_counter()
     scales = simulation.robot.scales
     model = jump_model(simulation)
@@ -36,7 +39,7 @@ def simulate_jump_scene(simulation: Simulation, progress: Progress | None = None
     duration = simulation.sim.time_limit_s / scales.time_s
     interval = simulation.sim.sample_interval_s / scales.time_s
     alone = isinstance(simulation.backend, ScalarBackend)
-    march = March(
+    march = march_on(simulation)(
         models=[model],
         masses=simulation.discretization.masses(),
         states=state[None, :],

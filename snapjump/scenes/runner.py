@@ -12,10 +12,11 @@ from snapjump.discretization.base import node_dofs
 from snapjump.engine.clock import ROWS, TIME
 from snapjump.engine.march import Limits, Queue, find_starts, march
 from snapjump.engine.model import Model, numbers_of
-from snapjump.engine.work import NO_MESH, make_work
+from snapjump.engine.work import NO_MESH, Work, make_work
 from snapjump.frame.base import frame_dofs
 from snapjump.integrator.base import slots
 from snapjump.number.announcement import load
+from snapjump.number.memory import aligned_zeros
 from snapjump.recorder.none import NoRecorder
 from snapjump.scenes.crew import Worker, run_crew
 
@@ -69,18 +70,23 @@ class March:
         self.crew = [self._worker(shared) for _ in range(threads)]
         self.memory, self.queue = self.crew[0].memory, self.crew[0].queue
 
-    def _worker(self, shared: Queue) -> Worker:
-        """A thread's share of the queue and memory of its own."""
-        memory = make_work(
+    def make_memory(self, lanes: int, allocate: Any = aligned_zeros) -> Work:
+        """Memory for so many robots side by side, from wherever ``allocate`` takes arrays."""
+        return make_work(
             len(self.masses),
             frame_dofs(self.models[0].frame, self.mesh),
             slots(self.scheme),
             ROWS,
             self.numbers.shape[1],
-            self.lanes,
+            lanes,
             node_dofs(self.models[0].discretization),
             self.mesh,
+            allocate,
         )
+
+    def _worker(self, shared: Queue) -> Worker:
+        """A thread's share of the queue and memory of its own."""
+        memory = self.make_memory(self.lanes)
         counts = np.array([-1, 0], dtype=np.int64)
         carried = np.full(self.lanes, -1, dtype=np.int64)
         return Worker(memory, shared._replace(counts=counts, carried=carried), self.recorder)

@@ -28,6 +28,8 @@ ROBOTS_PER_SLICE = 16
 
 def check_differentiable(simulation: Simulation) -> None:
     """Require modules that sensitivities know. Raises ParameterError naming the first other."""
+    if simulation.name("backend") == "cuda":
+        raise ParameterError("backend", "cuda", "lanes or scalar with sensitivities")
     if simulation.name("frame") != "rigid":
         raise ParameterError("frame", simulation.name("frame"), "rigid with sensitivities")
     if simulation.name("contact") == "signorini":

@@ -7,7 +7,8 @@ if it came to rest in a barrier that it did not resolve.
 
 from typing import Any, NamedTuple
 
-from snapjump.number.functions import exp, log, maximum, minimum
+from snapjump.number.exponentials import exp, log
+from snapjump.number.functions import maximum, minimum
 from snapjump.stepping.base import (
     accepts,
     first_step,

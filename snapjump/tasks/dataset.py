@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from snapjump.executor.base import Executor
     from snapjump.files.lock import FileLock
 
-KEYS = ("path", "shard_size", "part", "parts")
+KEYS = ("path", "sensitivities", "shard_size", "part", "parts")
 MOST_PARTS = 10_000
 # Share of the progress bar for the jumps; the rest is for reading them again and drawing.
 GENERATION_SHARE = 0.95
@@ -46,7 +46,7 @@ class GenerateDataset:
         self._config = config
         keys = config.get("dataset") or {}
         check_keys(keys)
-        self._specification = specify(config, keys["shard_size"])
+        self._specification = specify(config, keys["shard_size"], keys["sensitivities"])
         check_complete(config, self._specification.simulation)
         self._executor = dataset_member("executor", config.get("executor")).member()
         self._executor.check()

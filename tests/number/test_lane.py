@@ -8,14 +8,13 @@ import numpy as np
 import pytest
 from numba import njit
 
+from snapjump.number.exponentials import exp, log
 from snapjump.number.functions import (
     absolute,
     any_true,
     arctan,
     cos,
-    exp,
     fma,
-    log,
     maximum,
     minimum,
     negate,

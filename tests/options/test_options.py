@@ -74,6 +74,9 @@ OUTSIDE = {
     ("executor", "dask", "workers"): (0, 1025, 2.0),
     ("plan", "grid", "points"): (1, 1001, 15.0),
     ("backend", "lanes", "threads"): (0, 1025, 2.0),
+    ("backend", "cuda", "device"): (-1, 1024, 0.0),
+    ("backend", "cuda", "memory_gib"): (0.0, -1.0, 1025.0),
+    ("backend", "cuda", "threads_per_block"): (0, 16, 33, 288, 64.0),
 }
 RANGE_OF = {
     "delta_alpha_rad": ([-0.51, 0.1], [0.1, 0.51], [0.1, 0.1], [0.2, 0.1], [0.1, math.nan]),

@@ -1,0 +1,172 @@
+"""What a jump must move between memory and processor: ``python -m experiments.gpu_traffic``.
+
+A part of one jump is marched in plain Python, every access to its memory counted. An access
+counts as traffic unless it hits one of the last few hundred numbers that were touched: a thread's
+share of the caches. On a card those are about 128 numbers of L1 (256 KiB for 256 threads of a
+multiprocessor), 350 with L2. Prints one JSON object.
+"""
+
+import argparse
+import json
+from collections import OrderedDict
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from snapjump.batch import variants
+from snapjump.composition import Simulation, with_tier
+from snapjump.ending.flight import FlightEnding
+from snapjump.engine import clock as c
+from snapjump.engine import march as engine
+from snapjump.engine.march import Limits
+from snapjump.engine.model import Model
+from snapjump.engine.work import System, Work
+from snapjump.recorder.none import NoRecorder
+from snapjump.scenes.jump_start import jump_model
+from snapjump.scenes.resting import resting_guess
+from snapjump.scenes.runner import March
+
+BASELINE = (0.1, 0.2, 0.768, 0.3)
+CACHES = {"l1": 128, "l1_and_l2": 350}
+
+
+class Cache:
+    """The last so many numbers touched; what is read into it and written back from it."""
+
+    def __init__(self, numbers: int):
+        self.numbers = numbers
+        self.reads = self.writes = 0
+        self.kept: OrderedDict[int, bool] = OrderedDict()  # address: whether it was written
+
+    def touch(self, address: int, written: bool) -> None:
+        """Access a number. A write needs no read before: whole lines are written at once."""
+        if address in self.kept:
+            self.kept.move_to_end(address)
+            self.kept[address] |= written
+            return
+        self.reads += not written
+        self.kept[address] = written
+        if len(self.kept) > self.numbers:
+            _, dirty = self.kept.popitem(last=False)
+            self.writes += dirty
+
+
+class Counted:
+    """An array that tells caches of every access."""
+
+    def __init__(self, values: Any, addresses: Any, caches: list[Cache]):
+        self.values, self.addresses, self.caches = values, addresses, caches
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return tuple(self.values.shape)
+
+    def _touch(self, index: Any, written: bool) -> None:
+        for cache in self.caches:
+            cache.touch(int(self.addresses[index]), written)
+
+    def __getitem__(self, index: Any) -> Any:
+        part = self.values[index]
+        if isinstance(part, np.ndarray):
+            return Counted(part, self.addresses[index], self.caches)
+        self._touch(index, False)
+        return part
+
+    def __setitem__(self, index: Any, value: Any) -> None:
+        self._touch(index, True)
+        self.values[index] = value
+
+
+def counted(array: Any, caches: list[Cache]) -> Counted:
+    """One lane's part of an array."""
+    values = array[..., 0]
+    addresses = np.full(values.shape, values.ctypes.data, dtype=np.int64)
+    for axis, stride in enumerate(values.strides):
+        places = stride * np.arange(values.shape[axis])
+        addresses += places.reshape([-1 if k == axis else 1 for k in range(values.ndim)])
+    return Counted(values, addresses, caches)
+
+
+def filled(template: Model, numbers: Any) -> Model:
+    """The template's classes with other numbers, as compiled code fills them."""
+    members, position = [], 0
+    for member in template:
+        members.append(type(member)(*(numbers[position + k] for k in range(len(member)))))
+        position += len(member)
+    return Model(*members)
+
+
+class Traffic(NamedTuple):
+    """Bytes a pass that a cache of so many numbers reads and writes."""
+
+    read: float
+    written: float
+
+
+def measure(simulation: Simulation, passes: int) -> dict[str, Traffic]:
+    """Traffic of a jump's first ``passes`` passes for every size of cache."""
+    model = jump_model(simulation)
+    march = March(
+        models=[model],
+        masses=simulation.discretization.masses(),
+        states=resting_guess(simulation, model)[None, :],
+        simulation=simulation,
+        ending=FlightEnding(simulation.sim.time_limit_s / simulation.robot.scales.time_s),
+    )
+    march.find_starts()
+    caches = {name: Cache(numbers) for name, numbers in CACHES.items()}
+    all_of_them = list(caches.values())
+
+    def view(work: Work, lanes: Any) -> Work:
+        system = System(*(counted(array, all_of_them) for array in work.system))
+        arrays = {
+            name: counted(array, all_of_them)
+            for name, array in work._asdict().items()
+            if name not in ("mesh", "system")
+        }
+        return work._replace(system=system, **arrays)
+
+    # Uncompiled, the loop finds these two by their names.
+    vars(engine).update(view_work=view, with_numbers=filled)
+    with np.errstate(all="ignore"):
+        engine.march.py_func(
+            model,
+            march.masses,
+            march.scheme,
+            march.stepping,
+            march.ending,
+            Limits(25.0, 1e6),
+            NoRecorder(),
+            march.memory,
+            march.queue,
+            (0,),
+            passes,
+        )
+    done = float(march.memory.clock[c.ITERATIONS, 0])
+    return {
+        name: Traffic(8.0 * cache.reads / done, 8.0 * cache.writes / done)
+        for name, cache in caches.items()
+    }
+
+
+def main() -> None:
+    """Measure and print."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--tier", default="standard")
+    parser.add_argument("--passes", type=int, default=60)
+    arguments = parser.parse_args()
+    simulation = variants(with_tier(arguments.tier), [BASELINE])[0]
+    found = measure(simulation, arguments.passes)
+    nodes = len(simulation.discretization.masses())
+    report = {"tier": arguments.tier, "passes": arguments.passes, "nodes": nodes}
+    for name, traffic in found.items():
+        report[name] = {
+            "numbers": CACHES[name],
+            "read_bytes_a_pass": round(traffic.read),
+            "written_bytes_a_pass": round(traffic.written),
+        }
+    print(json.dumps(report, indent=2))
+
+
+if __name__ == "__main__":
+    main()

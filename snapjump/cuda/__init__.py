@@ -1,0 +1,1 @@
+"""Jumps on a graphics card: the engine's own functions, compiled for one robot a thread."""

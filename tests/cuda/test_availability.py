@@ -1,0 +1,60 @@
+"""Without a card it is said so in one line, before any work."""
+
+import pytest
+
+from snapjump.batch import simulate_batch
+from snapjump.checks import ParameterError
+from snapjump.composition import with_tier
+from snapjump.cuda import availability
+from snapjump.cuda.availability import check_card
+from snapjump.options.backend import CudaBackend
+from snapjump.scenes.jump import simulate_jump_scene
+from snapjump.simulation import check_scene
+
+
+def no_package(name):
+    return None
+
+
+@pytest.fixture
+def without_package(monkeypatch):
+    monkeypatch.setattr(availability, "find_spec", no_package)
+
+
+def test_a_missing_package_is_named(without_package):
+    with pytest.raises(ParameterError, match=r"^backend = 'cuda'.*numba-cuda.*pip install") as told:
+        check_card(0)
+    assert "\n" not in str(told.value)
+
+
+def test_a_missing_card_is_named(monkeypatch):
+    cuda = pytest.importorskip("numba.cuda")
+    monkeypatch.setattr(availability, "find_spec", lambda name: name)
+    monkeypatch.setattr(cuda, "is_available", lambda: False)
+    monkeypatch.setattr(cuda, "cuda_error", lambda: "no driver\nat all")
+    with pytest.raises(ParameterError, match=r"NVIDIA card.*\(no driver\)$"):
+        check_card(0)
+
+
+def test_a_device_beyond_the_last_is_refused(monkeypatch):
+    cuda = pytest.importorskip("numba.cuda")
+    monkeypatch.setattr(availability, "find_spec", lambda name: name)
+    monkeypatch.setattr(cuda, "is_available", lambda: True)
+    monkeypatch.setattr(cuda, "gpus", [None, None])
+    check_card(1)
+    with pytest.raises(ParameterError, match=r"backend.device = 2 .*\[0, 1\]"):
+        check_card(2)
+
+
+@pytest.mark.parametrize(
+    "begin", [check_scene, simulate_jump_scene, lambda simulation: simulate_batch([simulation])]
+)
+def test_no_statics_are_solved_before(without_package, monkeypatch, begin):
+    from snapjump.scenes import jump_start
+
+    def never(*arguments):
+        raise AssertionError("work has begun")
+
+    monkeypatch.setattr(jump_start, "symmetric_threshold", never)
+    with pytest.raises(ParameterError, match="numba-cuda"):
+        begin(with_tier("draft", backend=CudaBackend()))

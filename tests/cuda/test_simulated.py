@@ -1,0 +1,59 @@
+"""Marches on numba's simulator of a card: as on the processor, refilled and in chunks."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from robots import DESIGNS, small_march
+
+from snapjump.engine import clock as c
+from snapjump.engine.status import NO_EQUILIBRIUM, OK, TIME_LIMIT
+
+ROOT = Path(__file__).resolve().parents[2]
+ROBOTS = (DESIGNS[1], DESIGNS[3])
+
+
+@pytest.fixture(scope="module")
+def told():
+    pytest.importorskip("numba_cuda", reason="numba-cuda is not installed")
+    done = subprocess.run(
+        [sys.executable, ROOT / "tests" / "support" / "card_in_simulator.py"],
+        env=os.environ | {"NUMBA_ENABLE_CUDASIM": "1", "PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        timeout=600,
+    )
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+def test_whole_jumps_agree_with_compiled_ones(told):
+    """In Python products and sums are rounded twice where compiled code does it once: what two
+    programs that round differently agree to after a jump."""
+    march = small_march(ROBOTS, 1)
+    march.find_starts()
+    expected = march.run()
+    outcome = np.array(told["outcome"])
+    assert (outcome[:, c.STATUS] == OK).all()
+    for row in (c.STEPS, c.REJECTED, c.ITERATIONS):
+        assert np.array_equal(outcome[:, row], expected[:, row])
+    for row in (c.TIME, c.SMALLEST_GAP, c.COM_X, c.COM_Y, c.COM_VX, c.COM_VY):
+        np.testing.assert_allclose(outcome[:, row], expected[:, row], rtol=0.0, atol=1e-9)
+
+
+def test_one_thread_takes_robots_one_after_the_other(told):
+    iterations = np.array(told["outcome"])[:, c.ITERATIONS]
+    assert told["passes"] == iterations.sum()
+    assert told["progress"] == sorted(told["progress"])
+    assert told["progress"][0] == 0.0 and told["progress"][-1] == 1.0
+    assert told["bytes_sent"] > 0
+
+
+def test_chunks_are_one_queue(told):
+    """To the last bit: there the same Python was marched with and without a card."""
+    assert told["differs_in_chunks"] == 0.0
+    assert told["status_in_chunks"] == [TIME_LIMIT, NO_EQUILIBRIUM, TIME_LIMIT]

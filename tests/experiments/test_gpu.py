@@ -1,0 +1,56 @@
+"""The study of the card: its designs, its model of the caches, and what it says without a card."""
+
+import subprocess
+import sys
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from experiments.designs import HIGH, LOW
+from experiments.gpu import busy_share, grid
+from experiments.gpu_traffic import Cache, Counted, counted
+from snapjump.number.memory import aligned_zeros
+
+
+def test_the_grid_is_the_paper_s():
+    designs = np.array(grid(15))
+    assert designs.shape == (50_625, 4)
+    assert (designs.min(axis=0) == LOW).all() and (designs.max(axis=0) == HIGH).all()
+    assert len(np.unique(designs, axis=0)) == 50_625
+
+
+def test_warps_last_as_long_as_their_longest_thread():
+    passes = np.concatenate([np.full(32, 10), np.r_[40, np.zeros(31)]]).astype(int)
+    march = SimpleNamespace(passes_of_threads=[passes])
+    assert busy_share(march) == pytest.approx((320 + 40) / (32 * (10 + 40)))
+
+
+def test_a_cache_reads_what_it_lost_and_writes_back_what_was_changed():
+    cache = Cache(2)
+    for address, written in ((1, False), (1, True), (2, True), (1, False), (3, False), (2, False)):
+        cache.touch(address, written)
+    # 1, 3, and 2 again were read; 2 and 1 had been changed when they made room.
+    assert (cache.reads, cache.writes) == (3, 2)
+
+
+def test_views_of_one_number_are_one_number():
+    cache = Cache(100)
+    memory = aligned_zeros((4, 3, 1))
+    whole = counted(memory, [cache])
+    part = counted(memory[1:], [cache])[0]
+    assert isinstance(part, Counted) and part.shape == (3,)
+    whole[1, 2] = 5.0
+    assert part[2] == 5.0
+    assert (cache.reads, len(cache.kept)) == (0, 1)
+
+
+def test_without_a_card_there_is_one_line():
+    cuda = pytest.importorskip("numba.cuda")
+    if cuda.is_available():
+        pytest.skip("there is a card")
+    done = subprocess.run(
+        [sys.executable, "-m", "experiments.gpu"], capture_output=True, text=True, timeout=120
+    )
+    assert done.returncode == 2
+    assert done.stdout.startswith("backend = 'cuda'") and done.stdout.count("\n") == 1

@@ -1,0 +1,58 @@
+"""Logarithm and exponential in plain arithmetic, against the library's in extended precision."""
+
+import numpy as np
+import pytest
+from numba import njit
+
+from snapjump.number.exponentials import exp, log
+from snapjump.number.lane import view_numbers
+from snapjump.number.memory import aligned_zeros
+
+
+@njit
+def evaluate(given, found, lanes):
+    x, y = view_numbers(given, lanes), view_numbers(found, lanes)
+    for i in range(x.shape[0]):
+        y[0, i] = log(x[i])
+        y[1, i] = exp(x[i])
+
+
+def evaluated(values, lanes):
+    given = aligned_zeros((len(values) // lanes, lanes))
+    given[...] = values.reshape(given.shape)
+    found = aligned_zeros((2, *given.shape))
+    evaluate(given, found, (0,) * lanes)
+    return found.reshape(2, -1)
+
+
+def units_apart(found, exact):
+    """Difference in units of the last place."""
+    return np.abs(found - exact) / np.spacing(np.abs(exact.astype(float)))
+
+
+@pytest.fixture(scope="module")
+def near_one():
+    return 1.0 + np.random.default_rng(1).normal(size=40_000) * 1e-3
+
+
+@pytest.fixture(scope="module")
+def all_sizes():
+    return 2.0 ** np.random.default_rng(0).uniform(-1070.0, 1023.0, 40_000)
+
+
+def test_logarithms_are_good_to_one_unit(near_one, all_sizes):
+    for values in (near_one, all_sizes):
+        exact = np.log(values.astype(np.longdouble))
+        assert units_apart(evaluated(values, 1)[0], exact).max() < 1.0
+
+
+def test_exponentials_are_good_to_one_unit():
+    values = np.random.default_rng(2).uniform(-745.0, 709.5, 40_000)
+    exact = np.exp(values.astype(np.longdouble))
+    assert units_apart(evaluated(values, 1)[1], exact).max() < 1.0
+
+
+def test_lanes_have_the_same_bits(near_one, all_sizes):
+    for values in (near_one, all_sizes):
+        with np.errstate(all="ignore"):
+            assert np.array_equal(evaluated(values, 8), evaluated(values, 1), equal_nan=True)

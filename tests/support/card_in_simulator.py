@@ -1,0 +1,81 @@
+"""Small jumps on numba's simulator of a card: a program of its own, which prints what it found.
+
+The simulator is chosen once a process (``NUMBA_ENABLE_CUDASIM=1``) and runs kernels as the Python
+that they are written in. What it is compared with is the same Python, marched without a card.
+"""
+
+import json
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from plain_march import without_compiling
+from robots import DESIGNS, small_march, small_robot
+
+from snapjump.cuda.plan import Plan
+from snapjump.engine.clock import STATUS
+from snapjump.options.backend import CudaBackend
+from snapjump.scenes.card_march import CardMarch
+
+ROBOTS = (DESIGNS[1], DESIGNS[3])
+NO_START = 7.0
+
+
+class Patch:
+    """As pytest's monkeypatch, but for good."""
+
+    def setattr(self, where: Any, name: str, value: Any) -> None:
+        setattr(where, name, value)
+
+
+def on_card(designs: Any, threads: int, robots_a_chunk: int, duration: float = 20.0) -> CardMarch:
+    """The robots in so many threads, so many of them in the queue at a time."""
+    alone = small_march(designs, 1, duration=duration)
+    march = CardMarch(
+        models=alone.models,
+        masses=alone.masses,
+        states=np.array([small_robot(design)[1] for design in designs]),
+        simulation=replace(alone.simulation, backend=CudaBackend()),
+        ending=alone.ending,
+    )
+    march.plan = march.card.plan = Plan(1, threads, robots_a_chunk)
+    return march
+
+
+def difference(march: Any, other: Any) -> float:
+    """Largest one of starts and outcomes."""
+    names = ("state", "velocity", "acceleration", "status", "outcome")
+    pairs = [(getattr(march.queue, name), getattr(other.queue, name)) for name in names]
+    return float(max(np.max(np.abs(a - b)) for a, b in pairs))
+
+
+def main() -> None:
+    """March whole jumps, and short ones in chunks, and print the figures."""
+    without_compiling(Patch())
+    told: list[float] = []
+    refilled = on_card(ROBOTS, threads=1, robots_a_chunk=2)
+    refilled.find_starts()
+    refilled.run(lambda share, word: told.append(share))
+
+    short = small_march(DESIGNS[:3], 1, duration=0.02)
+    chunked = on_card(DESIGNS[:3], threads=2, robots_a_chunk=2, duration=0.02)
+    for march in (short, chunked):
+        march.find_starts()
+        march.queue.status[1] = NO_START
+        march.run()
+    print(
+        json.dumps(
+            {
+                "outcome": refilled.queue.outcome.tolist(),
+                "progress": told,
+                "passes": int(refilled.passes),
+                "bytes_sent": refilled.card.bytes_sent,
+                "differs_in_chunks": difference(chunked, short),
+                "status_in_chunks": chunked.queue.outcome[:, STATUS].tolist(),
+            }
+        )
+    )
+
+
+if __name__ == "__main__":
+    main()
