@@ -14,6 +14,7 @@ from snapjump.engine.differentiate import commit, differentiate_stages
 from snapjump.engine.model import with_numbers
 from snapjump.engine.shadow import Shadow, view_shadow
 from snapjump.linear_solver.more_sides import FOUR
+from snapjump.number.array import uncounted
 from snapjump.number.dispatch import kernel
 from snapjump.number.dual import dual, slopes_of
 from snapjump.number.functions import any_true, where
@@ -94,9 +95,9 @@ def _record_stage(
         model,
         scheme,
         masses,
-        recorder.memory,
-        recorder.shadow,
-        recorder.chosen,
+        uncounted(recorder.memory),
+        uncounted(recorder.shadow),
+        uncounted(recorder.chosen),
         count,
         recorder.refinements[0],
     )
@@ -105,8 +106,10 @@ def _record_stage(
 @record_step.member(SensitivityRecorder)
 def _record_step(recorder: SensitivityRecorder, scheme: Any, work: Any, good: Any) -> None:
     if any_true(good):
+        memory = uncounted(recorder.memory)
+        shadow = uncounted(recorder.shadow)
         for c in range(marked(recorder, work, good)):
-            commit(scheme, recorder.memory, recorder.shadow, recorder.chosen[c])
+            commit(scheme, memory, shadow, recorder.chosen[c])
 
 
 @record_end.member(SensitivityRecorder)
