@@ -149,12 +149,12 @@ def simulate_designs(
         raise ParameterError("lanes", lanes, "1, 2, 4, 8 or 16")
     crew = backend.thread_count if threads is None else threads
     check_integer("threads", crew, 1, MOST_THREADS)
-    numbers = None
     if sensitivities:
         check_differentiable(base)
         curve = curve or ThresholdCurve.over(base.robot, base.discretization, table[:, 1])
     ready = prepare_designs(base, table, curve)
-    if sensitivities:
+    numbers = None
+    if sensitivities and curve is not None:
         numbers = model_derivatives(base, table[ready.chosen], curve)
     marched, seconds, passes, slopes = march_all(
         ready.simulations,

@@ -7,7 +7,7 @@ import numpy as np
 from snapjump.batch import Batch, simulate_designs, variant
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
-from snapjump.dataset.columns import Rows
+from snapjump.dataset.columns import INPUTS, Rows
 from snapjump.dataset.specification import Specification
 from snapjump.executor.base import Progress
 from snapjump.options.backend import ScalarBackend
@@ -87,7 +87,7 @@ def derivatives(batch: Batch) -> dict[str, Any]:
     columns: dict[str, Any] = {
         f"d{apex}_d_{name}": values[:, k]
         for apex, values in (("x_bar", found.dx_bar), ("y_bar", found.dy_bar))
-        for k, name in enumerate(AXES)
+        for k, name in enumerate(INPUTS)
     }
     columns["graze_distance"] = found.graze_distance
     columns["differentiable"] = found.differentiable

@@ -29,21 +29,19 @@ from snapjump.discretization.der_elements import (
     Block,
     Chain,
     Coupling,
-    Edge,
     axial_force,
     edge_at,
     edge_block,
     edge_force,
-    half_angle_tangent,
     hinge_block,
     hinge_coupling,
     hinge_energy,
     hinge_moment,
     hinge_power,
-    make_edge,
     put_columns,
     stretching_energy,
 )
+from snapjump.discretization.edge import Edge, half_angle_tangent, make_edge
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, maximum
 

@@ -7,33 +7,9 @@ sums them along the chain.
 from typing import Any, NamedTuple
 
 from snapjump.damping.base import viscous_stiffening, viscous_strain
+from snapjump.discretization.edge import Edge, make_edge
 from snapjump.number.dispatch import kernel
-from snapjump.number.functions import fma, sqrt
-
-
-class Edge(NamedTuple):
-    """An edge vector's length and its inverse, unit tangent, gradient of its direction (rad/L),
-    the rate of its direction (rad/T) and of its length (L/T)."""
-
-    length: Any
-    over: Any
-    cx: Any
-    cy: Any
-    slope_x: Any
-    slope_y: Any
-    turn_rate: Any
-    stretch_rate: Any
-
-
-@kernel
-def make_edge(ex: Any, ey: Any, vx: Any, vy: Any) -> Edge:
-    """The edge (ex, ey) whose ends move apart with (vx, vy)."""
-    length = sqrt(fma(ex, ex, ey * ey))
-    over = 1.0 / length
-    cx = ex * over
-    cy = ey * over
-    turn_rate = (cx * vy - cy * vx) * over
-    return Edge(length, over, cx, cy, -cy * over, cx * over, turn_rate, cx * vx + cy * vy)
+from snapjump.number.functions import fma
 
 
 @kernel
@@ -44,12 +20,6 @@ def edge_at(j: Any, position: Any, origin: Any, rate_factor: Any) -> Edge:
     vx = (ex - origin[2 * j + 2] + origin[2 * j]) * rate_factor
     vy = (ey - origin[2 * j + 3] + origin[2 * j + 1]) * rate_factor
     return make_edge(ex, ey, vx, vy)
-
-
-@kernel
-def half_angle_tangent(ax: Any, ay: Any, bx: Any, by: Any) -> Any:
-    """tan(phi/2) of the turning angle between two unit vectors."""
-    return (ax * by - ay * bx) / (1.0 + ax * bx + ay * by)
 
 
 @kernel

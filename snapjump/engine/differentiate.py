@@ -10,7 +10,7 @@ and friction's at nodes): each correction shrinks what they leave by a large fac
 from typing import Any
 
 from snapjump.clamp.base import clamp_angles
-from snapjump.discretization.base import has_elements
+from snapjump.discretization.base import HALF_BANDWIDTH, has_elements, node_dofs
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.clock import LAST_STEP, STAGE, STEP, TIME
 from snapjump.engine.model import with_numbers
@@ -78,10 +78,17 @@ def predict_stage(template: Any, scheme: Any, memory: Any, shadow: Any, lane: An
 def write_sides(model: Any, motion: Any, masses: Any, memory: Any, shadow: Any, lane: Any) -> None:
     """Assemble a lane's residual in duals and take its slopes as right-hand sides."""
     work = view_shadow(shadow, lane, memory.mesh)
-    assemble(model, motion, masses, work)
-    sides = view_numbers(shadow.slopes[lane], FOUR)
+    # Here the compiler sees that they have no slopes.
+    known = Motion(
+        constant(motion.time),
+        constant(motion.rate_factor),
+        constant(motion.inertia_rate),
+        constant(motion.anchor),
+    )
+    assemble(model, known, masses, work)
+    sides = view_numbers(shadow.slopes[lane], FOUR)[HALF_BANDWIDTH:]
     frame_sides = view_numbers(shadow.frame_slopes[lane], FOUR)
-    for i in range(sides.shape[0]):
+    for i in range(work.system.residual.shape[0]):
         sides[i] = slopes_of(work.system.residual[i])
     for i in range(frame_dofs(model.frame, memory.mesh)):
         frame_sides[i] = slopes_of(work.system.frame_residual[i])
@@ -92,7 +99,7 @@ def correct(model: Any, time: Any, memory: Any, shadow: Any, lane: Any) -> None:
     """Subtract the solved corrections from the slopes of a lane's state."""
     work = view_shadow(shadow, lane, memory.mesh)
     dofs = frame_dofs(model.frame, memory.mesh)
-    sides = view_numbers(shadow.slopes[lane], FOUR)
+    sides = view_numbers(shadow.slopes[lane], FOUR)[HALF_BANDWIDTH:]
     frame_sides = view_numbers(shadow.frame_slopes[lane], FOUR)
     for i in range(work.state.shape[0]):
         change = frame_sides[i] if i < dofs else sides[i - dofs]
@@ -114,6 +121,7 @@ def differentiate_stages(
 ) -> None:
     """Bring the shadows of the first ``count`` lanes in ``chosen`` through the stages that they
     have just converged."""
+    turning = node_dofs(template.discretization) == 3
     for c in range(count):
         predict_stage(template, scheme, memory, shadow, chosen[c])
     for _ in range(corrections):
@@ -122,7 +130,7 @@ def differentiate_stages(
             model = shadow_model(template, shadow, lane)
             motion = motion_of(scheme, memory, lane)
             write_sides(model, motion, masses, memory, shadow, lane)
-        solve_more_sides(memory.system, shadow.slopes, shadow.frame_slopes, chosen, count)
+        solve_more_sides(memory.system, shadow.slopes, shadow.frame_slopes, chosen, count, turning)
         for c in range(count):
             lane = chosen[c]
             node = stage_node(scheme, memory.clock[STAGE, lane])
@@ -135,16 +143,11 @@ def differentiate_stages(
 
 @routine
 def motion_of(scheme: Any, memory: Any, lane: Any) -> Motion:
-    """Time and rates of a lane's stage as duals without slopes."""
+    """Time and rates of a lane's stage."""
     step = memory.clock[STEP, lane]
     rates = stage_rates(scheme, step, ratio_of(memory, lane))
     time = memory.clock[TIME, lane] + stage_node(scheme, memory.clock[STAGE, lane]) * step
-    return Motion(
-        constant(time),
-        constant(rates.rate_factor),
-        constant(rates.inertia_rate),
-        constant(0.0),
-    )
+    return Motion(time, rates.rate_factor, rates.inertia_rate, 0.0)
 
 
 @routine

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from snapjump.discretization.base import node_dofs
 from snapjump.engine.assemble import Motion
 from snapjump.engine.differentiate import correct, hold_ends, shadow_model, write_sides
 from snapjump.engine.equilibrium import settle
@@ -15,6 +16,7 @@ from snapjump.engine.start import DIFFERENCE_RAD, stay_in_place, with_angles
 from snapjump.engine.status import RUNNING
 from snapjump.engine.view import view_work
 from snapjump.linear_solver.more_sides import FOUR, solve_more_sides
+from snapjump.number.array import uncounted
 from snapjump.number.dispatch import routine
 from snapjump.number.dual import PARAMETERS, constant, dual, slopes_of
 from snapjump.number.lane import view_numbers
@@ -40,10 +42,11 @@ def differentiate_equilibrium(
         twin.state[i] = constant(memory.state[i, 0])
         twin.origin[i] = constant(memory.state[i, 0])
     hold_ends(twin_model, time, twin)
-    still = Motion(constant(time), constant(0.0), constant(0.0), constant(WEAK_ANCHOR))
+    still = Motion(time, 0.0, 0.0, WEAK_ANCHOR)
+    turning = node_dofs(model.discretization) == 3
     for _ in range(MOST_CORRECTIONS):
         write_sides(twin_model, still, masses, memory, shadow, 0)
-        solve_more_sides(memory.system, shadow.slopes, shadow.frame_slopes, chosen, 1)
+        solve_more_sides(memory.system, shadow.slopes, shadow.frame_slopes, chosen, 1, turning)
         correct(twin_model, time, memory, shadow, 0)
         largest = 0.0
         for i in range(shadow.slopes.shape[1]):
@@ -79,6 +82,9 @@ def differentiate_starts(
     (R, 3, D, 4): filled with those of state, velocity and acceleration.
     """
     chosen = np.zeros(1, dtype=np.int64)
+    masses = uncounted(masses)
+    memory = uncounted(memory)
+    shadow = uncounted(shadow)
     work = view_work(memory, (0,))
     twin = view_shadow(shadow, 0, memory.mesh)
     for robot in range(first, last):

@@ -52,6 +52,7 @@ from snapjump.engine.status import (
 )
 from snapjump.engine.view import view_work
 from snapjump.integrator.base import ends_in_a_stage, error_order, is_explicit, stage_count
+from snapjump.number.array import uncounted
 from snapjump.number.atomic import fetch_add
 from snapjump.number.dispatch import routine
 from snapjump.number.functions import any_true, maximum, minimum, negate, where
@@ -150,6 +151,7 @@ def find_starts(
 
     At most ``blocks`` times as many robots as there are lanes; True when none is left.
     """
+    masses = uncounted(masses)
     width = memory.clock.shape[1]
     robots = queue.status.shape[0]
     work = view_work(memory, lanes)
@@ -193,6 +195,8 @@ def march(
     each have their own memory, counts and carried. ``lanes`` is a tuple whose
     length is the number of lanes (see :func:`snapjump.number.lane.view_numbers`).
     """
+    masses = uncounted(masses)
+    scheme = uncounted(scheme)
     width = memory.clock.shape[1]
     work = view_work(memory, lanes)
     clock = work.clock

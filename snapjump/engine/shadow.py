@@ -5,7 +5,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.discretization.base import HALF_BANDWIDTH
 from snapjump.engine.work import System, Work
+from snapjump.number.array import uncounted
 from snapjump.number.dispatch import routine
 from snapjump.number.dual import DOUBLES, PARAMETERS, view_duals
 from snapjump.number.memory import aligned_zeros
@@ -20,8 +22,8 @@ class Shadow(NamedTuple):
     numbers (W, P, 8): of the model; state, start, origin, drift (W, D, 8); velocity, acceleration
     (W, S, D, 8): as in :class:`~snapjump.engine.work.Work`; slip (W, C, 8); residual (W, B, 8),
     frame_residual (W, F, 8): of the frame's F and the nodes' B coordinates; weights (S): of the
-    stage at hand; slopes (W, B, 4), frame_slopes (W, F, 4): derivatives of the residual, then of
-    the correction.
+    stage at hand; slopes (W, B + 10, 4), padded by five rows of zeros on either side, and
+    frame_slopes (W, F, 4): derivatives of the residual, then of the correction.
     """
 
     numbers: Any
@@ -60,7 +62,7 @@ def make_shadow(memory: Work) -> Shadow:
         residual=duals(nodes),
         frame_residual=duals(frame),
         weights=np.zeros(stages),
-        slopes=aligned_zeros((lanes, nodes, PARAMETERS)),
+        slopes=aligned_zeros((lanes, nodes + 2 * HALF_BANDWIDTH, PARAMETERS)),
         frame_slopes=aligned_zeros((lanes, frame, PARAMETERS)),
     )
 
@@ -101,7 +103,7 @@ def view_shadow(shadow: Any, lane: Any, mesh: Any) -> Work:
         forgotten,
         forgotten,
         view_duals(shadow.numbers[lane]),
-        shadow.weights,
-        mesh,
+        uncounted(shadow.weights),
+        uncounted(mesh),
         system,
     )

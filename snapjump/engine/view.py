@@ -3,6 +3,7 @@
 from typing import Any
 
 from snapjump.engine.work import System, Work
+from snapjump.number.array import uncounted
 from snapjump.number.dispatch import routine
 from snapjump.number.lane import view_numbers
 
@@ -40,6 +41,6 @@ def view_work(work: Any, lanes: Any) -> Work:
         view_numbers(work.clock, lanes),
         view_numbers(work.numbers, lanes),
         view_numbers(work.weights, lanes),
-        work.mesh,
+        uncounted(work.mesh),
         system,
     )

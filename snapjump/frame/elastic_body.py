@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.discretization.der_elements import make_edge
+from snapjump.discretization.edge import make_edge
 from snapjump.frame.base import (
     FrameBox,
     contact_point,

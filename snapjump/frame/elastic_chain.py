@@ -15,12 +15,11 @@ from snapjump.discretization.der_elements import (
     Coupling,
     edge_at,
     edge_block,
-    half_angle_tangent,
     hinge_block,
     hinge_coupling,
-    make_edge,
     put_columns,
 )
+from snapjump.discretization.edge import half_angle_tangent, make_edge
 from snapjump.frame.elastic_mesh import (
     LEFT_CORNER,
     RIGHT_CORNER,

@@ -7,7 +7,7 @@ two corners; the right leg mirrors the left one. Edge j joins nodes j and j + 1.
 from typing import Any, NamedTuple
 
 from snapjump.contact.base import contact_weights
-from snapjump.discretization.der_elements import make_edge
+from snapjump.discretization.edge import make_edge
 from snapjump.number.dispatch import kernel
 
 DOFS, LEFT_MOUNT, LEFT_CORNER, RIGHT_CORNER = range(4)

@@ -10,7 +10,7 @@ from typing import Any
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.imputils import lower_builtin
-from numba.extending import models, register_model
+from numba.extending import intrinsic, models, register_model
 from numba.np import arrayobj
 
 
@@ -102,3 +102,46 @@ def _store(context: Any, builder: Any, sig: Any, args: Any) -> Any:
 lower_builtin(operator.setitem, NumberArray, types.Any, types.Any)(
     _counted_from_the_beginning(_store)
 )
+
+
+def uncounted_type(kind: types.Type) -> types.Type:
+    """The type of :func:`uncounted`."""
+    if isinstance(kind, types.Array) and not isinstance(kind, NumberArray):
+        return NumberArray(kind.dtype, kind.ndim, kind.layout)
+    if isinstance(kind, types.BaseTuple) and any(uncounted_type(k) is not k for k in kind.types):
+        members = [uncounted_type(k) for k in kind.types]
+        return types.BaseTuple.from_types(members, getattr(kind, "instance_class", None))
+    return kind
+
+
+def _without_owner(context: Any, builder: Any, kind: types.Type, value: Any) -> Any:
+    """The LLVM value of ``uncounted`` of a value."""
+    viewed = uncounted_type(kind)
+    if viewed is kind:
+        return value
+    if isinstance(kind, types.BaseTuple):
+        parts = cgutils.unpack_tuple(builder, value, len(kind.types))
+        pairs = zip(kind.types, parts, strict=True)
+        changed = [_without_owner(context, builder, k, part) for k, part in pairs]
+        return context.make_tuple(builder, viewed, changed)
+    source = context.make_array(kind)(context, builder, value)
+    target = context.make_array(viewed)(context, builder)
+    for name in ("nitems", "itemsize", "data", "shape", "strides"):
+        setattr(target, name, getattr(source, name))
+    target.meminfo = ir.Constant(target.meminfo.type, None)
+    target.parent = ir.Constant(target.parent.type, None)
+    return target._getvalue()
+
+
+@intrinsic
+def uncounted(typingctx: Any, thing: Any) -> Any:
+    """An array, or the arrays of a tuple of tuples, as views that own nothing.
+
+    numba counts references to an array at every call, atomically, which stalls the processor: in
+    loops over nodes that is dear. The caller keeps the arrays alive.
+    """
+
+    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        return _without_owner(context, builder, sig.args[0], args[0])
+
+    return uncounted_type(thing)(thing), codegen

@@ -17,6 +17,7 @@ from snapjump.engine.model import with_numbers
 from snapjump.engine.shadow import Shadow, view_shadow
 from snapjump.frame.base import contact_point, contact_points, frame_dofs
 from snapjump.linear_solver.more_sides import FOUR
+from snapjump.number.array import uncounted
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.dual import PARAMETERS, constant, dual, slope_at, slopes_of, value_of
 from snapjump.number.functions import any_true, where
@@ -108,9 +109,9 @@ def _record_stage(
         model,
         scheme,
         masses,
-        recorder.memory,
-        recorder.shadow,
-        recorder.chosen,
+        uncounted(recorder.memory),
+        uncounted(recorder.shadow),
+        uncounted(recorder.chosen),
         count,
         recorder.corrections[0],
     )
@@ -132,10 +133,12 @@ def graze(recorder: Any, lane: Any, point: Any, gap: Any, rise: Any, reach: Any)
 
 
 @routine
-def look_for_grazes(recorder: Any, template: Any, masses: Any, lane: Any) -> None:
+def look_for_grazes(
+    recorder: Any, memory: Any, shadow: Any, template: Any, masses: Any, lane: Any
+) -> None:
     """Judge every point of a lane that has stopped falling in the step that was committed."""
-    mesh = recorder.memory.mesh
-    work = view_shadow(recorder.shadow, lane, mesh)
+    mesh = memory.mesh
+    work = view_shadow(shadow, lane, mesh)
     model = with_numbers(template, work.numbers)
     reach = value_of(contact_reach(model.contact) + constant(0.0))
     corners = contact_points(model.frame, mesh)
@@ -145,7 +148,7 @@ def look_for_grazes(recorder: Any, template: Any, masses: Any, lane: Any) -> Non
     for node in range(masses.shape[0]):
         if masses[node] > 0.0:
             i = node_dofs(model.discretization) * node + frame_dofs(model.frame, mesh) + 1
-            rise = recorder.memory.velocity[0, i, lane]
+            rise = memory.velocity[0, i, lane]
             graze(recorder, lane, corners + node, work.start[i], rise, reach)
 
 
@@ -154,9 +157,11 @@ def _record_step(
     recorder: SensitivityRecorder, model: Any, masses: Any, scheme: Any, work: Any, good: Any
 ) -> None:
     if any_true(good):
+        memory = uncounted(recorder.memory)
+        shadow = uncounted(recorder.shadow)
         for c in range(marked(recorder, work, good)):
-            commit(scheme, recorder.memory, recorder.shadow, recorder.chosen[c])
-            look_for_grazes(recorder, model, masses, recorder.chosen[c])
+            commit(scheme, memory, shadow, recorder.chosen[c])
+            look_for_grazes(recorder, memory, shadow, model, masses, recorder.chosen[c])
 
 
 @record_end.member(SensitivityRecorder)

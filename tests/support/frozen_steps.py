@@ -1,0 +1,184 @@
+"""A jump with given steps, every stage solved to rounding by a Jacobian that nothing is left out
+of: the program whose derivatives the sensitivities claim to be."""
+
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from snapjump.clamp.base import clamp_angles
+from snapjump.engine import clock as c
+from snapjump.engine.assemble import assemble
+from snapjump.engine.centre_of_mass import centre_of_mass
+from snapjump.engine.differentiate import hold_ends, motion_of
+from snapjump.engine.march import march
+from snapjump.engine.model import with_numbers
+from snapjump.engine.shadow import make_shadow, view_shadow
+from snapjump.engine.stage import begin_stage, commit_step, keep_stage, stage_motion
+from snapjump.engine.view import view_work
+from snapjump.frame.base import place_ends
+from snapjump.integrator.base import stage_count
+from snapjump.number.dual import PARAMETERS, constant, value_of
+from snapjump.scenes.runner import March
+
+MOST_ITERATIONS = 200
+GAP_LEFT = 0.15
+
+
+def adaptive_steps(jump: March) -> Any:
+    """Sizes (T) of the steps that stand in a march of one robot whose start is found."""
+    steps, done, count = [], False, 0.0
+    while not done:
+        done = march(*jump.arguments(jump.crew[0]), 1)
+        clock = jump.queue.outcome[0] if done else jump.memory.clock[:, 0]
+        if clock[c.STEPS] > count:
+            count = clock[c.STEPS]
+            steps.append(clock[c.LAST_STEP])
+    return np.array(steps)
+
+
+@njit(error_model="numpy")
+def guess_stage(template: Any, scheme: Any, masses: Any, memory: Any) -> None:
+    work = view_work(memory, (0,))
+    begin_stage(with_numbers(template, work.numbers), scheme, masses, work, work.clock[c.STEP] > 0)
+
+
+@njit(error_model="numpy")
+def linearise(
+    template: Any, scheme: Any, masses: Any, memory: Any, shadow: Any, residual: Any, jacobian: Any
+) -> None:
+    """Residual (D) and Jacobian (D, D) at ``memory.state``, four columns at a time."""
+    twin = view_shadow(shadow, 0, memory.mesh)
+    size = memory.state.shape[0]
+    for k in range(memory.numbers.shape[0]):
+        twin.numbers[k] = constant(memory.numbers[k, 0])
+    model = with_numbers(template, twin.numbers)
+    motion = motion_of(scheme, memory, 0)
+    for i in range(size):
+        twin.origin[i] = constant(memory.origin[i, 0])
+        twin.drift[i] = constant(memory.drift[i, 0])
+        twin.start[i] = constant(memory.start[i, 0])
+        twin.velocity[0, i] = constant(memory.velocity[0, i, 0])
+    for first in range(0, size, PARAMETERS):
+        count = min(PARAMETERS, size - first)
+        for i in range(size):
+            twin.state[i] = constant(memory.state[i, 0])
+        for k in range(count):
+            shadow.state[0, first + k, 4 + k] = 1.0
+        hold_ends(model, value_of(motion.time), twin)
+        assemble(model, motion, masses, twin)
+        for i in range(size):
+            row = shadow.frame_residual[0, i] if i < 3 else shadow.residual[0, i - 3]
+            residual[i] = row[0]
+            for k in range(count):
+                jacobian[i, first + k] = row[4 + k]
+
+
+@njit(error_model="numpy")
+def finish_stage(template: Any, scheme: Any, masses: Any, memory: Any) -> bool:
+    """Keep the stage; whether it was the step's last, which is then committed."""
+    work = view_work(memory, (0,))
+    model = with_numbers(template, work.numbers)
+    motion = stage_motion(scheme, work)
+    angles = clamp_angles(model.clamp, motion.time)
+    place_ends(model.frame, memory.mesh, model.discretization, angles, work.state)
+    everyone = work.clock[c.STEP] > 0.0
+    keep_stage(scheme, work, motion, everyone)
+    last = work.clock[c.STAGE] >= stage_count(scheme)
+    if last:
+        commit_step(scheme, work, everyone)
+        memory.clock[c.STAGE, 0] = 1.0
+    else:
+        memory.clock[c.STAGE, 0] += 1.0
+    return last
+
+
+def load(jump: March) -> None:
+    """Put the robot of a march whose start is found into its lane."""
+    memory, queue = jump.memory, jump.queue
+    memory.numbers[:, 0] = queue.numbers[0]
+    memory.state[:, 0] = memory.start[:, 0] = queue.state[0]
+    memory.velocity[:, :, 0] = queue.velocity[0]
+    memory.acceleration[:, :, 0] = queue.acceleration[0]
+    memory.clock[:] = 0.0
+    memory.clock[c.STAGE] = 1.0
+
+
+def solve_stage(jump: March, shadow: Any, tolerance: float) -> None:
+    """Newton's method at the current guess, gaps kept open, until rounding is all that is left."""
+    memory = jump.memory
+    size = len(memory.state)
+    residual, jacobian = np.zeros(size), np.zeros((size, size))
+    free = np.r_[0:3, 5 : size - 2]
+    before, damping = np.inf, 1.0
+    for _ in range(MOST_ITERATIONS):
+        linearise(jump.models[0], jump.scheme, jump.masses, memory, shadow, residual, jacobian)
+        change = np.linalg.solve(jacobian[np.ix_(free, free)], residual[free])
+        largest = float(np.abs(change).max())
+        # Across the kinks of friction full corrections may go to and fro for ever.
+        damping = max(0.5 * damping, 0.02) if largest > 0.9 * before else min(2.0 * damping, 1.0)
+        share = min(damping, 1e-3 / largest)
+        gaps, falls = memory.state[6 : size - 2 : 2, 0], change[4::2]
+        closing = falls > (1.0 - GAP_LEFT) * gaps
+        if closing.any():
+            share = min(share, float(((1.0 - GAP_LEFT) * gaps[closing] / falls[closing]).min()))
+        memory.state[free, 0] -= share * change
+        if largest < tolerance or (largest < 1e-11 and largest >= before):
+            return
+        before = largest
+    raise AssertionError(f"no solution: the last correction was {largest:.2g}")
+
+
+def exact_jump(jump: March, steps: Any, guide: Any = None, tolerance: float = 1e-14) -> Any:
+    """March the robot through the steps; returns the state (stages, D) that solves every stage.
+
+    ``guide``: solutions of a robot nearby, to begin from.
+    """
+    load(jump)
+    shadow = make_shadow(jump.memory)
+    arguments = (jump.models[0], jump.scheme, jump.masses, jump.memory)
+    solutions: list[Any] = []
+    for step in steps:
+        jump.memory.clock[c.STEP] = step
+        last = False
+        while not last:
+            guess_stage(*arguments)
+            if guide is not None:
+                jump.memory.state[:, 0] = guide[len(solutions)]
+            solve_stage(jump, shadow, tolerance)
+            last = finish_stage(*arguments)
+            solutions.append(jump.memory.state[:, 0].copy())
+    return np.array(solutions)
+
+
+def flight_of(jump: March) -> Any:
+    """Place (x, y) and velocity (vx, vy) of the centre of mass after the last step."""
+    memory = jump.memory
+    state, velocity = memory.start[:, 0], memory.velocity[0, :, 0]
+    return centre_of_mass(jump.models[0], jump.masses, jump.mesh, state, velocity)
+
+
+def apex(jump: March) -> Any:
+    """Apex (x, y) of the flight after the last step."""
+    x, y, vx, vy = flight_of(jump)
+    ahead = max(vy, 0.0) / jump.models[0].load.acceleration
+    return np.array([x + vx * ahead, y + 0.5 * max(vy, 0.0) * ahead])
+
+
+def march_along(jump: March, steps: Any, solutions: Any) -> None:
+    """March with the recorder that the march has, through given steps and solutions of stages.
+
+    Its stepping must accept everything, and its ending the end of the last step.
+    """
+    arguments = jump.arguments(jump.crew[0])
+    march(*arguments, 0)
+    memory, count = jump.memory, 0
+    for step in steps:
+        for _ in range(stage_count(jump.scheme)):
+            memory.clock[c.STEP] = step
+            guess_stage(jump.models[0], jump.scheme, jump.masses, memory)
+            memory.state[:, 0] = solutions[count]
+            memory.change[:] = 0.0
+            march(*arguments, 1)
+            count += 1
+    assert jump.queue.outcome[0, c.STEPS] == len(steps)
