@@ -43,16 +43,24 @@ class Card:
         self.bytes_fetched = 0
 
     def check_room(self, memory_gib: float) -> None:
-        """Raises ParameterError where other programs hold too much of the device's memory."""
-        free = cuda.current_context().get_memory_info().free / GIB
-        if memory_gib > free:
+        """Raises ParameterError where the device has less memory."""
+        total = cuda.current_context().get_memory_info().total / GIB
+        if memory_gib > total:
             raise ParameterError(
-                "backend.memory_gib", memory_gib, f"at most {free:.3g} GiB, which are free there"
+                "backend.memory_gib", memory_gib, f"at most {total:.3g} GiB, which the card has"
             )
 
     def zeros(self, count: int) -> Any:
-        """So many doubles."""
-        numbers = cuda.device_array(count)
+        """So many doubles. Raises ParameterError where other programs left no room for them."""
+        try:
+            numbers = cuda.device_array(count)
+        except Exception as error:  # the driver's own class is another one in the simulator
+            if "OUT_OF_MEMORY" not in str(error):
+                raise
+            needed = f"{8 * count / GIB:.3g} GiB"
+            raise ParameterError(
+                "backend.memory_gib", needed, "what other programs leave free of the card's memory"
+            ) from error
         Program(clear, self.plan)(numbers)
         return numbers
 
