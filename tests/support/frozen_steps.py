@@ -8,7 +8,7 @@ from numba import njit
 
 from snapjump.clamp.base import clamp_angles
 from snapjump.engine import clock as c
-from snapjump.engine.assemble import assemble
+from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.differentiate import hold_ends, motion_of
 from snapjump.engine.march import march
@@ -18,7 +18,7 @@ from snapjump.engine.stage import begin_stage, commit_step, keep_stage, stage_mo
 from snapjump.engine.view import view_work
 from snapjump.frame.base import place_ends
 from snapjump.integrator.base import stage_count
-from snapjump.number.dual import PARAMETERS, constant, value_of
+from snapjump.number.dual import PARAMETERS, constant
 from snapjump.scenes.runner import March
 
 MOST_ITERATIONS = 200
@@ -53,7 +53,13 @@ def linearise(
     for k in range(memory.numbers.shape[0]):
         twin.numbers[k] = constant(memory.numbers[k, 0])
     model = with_numbers(template, twin.numbers)
-    motion = motion_of(scheme, memory, 0)
+    plain = motion_of(scheme, memory, 0)
+    motion = Motion(
+        constant(plain.time),
+        constant(plain.rate_factor),
+        constant(plain.inertia_rate),
+        constant(plain.anchor),
+    )
     for i in range(size):
         twin.origin[i] = constant(memory.origin[i, 0])
         twin.drift[i] = constant(memory.drift[i, 0])
@@ -65,7 +71,7 @@ def linearise(
             twin.state[i] = constant(memory.state[i, 0])
         for k in range(count):
             shadow.state[0, first + k, 4 + k] = 1.0
-        hold_ends(model, value_of(motion.time), twin)
+        hold_ends(model, plain.time, twin)
         assemble(model, motion, masses, twin)
         for i in range(size):
             row = shadow.frame_residual[0, i] if i < 3 else shadow.residual[0, i - 3]
@@ -111,12 +117,14 @@ def solve_stage(jump: March, shadow: Any, tolerance: float) -> None:
     residual, jacobian = np.zeros(size), np.zeros((size, size))
     free = np.r_[0:3, 5 : size - 2]
     before, damping = np.inf, 1.0
-    for _ in range(MOST_ITERATIONS):
+    for count in range(MOST_ITERATIONS):
         linearise(jump.models[0], jump.scheme, jump.masses, memory, shadow, residual, jacobian)
         change = np.linalg.solve(jacobian[np.ix_(free, free)], residual[free])
         largest = float(np.abs(change).max())
         # Across the kinks of friction full corrections may go to and fro for ever.
-        damping = max(0.5 * damping, 0.02) if largest > 0.9 * before else min(2.0 * damping, 1.0)
+        if count > 15:
+            restless = largest > 0.9 * before
+            damping = max(0.5 * damping, 0.02) if restless else min(1.4 * damping, 1.0)
         share = min(damping, 1e-3 / largest)
         gaps, falls = memory.state[6 : size - 2 : 2, 0], change[4::2]
         closing = falls > (1.0 - GAP_LEFT) * gaps
