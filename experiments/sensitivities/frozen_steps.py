@@ -134,7 +134,7 @@ def solve_stage(jump: March, shadow: Any, tolerance: float) -> None:
         if largest < tolerance or (largest < 1e-11 and largest >= before):
             return
         before = largest
-    raise AssertionError(f"no solution: the last correction was {largest:.2g}")
+    raise ArithmeticError(f"no solution: the last correction was {largest:.2g}")
 
 
 def exact_jump(jump: March, steps: Any, guide: Any = None, tolerance: float = 1e-14) -> Any:

@@ -1,0 +1,1 @@
+"""Are the sensitivities right, and what do they cost?"""

@@ -1,0 +1,100 @@
+"""``python -m experiments.sensitivities`` prints one JSON object.
+
+``frozen``: the recorded derivatives against central differences of the same program with frozen
+steps, every stage solved to rounding by a Jacobian that nothing is left out of; on a coarse mesh,
+with friction smooth enough that differences have a limit (its kinks at the true 1e-4 m/s lie
+nearer than rounding lets differences go). ``plain``: against differences of adaptive jumps, whose
+roughness is no part of derivatives. ``cost``: time with sensitivities over time without.
+"""
+
+import argparse
+import json
+import statistics
+import sys
+from typing import Any
+
+import numpy as np
+
+from experiments.designs import spread_designs
+from experiments.sensitivities.agreement import frozen_errors, plain_errors
+from snapjump.batch import simulate_designs
+from snapjump.composition import Simulation, with_tier
+from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.options.friction import ImplicitFrictionOptions
+from snapjump.options.stepping import AdaptiveStepOptions
+from snapjump.statics.threshold_curve import ThresholdCurve
+
+CORRECTIONS = (1, 2, 3, 6)
+COARSE = with_tier(
+    "draft",
+    discretization=DiscreteElasticRodOptions(16),
+    stepping=AdaptiveStepOptions(2e-5, 2.0),
+    friction=ImplicitFrictionOptions(velocity_threshold_m_s=1.0),
+)
+
+
+def frozen(count: int) -> dict[str, Any]:
+    """Errors over designs, by the number of corrections."""
+    curve = ThresholdCurve.through(COARSE.robot, COARSE.discretization, 0.09, 0.31)
+    errors, unsolved = [], 0
+    for k, design in enumerate(spread_designs(count)):
+        print(f"design {k + 1} of {count} ...", file=sys.stderr)
+        try:
+            errors.append(frozen_errors(COARSE, design, curve, CORRECTIONS))
+        except ArithmeticError:  # Newton's method went to and fro: nothing to compare with
+            unsolved += 1
+    table = np.array(errors)
+    return {
+        "designs": len(table),
+        "unsolved": unsolved,
+        "within_1e-5": int((table[:, -1] < 1e-5).sum()),
+        **{
+            f"corrections_{n}": {
+                "median": float(f"{np.median(column):.2g}"),
+                "largest": float(f"{column.max():.2g}"),
+            }
+            for n, column in zip(CORRECTIONS, table.T, strict=True)
+        },
+    }
+
+
+def cost(base: Simulation, count: int, repeats: int) -> dict[str, float]:
+    """Kernel time of a batch on one core, with and without, one after the other."""
+    designs = np.array(spread_designs(count))
+    curve = ThresholdCurve.over(base.robot, base.discretization, designs[:, 1])
+    milliseconds: dict[bool, list[float]] = {False: [], True: []}
+    for wanted in (False, True):
+        simulate_designs(base, designs[:1], curve=curve, threads=1, sensitivities=wanted)
+    for _ in range(repeats):
+        for wanted, times in milliseconds.items():
+            batch = simulate_designs(base, designs, curve=curve, threads=1, sensitivities=wanted)
+            times.append(1e3 * batch.kernel_seconds / count)
+    ratios = [b / a for a, b in zip(milliseconds[False], milliseconds[True], strict=True)]
+    return {
+        "plain_ms": round(statistics.median(milliseconds[False]), 3),
+        "with_sensitivities_ms": round(statistics.median(milliseconds[True]), 3),
+        "ratio": round(statistics.median(ratios), 3),
+    }
+
+
+def main() -> None:
+    """Measure and print."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--frozen", type=int, default=64, help="designs with frozen steps")
+    parser.add_argument("--designs", type=int, default=64, help="of the other two")
+    parser.add_argument("--repeats", type=int, default=3)
+    arguments = parser.parse_args()
+    report: dict[str, Any] = {
+        "cost": {
+            name: cost(with_tier(name), arguments.designs, arguments.repeats)
+            for name in ("draft", "standard")
+        },
+        "plain": plain_errors(with_tier("standard"), spread_designs(arguments.designs), 1e-3),
+    }
+    if arguments.frozen:
+        report["frozen"] = frozen(arguments.frozen)
+    print(json.dumps(report, indent=2))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,126 @@
+"""Sensitivities against differences: of the program with frozen steps, and of the adaptive one."""
+
+from typing import Any
+
+import numpy as np
+
+from experiments.sensitivities.frozen_steps import (
+    adaptive_steps,
+    apex,
+    exact_jump,
+    flight_of,
+    march_along,
+)
+from snapjump.batch import model_derivatives, prepare_designs, simulate_designs
+from snapjump.composition import Simulation
+from snapjump.ending.flight import FlightEnding
+from snapjump.ending.timed import TimedEnding
+from snapjump.scenes.resting import resting_guesses
+from snapjump.scenes.runner import March
+from snapjump.scenes.sensitivities import record_sensitivities
+from snapjump.statics.threshold_curve import ThresholdCurve
+
+# Of the differences: rounding spoils the small one, a kink of the map within reach the large one.
+STEPS = (1e-5, 3e-6)
+FOURTH_ORDER = ((8.0, 1), (-8.0, -1), (-1.0, 2), (1.0, -2))
+
+
+def jump_of(base: Simulation, design: Any, curve: ThresholdCurve) -> March:
+    """The march of one robot (delta_alpha, epsilon, mass_bar, mu), its start found."""
+    ready = prepare_designs(base, np.array([design]), curve)
+    march = March(
+        models=ready.models,
+        masses=base.discretization.masses(),
+        states=resting_guesses(ready.simulations, ready.models),
+        simulation=base,
+        ending=FlightEnding(base.sim.time_limit_s / base.robot.scales.time_s),
+    )
+    march.find_starts()
+    return march
+
+
+def differences(
+    base: Simulation, design: Any, curve: ThresholdCurve, steps: Any, solutions: Any, h: float
+) -> Any:
+    """Derivatives (4, 2) of the apex with frozen steps, by central differences of fourth order."""
+    rows = []
+    for k in range(4):
+        total = np.zeros(2)
+        for weight, count in FOURTH_ORDER:
+            other = np.array(design, dtype=float)
+            other[k] += count * h
+            jump = jump_of(base, other, curve)
+            exact_jump(jump, steps, solutions)
+            total += weight * apex(jump)
+        rows.append(total / (12.0 * h))
+    return np.array(rows)
+
+
+def derivatives(
+    base: Simulation,
+    design: Any,
+    curve: ThresholdCurve,
+    steps: Any,
+    solutions: Any,
+    corrections: int,
+) -> Any:
+    """Derivatives (4, 2) that are recorded along the same solutions."""
+    jump = jump_of(base, design, curve)
+    numbers = model_derivatives(base, np.array([design]), curve)
+    flights, _ = record_sensitivities(jump, numbers, corrections)
+    jump.stepping = jump.stepping._replace(
+        tolerance=1e9, contact_steps=1e9, newton_share=1e-9, largest=1e9
+    )
+    jump.ending = TimedEnding(float(np.sum(steps)) * (1.0 - 1e-12))
+    march_along(jump, steps, solutions)
+    x, y, vx, vy = flights[0]
+    speed, rise = flight_of(jump)[2:]
+    fall = jump.models[0].load.acceleration
+    by_x = x + vx * rise / fall + speed * vy / fall
+    return np.array([by_x, y + rise * vy / fall]).T
+
+
+def frozen_errors(
+    base: Simulation, design: Any, curve: ThresholdCurve, corrections: tuple[int, ...]
+) -> list[float]:
+    """Largest error of a design's derivatives, over the largest of x or y, for each number of
+    corrections."""
+    steps = adaptive_steps(jump_of(base, design, curve))
+    solutions = exact_jump(jump_of(base, design, curve), steps)
+    expected = [differences(base, design, curve, steps, solutions, h) for h in STEPS]
+    scale = np.abs(expected[0]).max(axis=0)
+    errors = []
+    for count in corrections:
+        found = derivatives(base, design, curve, steps, solutions, count)
+        both = [np.abs(found - one) / scale for one in expected]
+        errors.append(float(np.minimum(*both).max()))
+    return errors
+
+
+def plain_errors(base: Simulation, designs: Any, h: float) -> dict[str, Any]:
+    """Sensitivities against central differences of whole adaptive jumps, h either way."""
+    table = np.asarray(designs, dtype=float)
+    curve = ThresholdCurve.over(base.robot, base.discretization, table[:, 1])
+    batch = simulate_designs(base, table, curve=curve, sensitivities=True)
+    found = batch.sensitivities
+    assert found is not None
+    errors = []
+    for k in range(4):
+        moved = []
+        for sign in (1.0, -1.0):
+            other = table.copy()
+            other[:, k] += sign * h
+            there = simulate_designs(base, other, curve=curve)
+            moved.append(np.array([there.x_bar, there.y_bar]))
+        difference = (moved[0] - moved[1]) / (2.0 * h)
+        errors.append(np.abs(difference - np.array([found.dx_bar[:, k], found.dy_bar[:, k]])))
+    sizes = np.array([np.abs(found.dx_bar).max(axis=1), np.abs(found.dy_bar).max(axis=1)])
+    relative = np.max(np.array(errors) / sizes, axis=0)  # (2, R)
+    return {
+        f"{name}_relative_error": {
+            "median": round(float(np.nanmedian(values)), 4),
+            "quartile": round(float(np.nanquantile(values, 0.25)), 4),
+            "three_quarters": round(float(np.nanquantile(values, 0.75)), 4),
+        }
+        for name, values in zip(("x", "y"), relative, strict=True)
+    } | {"designs": len(table), "h": h, "not_differentiable": int((~found.differentiable).sum())}

@@ -1,0 +1,87 @@
+"""Sensitivities of batches: independent of lanes and threads, right, and refused where unknown."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from robots import small_simulation
+
+from snapjump.batch import simulate_designs
+from snapjump.batch.sensitivities import NEAREST
+from snapjump.checks import ParameterError
+from snapjump.families import FAMILIES
+from snapjump.statics.threshold_curve import ThresholdCurve
+
+BASE = small_simulation(0.2, 0.1, 0.3, 0.768)
+# delta_alpha, epsilon, mass_bar, mu; the last one cannot be built.
+DESIGNS = np.array(
+    [
+        [0.02, 0.12, 0.4, 0.1],
+        [0.10, 0.20, 0.768, 0.3],
+        [0.15, 0.28, 1.5, 0.6],
+        [0.05, 0.20, 2.0, 0.2],
+        [0.00, 0.25, 0.9, 0.3],
+        [0.10, 0.20, 0.768, 0.0],
+        [0.10, 0.20, 1e-6, 0.3],
+    ]
+)
+
+
+@pytest.fixture(scope="module")
+def curve():
+    return ThresholdCurve.through(BASE.robot, BASE.discretization, 0.1, 0.3)
+
+
+@pytest.fixture(scope="module")
+def batch(curve):
+    return simulate_designs(BASE, DESIGNS, curve=curve, threads=1, lanes=4, sensitivities=True)
+
+
+def test_jumps_are_the_same_without(batch, curve):
+    plain = simulate_designs(BASE, DESIGNS, curve=curve, threads=1, lanes=4)
+    assert plain.sensitivities is None
+    assert batch.status == plain.status
+    np.testing.assert_array_equal(batch.x_bar, plain.x_bar)
+    np.testing.assert_array_equal(batch.newton_iterations, plain.newton_iterations)
+
+
+def test_they_do_not_depend_on_lanes_and_threads(batch, curve):
+    other = simulate_designs(BASE, DESIGNS, curve=curve, threads=2, lanes=1, sensitivities=True)
+    for name in ("dx_bar", "dy_bar", "graze_distance", "differentiable"):
+        found, expected = getattr(other.sensitivities, name), getattr(batch.sensitivities, name)
+        np.testing.assert_array_equal(found, expected)
+
+
+def test_what_has_no_apex_has_none(batch):
+    assert batch.status == ["ok"] * 6 + ["bad_design"]
+    found = batch.sensitivities
+    assert found.dx_bar.shape == found.dy_bar.shape == (7, 4)
+    assert np.isfinite(found.dx_bar[:6]).all() and np.isfinite(found.dy_bar[:6]).all()
+    assert np.isnan(found.dx_bar[6]).all() and np.isnan(found.graze_distance[6])
+    assert not found.differentiable[6]
+    np.testing.assert_array_equal(found.differentiable[:6], found.graze_distance[:6] > NEAREST)
+
+
+def test_the_signs_that_mechanics_asks_for(batch):
+    """More compression is more energy; a heavier robot rises less."""
+    assert (batch.sensitivities.dy_bar[:6, 1] > 0.0).all()
+    assert (batch.sensitivities.dy_bar[:6, 2] < 0.0).all()
+
+
+def test_a_symmetric_jump_stays_upright(batch):
+    """At delta_alpha = 0 nothing but delta_alpha moves x."""
+    even = batch.sensitivities.dx_bar[4]
+    assert abs(even[0]) > 1.0
+    assert np.abs(even[1:]).max() < 1e-6 * abs(even[0])
+
+
+@pytest.mark.parametrize(
+    "family, name", [("frame", "elastic"), ("contact", "signorini"), ("backend", "cuda")]
+)
+def test_modules_that_they_do_not_know(family, name, curve):
+    options = FAMILIES[family][name]()
+    parts = {family: options}
+    if name == "signorini":
+        parts["integrator"] = FAMILIES["integrator"]["implicit_euler"]()
+    with pytest.raises(ParameterError, match=family):
+        simulate_designs(replace(BASE, **parts), DESIGNS[:1], curve=curve, sensitivities=True)
