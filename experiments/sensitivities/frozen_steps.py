@@ -39,6 +39,7 @@ def adaptive_steps(jump: March) -> Any:
 
 @njit(error_model="numpy")
 def guess_stage(template: Any, scheme: Any, masses: Any, memory: Any) -> None:
+    """Begin the lane's stage with the march's own guess."""
     work = view_work(memory, (0,))
     begin_stage(with_numbers(template, work.numbers), scheme, masses, work, work.clock[c.STEP] > 0)
 
