@@ -4,7 +4,8 @@
 steps, every stage solved to rounding by a Jacobian that nothing is left out of; on a coarse mesh,
 with friction smooth enough that differences have a limit (its kinks at the true 1e-4 m/s lie
 nearer than rounding lets differences go). ``plain``: against differences of adaptive jumps, whose
-roughness is no part of derivatives. ``cost``: time with sensitivities over time without.
+roughness is no part of derivatives, for stick zones of friction that steps resolve more and less
+well. ``cost``: time with sensitivities over time without.
 """
 
 import argparse
@@ -25,6 +26,7 @@ from snapjump.options.stepping import AdaptiveStepOptions
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 CORRECTIONS = (1, 2, 3, 6)
+RESOLVED_M_S = 1e-2
 COARSE = with_tier(
     "draft",
     discretization=DiscreteElasticRodOptions(16),
@@ -58,6 +60,27 @@ def frozen(count: int) -> dict[str, Any]:
     }
 
 
+def sticking(tier: str, zone: float) -> Simulation:
+    """A tier with another velocity threshold of friction (m/s)."""
+    return with_tier(tier, friction=ImplicitFrictionOptions(velocity_threshold_m_s=zone))
+
+
+def moved(zone: float, designs: Any) -> dict[str, float]:
+    """By how much (percent) another velocity threshold than the usual one moves the apex."""
+    here = simulate_designs(with_tier("standard"), designs)
+    there = simulate_designs(sticking("standard", zone), designs)
+    of_x = 100.0 * np.abs(there.x_bar - here.x_bar) / scale_of(here)
+    return {
+        "x_median_percent": round(float(np.nanmedian(of_x)), 3),
+        "x_95_percent": round(float(np.nanquantile(of_x, 0.95)), 3),
+    }
+
+
+def scale_of(batch: Any) -> Any:
+    """What errors of x are relative to: x, or a tenth of y where x is small."""
+    return np.maximum(np.abs(batch.x_bar), 0.1 * batch.y_bar)
+
+
 def cost(base: Simulation, count: int, repeats: int) -> dict[str, float]:
     """Kernel time of a batch on one core, with and without, one after the other."""
     designs = np.array(spread_designs(count))
@@ -84,12 +107,17 @@ def main() -> None:
     parser.add_argument("--designs", type=int, default=64, help="of the other two")
     parser.add_argument("--repeats", type=int, default=3)
     arguments = parser.parse_args()
+    designs = spread_designs(arguments.designs)
     report: dict[str, Any] = {
         "cost": {
-            name: cost(with_tier(name), arguments.designs, arguments.repeats)
+            name: cost(sticking(name, RESOLVED_M_S), arguments.designs, arguments.repeats)
             for name in ("draft", "standard")
         },
-        "plain": plain_errors(with_tier("standard"), spread_designs(arguments.designs), 1e-3),
+        "plain": {
+            f"{zone:g}_m_s": plain_errors(sticking("standard", zone), designs, 1e-3)
+            for zone in (5e-3, 1e-2, 1e-1)
+        },
+        "moved": {f"{zone:g}_m_s": moved(zone, designs) for zone in (1e-3, 1e-2, 1e-1)},
     }
     if arguments.frozen:
         report["frozen"] = frozen(arguments.frozen)

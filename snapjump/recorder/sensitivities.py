@@ -118,18 +118,21 @@ def _record_stage(
 
 
 @kernel
-def graze(recorder: Any, lane: Any, point: Any, gap: Any, rise: Any, reach: Any) -> None:
-    """Note how near a point's lowest place is to touching: in parameters, by the gap's slopes."""
+def graze(falling: Any, point: Any, gap: Any, rise: Any, reach: Any, nearest: Any) -> Any:
+    """How near the lowest place of a point was to touching: in parameters, by the gap's slopes.
+
+    The least of that and ``nearest``.
+    """
     if rise < 0.0:
-        recorder.falling[lane, point] = 1.0
-    elif recorder.falling[lane, point] > 0.0:
-        recorder.falling[lane, point] = 0.0
+        falling[point] = 1.0
+    elif falling[point] > 0.0:
+        falling[point] = 0.0
         slopes = slopes_of(gap)
         steepest = 1e-300
         for k in range(PARAMETERS):
             steepest = max(steepest, abs(slope_at(slopes, k)))
-        distance = abs(value_of(gap) - reach) / steepest
-        recorder.nearest[lane] = min(recorder.nearest[lane], distance)
+        nearest = min(nearest, abs(value_of(gap) - reach) / steepest)
+    return nearest
 
 
 @routine
@@ -142,14 +145,17 @@ def look_for_grazes(
     model = with_numbers(template, work.numbers)
     reach = value_of(contact_reach(model.contact) + constant(0.0))
     corners = contact_points(model.frame, mesh)
+    falling = uncounted(recorder.falling[lane])
+    nearest = recorder.nearest[lane]
     for point in range(corners):
         _, gap, _, rise = contact_point(model.frame, mesh, point, work.start, work.velocity[0])
-        graze(recorder, lane, point, gap, value_of(rise), reach)
+        nearest = graze(falling, point, gap, value_of(rise), reach, nearest)
     for node in range(masses.shape[0]):
         if masses[node] > 0.0:
             i = node_dofs(model.discretization) * node + frame_dofs(model.frame, mesh) + 1
             rise = memory.velocity[0, i, lane]
-            graze(recorder, lane, corners + node, work.start[i], rise, reach)
+            nearest = graze(falling, corners + node, work.start[i], rise, reach, nearest)
+    recorder.nearest[lane] = nearest
 
 
 @record_step.member(SensitivityRecorder)
