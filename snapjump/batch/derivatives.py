@@ -12,7 +12,7 @@ from snapjump.composition import Simulation
 from snapjump.engine.model import Model, numbers_of
 from snapjump.scenes.frame_body import leg_top_leg
 from snapjump.scenes.jump_start import fitted_mount_height_bar, jump_model
-from snapjump.scenes.sensitivities import check_differentiable
+from snapjump.scenes.sensitivities import check_rigid
 from snapjump.statics.threshold import Threshold
 from snapjump.statics.threshold_curve import ThresholdCurve
 
@@ -29,10 +29,10 @@ def model_derivatives(base: Simulation, designs: Array, curve: ThresholdCurve) -
     the derivative is that towards positive values.
 
     Raises ParameterError for an epsilon that the curve does not cover, a curve of another beam,
-    and a simulation that :func:`~snapjump.scenes.sensitivities.check_differentiable` refuses.
+    and a frame that is not rigid.
     """
     check_curve(base, curve)
-    check_differentiable(base)
+    check_rigid(base)
     table = np.asarray(designs, dtype=float)
     outside = table[~curve.covers(table[:, EPSILON]), EPSILON]
     if len(outside):

@@ -29,12 +29,17 @@ SMALLEST_STICK_ZONE_M_S = 5.0e-3
 ROBOTS_PER_SLICE = 16
 
 
+def check_rigid(simulation: Simulation) -> None:
+    """Require a rigid frame. Raises ParameterError."""
+    if simulation.name("frame") != "rigid":
+        raise ParameterError("frame", simulation.name("frame"), "rigid with sensitivities")
+
+
 def check_differentiable(simulation: Simulation) -> None:
     """Require modules that sensitivities know. Raises ParameterError naming the first other."""
     if simulation.name("backend") == "cuda":
         raise ParameterError("backend", "cuda", "lanes or scalar with sensitivities")
-    if simulation.name("frame") != "rigid":
-        raise ParameterError("frame", simulation.name("frame"), "rigid with sensitivities")
+    check_rigid(simulation)
     if simulation.name("contact") == "signorini":
         raise ParameterError("contact", "signorini", "a law that is no impulse, with sensitivities")
     threshold = getattr(simulation.friction, "velocity_threshold_m_s", SMALLEST_STICK_ZONE_M_S)

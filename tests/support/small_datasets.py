@@ -32,10 +32,12 @@ OVERRIDES = (
 )
 
 
-def small(count: int = 24, shard_size: int = 8, **changes: Any) -> Specification:
+def small(
+    count: int = 24, shard_size: int = 8, sensitivities: bool = False, **changes: Any
+) -> Specification:
     """Few coarse jumps."""
     plan = {"name": "latin_hypercube", "count": count}
-    return specify({**CONFIG, "plan": plan, **changes}, shard_size)
+    return specify({**CONFIG, "plan": plan, **changes}, shard_size, sensitivities)
 
 
 def generated(
