@@ -80,6 +80,8 @@ def wrong_type(field: Field, random: np.random.Generator) -> Any:
         choices = NOT_WEIGHTS
     else:
         choices = NOT_WORDS
+    if isinstance(field.default, bool):
+        choices = tuple(value for value in choices if not isinstance(value, bool))
     return choices[random.integers(len(choices))]
 
 

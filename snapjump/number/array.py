@@ -10,8 +10,10 @@ from typing import Any
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.imputils import lower_builtin
-from numba.extending import intrinsic, models, register_model
+from numba.extending import intrinsic, models, overload, register_model
 from numba.np import arrayobj
+
+from snapjump.number.dispatch import INLINED
 
 
 class NumberArray(types.Array):
@@ -133,15 +135,23 @@ def _without_owner(context: Any, builder: Any, kind: types.Type, value: Any) -> 
     return target._getvalue()
 
 
-@intrinsic
-def uncounted(typingctx: Any, thing: Any) -> Any:
+def uncounted(thing: Any) -> Any:
     """An array, or the arrays of a tuple of tuples, as views that own nothing.
 
     numba counts references to an array at every call, atomically, which stalls the processor: in
-    loops over nodes that is dear. The caller keeps the arrays alive.
+    loops over nodes that is dear. The caller keeps the arrays alive. Plain Python has no such view.
     """
+    return thing
 
+
+@intrinsic
+def _uncounted(typingctx: Any, thing: Any) -> Any:
     def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         return _without_owner(context, builder, sig.args[0], args[0])
 
     return uncounted_type(thing)(thing), codegen
+
+
+@overload(uncounted, strict=False, jit_options=INLINED)
+def _uncounted_in_numba(thing: Any) -> Any:
+    return lambda thing: _uncounted(thing)

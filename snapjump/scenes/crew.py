@@ -9,6 +9,7 @@ from typing import Any
 
 from snapjump.engine.march import Queue
 from snapjump.engine.work import Work
+from snapjump.recorder.none import NoRecorder
 
 REPORT_EVERY_S = 0.1
 
@@ -21,7 +22,7 @@ class Worker:
 
     memory: Work
     queue: Queue
-    recorder: Any
+    recorder: Any = NoRecorder()
     kernel_seconds: float = 0.0
 
 

@@ -6,13 +6,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import solveh_banded
-from scipy.sparse import block_array, diags_array
+from scipy.sparse import block_array, diags_array, eye_array
 from scipy.sparse.linalg import splu
 
 from snapjump.statics.arch import StaticArch
 
 Array = NDArray[np.float64]
 ANGLE_DIFFERENCE = 1e-6
+ROUNDING = 1e-15  # of the largest entry
 TOLERANCE = 1e-9
 MOST_ITERATIONS = 25
 SAFELY_STABLE = 4.0  # smallest eigenvalue from which the tangent is well conditioned
@@ -51,7 +52,13 @@ def solve_bordered(
     bordered = block_array(
         [[square, column[:, None]], [row[None, :], np.array([[corner]])]], format="csc"
     )
-    solution = splu(bordered).solve(np.append(right, last))
+    try:
+        factors = splu(bordered)
+    except RuntimeError:
+        # Singular to the last bit: the very pitchfork, whose direction the caller leaves out.
+        rounding = ROUNDING * float(np.abs(band[0]).max())
+        factors = splu(bordered + rounding * eye_array(size + 1, format="csc"))
+    solution = factors.solve(np.append(right, last))
     return solution[:-1], float(solution[-1])
 
 

@@ -43,7 +43,7 @@ def march(recorder, steps, accepted=lambda k: True):
             work.start[:] = work.clock[TIME], k
             work.velocity[0] = 10.0 + k
             times.append(float(work.clock[TIME]))
-        record_step(recorder, work)
+        record_step(recorder, None, None, None, work, None)
     return times
 
 
@@ -102,4 +102,4 @@ def test_residual_left_in_a_stage_is_recorded():
 def test_no_recorder_asks_for_nothing():
     record_start(NoRecorder(), None, None, None)
     record_stage(NoRecorder(), None, None, None, None, None, None)
-    record_step(NoRecorder(), None)
+    record_step(NoRecorder(), None, None, None, None, None)
