@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+import pytest
+
 from .conftest import LAGS, SWEEP, TWO_AT_A_TIME
 
 JUMP = ("sim=jump", "accuracy=draft", "figures=false")
@@ -84,6 +86,7 @@ def test_bad_input_of_a_sweep_is_one_line(command) -> None:
     assert done.stderr.startswith("contact = 'foo' is not allowed") and done.stderr.count("\n") == 1
 
 
+@pytest.mark.slow  # a time, which the work of other tests beside it lengthens
 def test_one_jump_on_an_existing_database_is_recorded_in_three_seconds(
     command, runs_of, tmp_path: Path
 ) -> None:
