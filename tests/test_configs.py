@@ -12,6 +12,7 @@ from omegaconf import OmegaConf
 from snapjump.accuracy import TIERS
 from snapjump.dataset.specification import dataset_member
 from snapjump.families import DATASET_FAMILIES, FAMILIES
+from snapjump.members import make_member, member_class, member_names
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.parameters.robot import Robot
@@ -23,9 +24,15 @@ from snapjump.tracking.registry import TRACKERS
 
 CONF = Path(__file__).resolve().parents[1] / "conf"
 FOLDERS = (CONF, TABLEAUX)
-EVERY = FAMILIES | DATASET_FAMILIES
+# Families whose members are found by their files.
+FOUND = {
+    family: {name: member_class(family, name) for name in member_names(family)}
+    for family in ("surrogate", "inverse")
+}
+EVERY = FAMILIES | DATASET_FAMILIES | FOUND
 MEMBERS = [(family, name) for family, members in FAMILIES.items() for name in members]
 OF_DATASETS = [(family, name) for family, members in DATASET_FAMILIES.items() for name in members]
+OF_FILES = [(family, name) for family, members in FOUND.items() for name in members]
 
 # Members that a jump cannot have.
 NEEDS = {
@@ -74,7 +81,7 @@ def test_groups_that_are_no_family_of_the_library() -> None:
     assert {path.name for path in CONF.iterdir() if path.is_dir()} == set(EVERY) | others
 
 
-@pytest.mark.parametrize(("family", "name"), MEMBERS + OF_DATASETS)
+@pytest.mark.parametrize(("family", "name"), MEMBERS + OF_DATASETS + OF_FILES)
 def test_a_file_has_the_fields_and_defaults_of_its_member(family: str, name: str) -> None:
     expected = defaults(EVERY[family][name])
     values = section(family, name)
@@ -90,7 +97,7 @@ def plain(value: Any) -> Any:
     return [plain(v) for v in value] if isinstance(value, (list, tuple)) else value
 
 
-@pytest.mark.parametrize(("family", "name"), MEMBERS + OF_DATASETS)
+@pytest.mark.parametrize(("family", "name"), MEMBERS + OF_DATASETS + OF_FILES)
 def test_a_file_says_what_its_member_says(family: str, name: str) -> None:
     documented = (EVERY[family][name].__doc__ or "").strip().splitlines()[0]
     assert describe(file(family, name)) == documented
@@ -143,6 +150,12 @@ def test_every_member_can_be_chosen(family: str, name: str) -> None:
 def test_every_member_of_a_dataset_can_be_chosen(family: str, name: str) -> None:
     config = composed("task=dataset", f"{family}={name}")
     assert dataset_member(family, config[family]) == EVERY[family][name]()
+
+
+@pytest.mark.parametrize(("family", "name"), OF_FILES)
+def test_every_member_of_a_found_family_can_be_chosen(family: str, name: str) -> None:
+    config = composed(f"+{family}={name}")
+    assert make_member(family, config[family]) == EVERY[family][name]()
 
 
 def test_a_dataset_has_lanes_unless_told_otherwise() -> None:

@@ -9,7 +9,7 @@ from snapjump.checks import ParameterError, check_choice, check_group, check_int
 from snapjump.composition import Simulation
 from snapjump.dataset.sealed import sha256_of
 from snapjump.families import DATASET_FAMILIES, FAMILIES, name_of
-from snapjump.files.provenance import source_hash
+from snapjump.files.provenance import BEYOND_DATASETS, source_hash
 from snapjump.parameters.environment import Environment
 from snapjump.plan.base import Plan
 from snapjump.scenes.sensitivities import check_differentiable
@@ -99,7 +99,7 @@ def specify(
             **configuration,
         },
         "processor": "cpu" if backend in CPU else backend,
-        "source_sha256": source_hash(),
+        "source_sha256": source_hash(BEYOND_DATASETS),
     }
     plain = json.loads(json.dumps(plain))  # tuples become lists, as in the files
     return Specification(plain, simulation, options.member(), options.ranges)

@@ -21,10 +21,14 @@ PACKAGES = (
     "mlflow",
     "matplotlib",
     "pyarrow",
+    "torch",
+    "pytorch-lightning",
 )
 SOURCES = Path(__file__).resolve().parents[1]
 # Packages that only show, keep or ask for results: a change in them changes no number.
 NOT_PHYSICS = ("executor", "files", "plots", "studies", "tasks", "terminal", "tracking")
+# What is built on datasets, and changes none.
+BEYOND_DATASETS = ("inverse", "learning", "members.py", "surrogate", "targets")
 
 
 def now() -> str:
@@ -65,12 +69,15 @@ def git_state() -> dict[str, Any]:
 
 
 @cache
-def source_hash() -> str:
-    """A hash of the sources that results depend on; tells apart what git calls just dirty."""
+def source_hash(without: tuple[str, ...] = ()) -> str:
+    """A hash of the sources that results depend on; tells apart what git calls just dirty.
+
+    ``without``: parts of the package that those at hand do not depend on.
+    """
     digest = hashlib.sha256()
     for path in sorted(SOURCES.rglob("*.py")):
         name = path.relative_to(SOURCES)
-        if name.parts[0] in NOT_PHYSICS:
+        if name.parts[0] in (*NOT_PHYSICS, *without):
             continue
         digest.update(str(name).encode())
         digest.update(path.read_bytes())

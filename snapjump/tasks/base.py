@@ -14,6 +14,7 @@ NO_JUMP = "no_jump"
 BAD_INPUT = "bad_input"
 INTERRUPTED = "interrupted"
 NOT_FINITE = "not_finite"
+UNREACHABLE = "unreachable"
 ERROR = "error"
 FINISHED = frozenset({OK, NO_JUMP})
 

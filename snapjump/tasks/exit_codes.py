@@ -2,19 +2,25 @@
 
 from collections.abc import Sequence
 
-from snapjump.tasks.base import BAD_INPUT, ERROR, FINISHED, INTERRUPTED
+from snapjump.tasks.base import BAD_INPUT, ERROR, FINISHED, INTERRUPTED, UNREACHABLE
 
 EXIT_OK = 0
 EXIT_ERROR = 1
 EXIT_BAD_INPUT = 2
 EXIT_FAILED = 3
-EXIT_UNTRACKED = 4
+EXIT_UNREACHABLE = 4
+EXIT_UNTRACKED = 5
 EXIT_INTERRUPTED = 130
 
 
 def exit_code(status: str) -> int:
     """Of one job."""
-    special = {BAD_INPUT: EXIT_BAD_INPUT, ERROR: EXIT_ERROR, INTERRUPTED: EXIT_INTERRUPTED}
+    special = {
+        BAD_INPUT: EXIT_BAD_INPUT,
+        ERROR: EXIT_ERROR,
+        INTERRUPTED: EXIT_INTERRUPTED,
+        UNREACHABLE: EXIT_UNREACHABLE,
+    }
     return EXIT_OK if status in FINISHED else special.get(status, EXIT_FAILED)
 
 

@@ -23,6 +23,8 @@ GROUPS = {
     "backend": "how many robots at once",
     "plan": "which designs a dataset has; of task=dataset",
     "executor": "where a dataset's shards are made; of task=dataset",
+    "surrogate": "what learns the map from designs to apexes; of task=train",
+    "inverse": "how a design for a target is found; of task=inverse",
     "tracking": "where MLflow records go",
     "cluster": "sweeps on many machines, added with +cluster=<name>",
     "experiment": "whole compositions, added with +experiment=<name>",
@@ -46,7 +48,8 @@ Flags
   --cfg job         print every key of this run, with its value, and stop
 
 Results go to outputs/, one folder a run. Exit codes: 0 done, 1 a defect of this program, 2 bad
-input, 3 a simulation that could not finish, 4 done but not recorded, 130 interrupted."""
+input, 3 a simulation that could not finish, 4 a target that cannot be reached, 5 done but not
+recorded, 130 interrupted."""
 
 
 def help_page(conf: Path) -> str:

@@ -12,6 +12,7 @@ from snapjump.tasks.exit_codes import exit_code, sweep_exit_code
         ("bad_input", 2),
         ("any_failure_of_a_simulation", 3),
         ("not_finite", 3),
+        ("unreachable", 4),
         ("interrupted", 130),
     ],
 )

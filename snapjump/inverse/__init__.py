@@ -1,0 +1,1 @@
+"""Methods that find designs for a target, one file each."""

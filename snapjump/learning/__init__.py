@@ -1,0 +1,1 @@
+"""Learning the forward model from a dataset, keeping it, and asking it."""

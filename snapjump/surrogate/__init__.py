@@ -1,0 +1,1 @@
+"""Networks and other learners of the map from designs to apexes, one file each."""

@@ -1,0 +1,95 @@
+"""The contract of a surrogate: the apex of a jump from its design and environment, learned.
+
+A member's module has its options, a frozen dataclass ``MEMBER`` with a method ``network()``, and
+the :class:`Surrogate` which that returns. Everything a surrogate has learned is in its parameters
+and buffers, so that safetensors hold all of it. Designs are columns delta_alpha (rad), epsilon,
+mass_bar, mu; apexes are x_bar, y_bar in L.
+"""
+
+from abc import ABC, abstractmethod
+from typing import ClassVar, NamedTuple, Protocol
+
+import torch
+from torch import Tensor, nn
+
+INPUTS, OUTPUTS = 4, 2
+
+
+class Rows(NamedTuple):
+    """Jumps to learn from: designs (N, 4), apexes (N, 2), and their derivatives (N, 2, 4) by the
+    design, NaN where there are none."""
+
+    designs: Tensor
+    apexes: Tensor
+    slopes: Tensor
+
+
+class SurrogateOptions(Protocol):
+    """What a member's module calls ``MEMBER``."""
+
+    def network(self) -> "Surrogate":
+        """A new surrogate, which has learned nothing yet; torch's generator seeds it."""
+
+
+class Standardisation(nn.Module):
+    """Mean and standard deviation of ``size`` quantities, kept as buffers."""
+
+    mean: Tensor
+    deviation: Tensor
+
+    def __init__(self, size: int):
+        super().__init__()
+        self.register_buffer("mean", torch.zeros(size))
+        self.register_buffer("deviation", torch.ones(size))
+
+    def fit(self, values: Tensor) -> None:
+        """Take them from values (N, size); a quantity that does not vary is only shifted."""
+        values = values.double()
+        deviation = values.std(dim=0)
+        self.mean.copy_(values.mean(dim=0))
+        self.deviation.copy_(torch.where(deviation > 0.0, deviation, 1.0))
+
+    def forward(self, values: Tensor) -> Tensor:
+        """Mean 0, standard deviation 1."""
+        return (values - self.mean) / self.deviation
+
+    def inverse(self, values: Tensor) -> Tensor:
+        """Back in their own units."""
+        return values * self.deviation + self.mean
+
+
+class Surrogate(nn.Module, ABC):
+    """A forward model (N, 4) -> (N, 2), with its standardisation inside.
+
+    ``by_descent``: whether it is trained by gradient descent; otherwise ``fit`` does all of it.
+    ``needs_slopes``: whether it learns from derivatives as well, and needs a dataset that has them.
+    """
+
+    by_descent: ClassVar[bool] = True
+    needs_slopes: ClassVar[bool] = False
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.inputs = Standardisation(INPUTS)
+        self.outputs = Standardisation(OUTPUTS)
+
+    @abstractmethod
+    def forward(self, designs: Tensor) -> Tensor:
+        """Apexes (N, 2) in L of designs (N, 4)."""
+
+    def fit(self, rows: Rows) -> None:
+        """Take the standardisation, or everything, from the jumps of the training set."""
+        self.inputs.fit(rows.designs)
+        self.outputs.fit(rows.apexes)
+
+    def loss(self, rows: Rows) -> Tensor:
+        """What descent makes smaller: by default the mean absolute error in standard deviations."""
+        error = self(rows.designs) - rows.apexes
+        return (error / self.outputs.deviation).abs().mean()
+
+    def calibrate(self, rows: Rows) -> None:
+        """Fit the intervals to jumps that were not learned from; does nothing without intervals."""
+
+    def half_widths(self, designs: Tensor) -> Tensor | None:
+        """Half widths (N, 2) in L of intervals that hold 90 % of the apexes; None if unknown."""
+        return None

@@ -1,0 +1,42 @@
+"""``surrogate=mlp``: the paper's network."""
+
+from dataclasses import dataclass
+
+from torch import Tensor, nn
+
+from snapjump.checks import check_integer
+from snapjump.surrogate.base import INPUTS, OUTPUTS, Surrogate
+
+
+@dataclass(frozen=True)
+class MlpOptions:
+    """The paper's network: fully connected layers with ReLU."""
+
+    width: int = 372
+    layers: int = 3
+
+    def __post_init__(self) -> None:
+        check_integer("surrogate.width", self.width, 1, 4096)
+        check_integer("surrogate.layers", self.layers, 1, 64)
+
+    def network(self) -> "Mlp":
+        """A new network."""
+        return Mlp(self.width, self.layers)
+
+
+class Mlp(Surrogate):
+    """Source: the paper, section on the forward model (3 hidden layers of 372)."""
+
+    def __init__(self, width: int, layers: int):
+        super().__init__()
+        sizes = [INPUTS, *[width] * layers]
+        parts: list[nn.Module] = []
+        for here, there in zip(sizes[:-1], sizes[1:], strict=True):
+            parts += [nn.Linear(here, there), nn.ReLU()]
+        self.body = nn.Sequential(*parts, nn.Linear(width, OUTPUTS))
+
+    def forward(self, designs: Tensor) -> Tensor:
+        return self.outputs.inverse(self.body(self.inputs(designs)))
+
+
+MEMBER = MlpOptions
