@@ -1,14 +1,20 @@
 """The contract of an inverse method: which clamps reach a target apex in a given environment."""
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.checks import ParameterError
+
 Array = NDArray[np.float64]
 Range = tuple[float, float]
 CONTROLS = ("delta_alpha_rad", "epsilon")
+# Apexes nearer to the target than this (L) have reached it, for a forward model's solutions.
+REACHED_BAR = 1.0e-3
+# Solutions nearer to each other than this share of the ranges are one.
+SAME = 1.0e-3
 
 
 class ForwardModel(Protocol):
@@ -63,6 +69,21 @@ class Problem:
         """Controls (N, 2) as shares of the way from low to high."""
         return (np.asarray(controls) - self.low) / (self.high - self.low)
 
+    def unscaled(self, shares: Array) -> Array:
+        """Controls (N, 2) from shares (N, 2) of the way from low to high."""
+        return self.low + np.asarray(shares) * (self.high - self.low)
+
+    def grid(self, points: int) -> Array:
+        """Controls (points, points, 2) over the rectangle, delta_alpha along the first axis."""
+        ticks = np.linspace(0.0, 1.0, points)
+        return self.unscaled(np.stack(np.meshgrid(ticks, ticks, indexing="ij"), axis=-1))
+
+    def known_forward(self, method: str) -> ForwardModel:
+        """The forward model. Raises ParameterError, naming the method, where there is none."""
+        if self.forward is None:
+            raise ParameterError("inverse", method, "a method that asks no forward model")
+        return self.forward
+
 
 @dataclass(frozen=True)
 class Solution:
@@ -78,8 +99,51 @@ class Solution:
         return float(np.hypot(*(self.apex - target)))
 
 
+@dataclass(frozen=True)
+class InverseOptions:
+    """What the options of every method begin with.
+
+    ``robust``: whether its solutions are starts for the design with the least expected miss.
+    ``needs_forward``: whether it asks the forward model for more than a start.
+    """
+
+    robust: bool = False
+    needs_forward: ClassVar[bool] = True
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.robust, bool):
+            raise ParameterError("inverse.robust", self.robust, "true or false")
+
+
 class InverseMethod(Protocol):
     """What a member's module calls ``MEMBER``: its options, and what it does."""
 
+    robust: bool
+    needs_forward: ClassVar[bool]
+
     def solve(self, problem: Problem) -> list[Solution]:
         """All solutions that were found, the best first; at least one, however large its miss."""
+
+
+def one_percent_bar(designs: Array, slopes: Array) -> Array:
+    """How far (L) one percent of each parameter moves an apex: (N, 4), from designs (N, 4) and
+    derivatives (N, 2, 4)."""
+    return 0.01 * np.abs(designs) * np.hypot(slopes[:, 0], slopes[:, 1])
+
+
+def predicted_solutions(problem: Problem, forward: ForwardModel, controls: Array) -> list[Solution]:
+    """The different ones of controls (N, 2) that reach the target by the forward model, that which
+    manufacturing errors move least first; if none does, the nearest alone."""
+    designs = problem.designs(controls)
+    apexes = forward.predict(designs)
+    misses = np.hypot(*(apexes - problem.target).T)
+    order = np.argsort(misses, kind="stable")
+    kept: list[int] = []
+    for k in order[misses[order] <= REACHED_BAR]:
+        apart = np.abs(problem.scaled(controls[kept]) - problem.scaled(controls[k]))
+        if not kept or float(apart.max(axis=1).min()) > SAME:
+            kept.append(int(k))
+    kept = kept or [int(order[0])]
+    moved = one_percent_bar(designs[kept], forward.jacobian(designs[kept])).sum(axis=1)
+    chosen = [kept[k] for k in np.argsort(moved, kind="stable")]
+    return [Solution(controls[k], apexes[k], False) for k in chosen]

@@ -1,0 +1,46 @@
+"""``inverse=adam``: gradient descent on the forward model, as in the paper."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from scipy.stats import qmc
+
+from snapjump.checks import check_integer, check_number
+from snapjump.inverse.base import InverseOptions, Problem, Solution, predicted_solutions
+
+
+@dataclass(frozen=True)
+class AdamOptions(InverseOptions):
+    """Adam on the forward model's squared miss, from several starts (the paper)."""
+
+    starts: int = 16
+    iterations: int = 300
+    learning_rate: float = 0.03
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_integer("inverse.starts", self.starts, 1, 4096)
+        check_integer("inverse.iterations", self.iterations, 1, 1_000_000)
+        check_number("inverse.learning_rate", self.learning_rate, 0.0, 1.0, above=True)
+
+    def solve(self, problem: Problem) -> list[Solution]:
+        """Where the starts have gone. Source: the paper, its section on inverse design."""
+        forward = problem.known_forward("adam")
+        span = problem.high - problem.low
+        shares = torch.from_numpy(qmc.Sobol(2, rng=problem.seed).random(self.starts))
+        optimizer = torch.optim.Adam([shares], lr=self.learning_rate)
+        # A constant rate would keep on circling the root.
+        rate = torch.optim.lr_scheduler.CosineAnnealingLR(optimizer, self.iterations)
+        for _ in range(self.iterations):
+            designs = problem.designs(problem.unscaled(shares.numpy()))
+            missed = forward.predict(designs) - problem.target
+            slopes = forward.jacobian(designs)[:, :, :2] * span
+            shares.grad = torch.from_numpy(2.0 * np.einsum("sij,si->sj", slopes, missed))
+            optimizer.step()
+            rate.step()
+            shares.clamp_(0.0, 1.0)
+        return predicted_solutions(problem, forward, problem.unscaled(shares.numpy()))
+
+
+MEMBER = AdamOptions

@@ -1,0 +1,86 @@
+"""``inverse=finite_difference``: descent on the simulator, one of the paper's comparisons."""
+
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+import numpy as np
+from scipy.optimize import Bounds, minimize
+
+from snapjump.checks import check_integer, check_number
+from snapjump.inverse.base import Array, InverseOptions, Problem, Solution
+
+SIDE = 4  # of the grid of simulations that the search begins with
+DIRECTIONS = np.array([[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]])
+
+
+class BudgetSpentError(Exception):
+    """The next gradient would cost more simulations than there are left."""
+
+
+@dataclass(frozen=True)
+class FiniteDifferenceOptions(InverseOptions):
+    """Gradient descent on the simulated miss by finite differences."""
+
+    simulations: int = 200
+    step: float = 0.01
+    needs_forward: ClassVar[bool] = False
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_integer("inverse.simulations", self.simulations, SIDE**2, 1_000_000)
+        check_number("inverse.step", self.step, 0.0, 0.5, above=True)
+
+    def solve(self, problem: Problem) -> list[Solution]:
+        """The best of all simulated designs: those of a coarse grid, then a descent (L-BFGS-B)."""
+        search = Descent(problem, self.simulations, self.step)
+        ticks = (np.arange(SIDE) + 0.5) / SIDE
+        grid = np.stack(np.meshgrid(ticks, ticks, indexing="ij"), axis=-1).reshape(-1, 2)
+        misses = search.simulate(grid)
+        start = grid[int(np.argmin(misses))]
+        try:
+            minimize(search, start, jac=True, method="L-BFGS-B", bounds=Bounds(0.0, 1.0))
+        except BudgetSpentError:
+            pass
+        return [search.best()]
+
+
+MEMBER = FiniteDifferenceOptions
+
+
+@dataclass
+class Descent:
+    """The squared miss and its gradient by central differences, of shares of the ranges.
+
+    ``step``: of a difference, as a share of a range: large enough for the simulator's roughness.
+    """
+
+    problem: Problem
+    simulations: int
+    step: float
+    shares: Array = field(default_factory=lambda: np.zeros((0, 2)))
+    apexes: Array = field(default_factory=lambda: np.zeros((0, 2)))
+
+    def simulate(self, shares: Array) -> Array:
+        """Squared misses (N,) of shares (N, 2), which are kept."""
+        if len(self.shares) + len(shares) > self.simulations:
+            raise BudgetSpentError
+        designs = self.problem.designs(self.problem.unscaled(shares))
+        # A robot that does not jump stays where it is.
+        apexes = np.nan_to_num(self.problem.simulator.apexes(designs), nan=0.0)
+        self.shares = np.vstack([self.shares, shares])
+        self.apexes = np.vstack([self.apexes, apexes])
+        squares: Array = np.sum((apexes - self.problem.target) ** 2, axis=1)
+        return squares
+
+    def __call__(self, share: Array) -> tuple[float, Array]:
+        """Value and gradient; differences are one-sided where the range ends."""
+        around = np.clip(share + self.step * DIRECTIONS, 0.0, 1.0)
+        squares = self.simulate(around)
+        widths = np.array([around[1, 0] - around[2, 0], around[3, 1] - around[4, 1]])
+        return float(squares[0]), (squares[[1, 3]] - squares[[2, 4]]) / widths
+
+    def best(self) -> Solution:
+        """The simulated design with the least miss."""
+        misses = np.hypot(*(self.apexes - self.problem.target).T)
+        k = int(np.argmin(misses))
+        return Solution(self.problem.unscaled(self.shares[k]), self.apexes[k], True)

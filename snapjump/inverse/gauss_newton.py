@@ -1,0 +1,121 @@
+"""``inverse=gauss_newton``: the forward model's own roots, to rounding."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.ndimage import minimum_filter
+
+from snapjump.checks import check_integer
+from snapjump.inverse.base import (
+    Array,
+    ForwardModel,
+    InverseOptions,
+    Problem,
+    Solution,
+    predicted_solutions,
+)
+
+MOST_STARTS = 24
+CONVERGED_BAR = 1.0e-7
+# Levenberg's damping, as a share of the largest curvature: first, least, and given up.
+FIRST, LEAST, LARGEST = 1.0e-3, 1.0e-9, 1.0e4
+
+
+@dataclass(frozen=True)
+class GaussNewtonOptions(InverseOptions):
+    """Damped Gauss-Newton on the forward model, from a grid of its predictions."""
+
+    points: int = 21
+    iterations: int = 30
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_integer("inverse.points", self.points, 3, 1000)
+        check_integer("inverse.iterations", self.iterations, 1, 10_000)
+
+    def solve(self, problem: Problem) -> list[Solution]:
+        """All solutions that a grid of predictions can tell apart."""
+        forward = problem.known_forward("gauss_newton")
+        starts = grid_starts(problem, forward, self.points)
+        return predicted_solutions(
+            problem, forward, descend(problem, forward, starts, self.iterations)
+        )
+
+
+MEMBER = GaussNewtonOptions
+
+
+def grid_starts(problem: Problem, forward: ForwardModel, points: int) -> Array:
+    """Controls (S, 2) to begin from: where the grid's triangles, mapped linearly, have the target,
+    and grid points that are nearer to it than their neighbours."""
+    controls = problem.grid(points)
+    apexes = forward.predict(problem.designs(controls.reshape(-1, 2))).reshape(controls.shape)
+    inside = linear_preimages(controls, apexes, problem.target)
+    misses = np.hypot(*np.moveaxis(apexes - problem.target, -1, 0))
+    lowest = misses <= minimum_filter(misses, size=3, mode="nearest")
+    nearest = controls[lowest][np.argsort(misses[lowest])]
+    return np.vstack([inside, nearest])[:MOST_STARTS]
+
+
+def grid_triangles(grid: Array) -> Array:
+    """Both halves of every cell of a grid (n, n, 2): (2 (n - 1)^2, 3, 2)."""
+    lower = [grid[:-1, :-1], grid[1:, :-1], grid[:-1, 1:]]
+    upper = [grid[1:, 1:], grid[:-1, 1:], grid[1:, :-1]]
+    halves = [np.stack(corners, axis=-2).reshape(-1, 3, 2) for corners in (lower, upper)]
+    return np.concatenate(halves)
+
+
+def linear_preimages(controls: Array, apexes: Array, target: Array) -> Array:
+    """Controls (S, 2) that the triangles of grids (n, n, 2), mapped linearly, send to a target."""
+    images, sources = grid_triangles(apexes), grid_triangles(controls)
+    first, second = images[:, 1] - images[:, 0], images[:, 2] - images[:, 0]
+    way = target - images[:, 0]
+    with np.errstate(divide="ignore", invalid="ignore"):  # a triangle may be mapped to a line
+        a = cross(way, second) / cross(first, second)
+        b = cross(first, way) / cross(first, second)
+        holds = (a >= 0.0) & (b >= 0.0) & (a + b <= 1.0)
+    a, b, held = a[holds, None], b[holds, None], sources[holds]
+    found: Array = (1.0 - a - b) * held[:, 0] + a * held[:, 1] + b * held[:, 2]
+    return found
+
+
+def cross(first: Array, second: Array) -> Array:
+    """Cross products (T,) of plane vectors (T, 2)."""
+    product: Array = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]
+    return product
+
+
+def descend(problem: Problem, forward: ForwardModel, starts: Array, iterations: int) -> Array:
+    """Controls (S, 2) of least miss near the starts (S, 2), side by side, within the bounds."""
+    span = problem.high - problem.low
+    shares = problem.scaled(starts)
+    missed = forward.predict(problem.designs(starts)) - problem.target
+    damping = np.full(len(starts), FIRST)
+    active = np.arange(len(starts))
+    for _ in range(iterations):
+        controls = problem.unscaled(shares[active])
+        slopes = forward.jacobian(problem.designs(controls))[:, :, :2] * span
+        trial = np.clip(shares[active] + steps(slopes, missed, damping, shares[active]), 0.0, 1.0)
+        found = forward.predict(problem.designs(problem.unscaled(trial))) - problem.target
+        better = np.hypot(*found.T) < np.hypot(*missed.T)
+        moved = np.abs(trial - shares[active]).max(axis=1)
+        shares[active[better]] = trial[better]
+        missed = np.where(better[:, None], found, missed)
+        damping = np.where(better, np.maximum(0.1 * damping, LEAST), 10.0 * damping)
+        goes_on = (np.hypot(*missed.T) > CONVERGED_BAR) & (damping < LARGEST) & (moved > 1e-12)
+        active, missed, damping = active[goes_on], missed[goes_on], damping[goes_on]
+        if not len(active):
+            break
+    return problem.unscaled(shares)
+
+
+def steps(slopes: Array, missed: Array, damping: Array, shares: Array) -> Array:
+    """Damped Gauss-Newton steps (S, 2); a control whose descent leads out of bounds stays."""
+    gradient = np.einsum("sij,si->sj", slopes, missed)
+    held = ((shares <= 0.0) & (gradient > 0.0)) | ((shares >= 1.0) & (gradient < 0.0))
+    free = np.where(held[:, None, :], 0.0, slopes)
+    matrix = np.einsum("sij,sik->sjk", free, free)
+    largest = np.maximum(np.trace(matrix, axis1=1, axis2=2), 1e-300)
+    matrix[:, [0, 1], [0, 1]] += (damping * largest)[:, None]
+    found: Array = -np.linalg.solve(matrix, np.where(held, 0.0, gradient)[..., None])[..., 0]
+    return found

@@ -1,0 +1,62 @@
+"""The answer to a problem: designs that reach its target, or the nearest apex that any reaches."""
+
+import time
+from dataclasses import dataclass
+
+import numpy as np
+
+from snapjump.inverse.base import (
+    ForwardModel,
+    InverseMethod,
+    Problem,
+    Solution,
+    predicted_solutions,
+)
+from snapjump.inverse.gauss_newton import descend
+from snapjump.targets.region import AchievableRegion
+
+# How far beyond the region's boundary (L) a method may still try: what the forward model's error
+# makes of a boundary. Without a forward model: the largest miss that counts as reached.
+BOUNDARY_BAR = 0.02
+ITERATIONS = 30
+
+
+@dataclass(frozen=True)
+class Answer:
+    """``solutions``: the best first; of a target out of reach the design of the nearest apex alone.
+
+    ``seconds``: of the decision and the search; ``simulations``: that they took.
+    """
+
+    reachable: bool
+    solutions: list[Solution]
+    seconds: float
+    simulations: int
+
+
+def answer(problem: Problem, method: InverseMethod) -> Answer:
+    """Decide whether the target is in the achievable region, and let a method search if it is.
+
+    Without a forward model the method decides: reached is what it misses by at most 0.02 L.
+    """
+    begun, before = time.perf_counter(), problem.simulator.simulations
+    if problem.forward is None:
+        solutions = method.solve(problem)
+        reachable = solutions[0].miss_bar(problem.target) <= BOUNDARY_BAR
+    else:
+        nearest = out_of_reach(problem, problem.forward)
+        reachable = nearest is None
+        solutions = method.solve(problem) if nearest is None else [nearest]
+    seconds = time.perf_counter() - begun
+    return Answer(reachable, solutions, seconds, problem.simulator.simulations - before)
+
+
+def out_of_reach(problem: Problem, forward: ForwardModel) -> Solution | None:
+    """The design of the nearest apex for a target that no design reaches, otherwise None."""
+    region = AchievableRegion.of(problem, forward)
+    if region.contains(problem.target[None, :])[0]:
+        return None
+    # The grid's own error is taken out by a descent from where it is nearest.
+    start = np.array([region.nearest(problem.target)[0]])
+    (nearest,) = predicted_solutions(problem, forward, descend(problem, forward, start, ITERATIONS))
+    return None if nearest.miss_bar(problem.target) <= BOUNDARY_BAR else nearest

@@ -1,0 +1,113 @@
+"""Robust designs: the least expected miss when no parameter is quite what it should be."""
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+from scipy.optimize import minimize
+from scipy.special import ndtr, ndtri
+from scipy.stats import qmc
+
+from snapjump.checks import check_number
+from snapjump.inverse.base import Array, ForwardModel, Problem, Solution
+
+SAMPLES, REPORTED = 256, 2048  # powers of two, as Sobol's points ask for
+MOST_STARTS = 6
+LARGEST = 1.0e3  # of a standard deviation
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """Standard deviations of the parameters as built and met, each normal about its nominal value
+    and cut off where the forward model's range ends."""
+
+    delta_alpha_rad: float = 0.002
+    epsilon: float = 0.001
+    mass_bar: float = 0.01
+    mu: float = 0.02
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            check_number(f"tolerance.{field.name}", getattr(self, field.name), 0.0, LARGEST)
+
+    @property
+    def deviations(self) -> Array:
+        """All four (4,)."""
+        return np.array([getattr(self, field.name) for field in fields(self)])
+
+
+@dataclass(frozen=True)
+class Scatter:
+    """Where the robots of one design come down to: ``apexes`` (S, 2) in L.
+
+    ``mean``, ``deviation`` (2,): of them; ``expected_miss_bar``: mean distance from the target;
+    ``radius90_bar``: of the circle about the target that holds 90 % of them.
+    """
+
+    apexes: Array
+    mean: Array
+    deviation: Array
+    expected_miss_bar: float
+    radius90_bar: float
+
+
+def sobol_points(count: int, seed: int) -> Array:
+    """Points (count, 4) of the open unit cube; the same for the same seed."""
+    points: Array = qmc.Sobol(4, rng=seed).random(count)
+    return np.clip(points, 1e-9, 1.0 - 1e-9)
+
+
+def built(
+    problem: Problem, forward: ForwardModel, tolerance: Tolerance, controls: Array, points: Array
+) -> Array:
+    """Designs (S, 4) that become of nominal controls (2,), one a point (S, 4) of the unit cube."""
+    nominal = problem.designs(controls[None, :])[0]
+    low, high = np.array(forward.ranges).T
+    deviations = np.maximum(tolerance.deviations, 1e-12 * (high - low))
+    below, above = ndtr((low - nominal) / deviations), ndtr((high - nominal) / deviations)
+    designs: Array = nominal + deviations * ndtri(below + points * (above - below))
+    return np.clip(designs, low, high)
+
+
+def scatter(
+    problem: Problem, forward: ForwardModel, tolerance: Tolerance, controls: Array
+) -> Scatter:
+    """The distribution of a design's apex, from samples that no design was chosen by."""
+    points = sobol_points(REPORTED, problem.seed + 1)
+    apexes = forward.predict(built(problem, forward, tolerance, controls, points))
+    misses = np.hypot(*(apexes - problem.target).T)
+    return Scatter(
+        apexes,
+        apexes.mean(axis=0),
+        apexes.std(axis=0),
+        float(misses.mean()),
+        float(np.quantile(misses, 0.9)),
+    )
+
+
+def robust_solution(
+    problem: Problem, forward: ForwardModel, tolerance: Tolerance, solutions: list[Solution]
+) -> Solution:
+    """The design of least expected miss (not squared) that descents from solutions lead to.
+
+    The samples are the same for all designs, so that the expectation is a smooth function of them.
+    """
+    points = sobol_points(SAMPLES, problem.seed)
+
+    def expected_miss(share: Array) -> float:
+        controls = problem.unscaled(share)
+        apexes = forward.predict(built(problem, forward, tolerance, controls, points))
+        return float(np.hypot(*(apexes - problem.target).T).mean())
+
+    found = [
+        minimize(
+            expected_miss,
+            problem.scaled(solution.controls),
+            method="Nelder-Mead",
+            bounds=[(0.0, 1.0)] * 2,
+            options={"xatol": 1e-4, "fatol": 1e-5, "initial_simplex": None},
+        )
+        for solution in solutions[:MOST_STARTS]
+    ]
+    best = min(found, key=lambda result: float(result.fun))
+    controls = problem.unscaled(best.x)
+    return Solution(controls, forward.predict(problem.designs(controls[None, :]))[0], False)
