@@ -63,10 +63,12 @@ class Surrogate(nn.Module, ABC):
 
     ``by_descent``: whether it is trained by gradient descent; otherwise ``fit`` does all of it.
     ``needs_slopes``: whether it learns from derivatives as well, and needs a dataset that has them.
+    ``differentiable``: whether torch can differentiate it by the designs.
     """
 
     by_descent: ClassVar[bool] = True
     needs_slopes: ClassVar[bool] = False
+    differentiable: ClassVar[bool] = True
 
     def __init__(self) -> None:
         super().__init__()
@@ -93,3 +95,39 @@ class Surrogate(nn.Module, ABC):
     def half_widths(self, designs: Tensor) -> Tensor | None:
         """Half widths (N, 2) in L of intervals that hold 90 % of the apexes; None if unknown."""
         return None
+
+
+class MassScaled(Surrogate):
+    """One that learns apex times mass_bar as a function of log(mass_bar).
+
+    A robot that stores the energy E jumps to about E/(m g): what is left to learn hardly depends
+    on the mass. ``spread``: standard deviations of the apexes, which the loss is measured in.
+    """
+
+    spread: Tensor
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.register_buffer("spread", torch.ones(OUTPUTS))
+
+    def scaled(self, designs: Tensor) -> Tensor:
+        """Standardised delta_alpha, epsilon, log(mass_bar) and mu (N, 4)."""
+        return self.inputs(_with_log_mass(designs))
+
+    def apexes(self, learned: Tensor, designs: Tensor) -> Tensor:
+        """Apexes (..., N, 2) in L from their standardised products with mass_bar."""
+        return self.outputs.inverse(learned) / designs[:, 2:3]
+
+    def fit(self, rows: Rows) -> None:
+        self.inputs.fit(_with_log_mass(rows.designs))
+        self.outputs.fit(rows.apexes * rows.designs[:, 2:3])
+        apexes = Standardisation(OUTPUTS)
+        apexes.fit(rows.apexes)
+        self.spread.copy_(apexes.deviation)
+
+    def loss(self, rows: Rows) -> Tensor:
+        return ((self(rows.designs) - rows.apexes) / self.spread).abs().mean()
+
+
+def _with_log_mass(designs: Tensor) -> Tensor:
+    return torch.cat([designs[:, :2], designs[:, 2:3].log(), designs[:, 3:]], dim=1)

@@ -1,0 +1,97 @@
+"""A trained forward model in one file: its weights as safetensors, and where they come from.
+
+The file's metadata have ``format``, ``about`` (JSON: the surrogate's group, the dataset's hash and
+specification, ranges, seed, training, versions, measures) and ``sha256``, of ``about`` and of every
+tensor. Nothing in it is executed.
+"""
+
+import hashlib
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import torch
+from safetensors import SafetensorError, safe_open
+from safetensors.torch import save
+from torch import Tensor
+
+from snapjump.checks import ParameterError
+from snapjump.dataset.sealed import canonical
+from snapjump.files.atomic import atomic_file
+from snapjump.members import make_member
+from snapjump.surrogate.base import Surrogate
+
+FORMAT = "snapjump forward model 1"  # another number for other metadata
+
+
+class Checkpoint(NamedTuple):
+    """A network that only predicts, and what is known of it, plain."""
+
+    network: Surrogate
+    about: dict[str, Any]
+
+
+def write_checkpoint(path: Path, network: Surrogate, about: Mapping[str, Any]) -> None:
+    """Write it whole. Raises ValueError for weights or numbers that are not finite."""
+    tensors = {name: value.detach().contiguous() for name, value in network.state_dict().items()}
+    for name, value in tensors.items():
+        if not torch.isfinite(value).all():
+            raise ValueError(f"{name} is not finite")
+    text = canonical(about)
+    metadata = {"format": FORMAT, "about": text, "sha256": _sha256(text, tensors)}
+    with atomic_file(path, "wb") as file:
+        file.write(save(tensors, metadata))
+
+
+def read_checkpoint(path: str | Path) -> Checkpoint:
+    """Read and check one. Raises ParameterError, which says what is wrong with the file."""
+    path = Path(path)
+    metadata, tensors = _contents(path)
+    form = metadata.get("format")
+    if form != FORMAT:
+        raise _refused(path, f"its format is {form!r} and not {FORMAT!r}")
+    text = metadata.get("about", "")
+    if metadata.get("sha256") != _sha256(text, tensors):
+        raise _refused(path, "it is damaged: its checksum is another")
+    about = json.loads(text)
+    try:
+        with torch.device("meta"):  # neither time nor memory for weights that are replaced
+            network: Surrogate = make_member("surrogate", about["surrogate"]).network()
+        network.load_state_dict(tensors, assign=True)
+    except ParameterError as error:
+        raise _refused(path, f"its surrogate is not one of this version: {error}") from error
+    except RuntimeError as error:  # other names or shapes
+        reason = " ".join(str(error).split())
+        raise _refused(path, f"its weights are of another network: {reason}") from error
+    for name, value in tensors.items():
+        if not torch.isfinite(value).all():
+            raise _refused(path, f"{name} is not finite")
+    return Checkpoint(network.requires_grad_(False).eval(), about)
+
+
+def _contents(path: Path) -> tuple[dict[str, str], dict[str, Tensor]]:
+    try:
+        with safe_open(path, framework="pt") as file:
+            # Copies: the file may be replaced later.
+            tensors = {name: file.get_tensor(name).clone() for name in file.keys()}
+            return file.metadata() or {}, tensors
+    except FileNotFoundError:
+        raise _refused(path, "there is no such file") from None
+    except (OSError, SafetensorError) as error:
+        raise _refused(path, f"it cannot be read: {' '.join(str(error).split())}") from error
+
+
+def _sha256(text: str, tensors: Mapping[str, Tensor]) -> str:
+    digest = hashlib.sha256(text.encode())
+    for name in sorted(tensors):
+        value = tensors[name]
+        digest.update(f"\n{name} {value.dtype} {list(value.shape)}\n".encode())
+        digest.update(value.contiguous().numpy().tobytes())
+    return digest.hexdigest()
+
+
+def _refused(path: Path, reason: str) -> ParameterError:
+    return ParameterError(
+        "checkpoint", str(path), f"a forward model that task=train left: {reason}"
+    )

@@ -1,0 +1,131 @@
+"""A trained forward model to ask: numpy in, numpy out, and nothing outside of what it has seen."""
+
+import json
+from collections.abc import Callable
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor
+
+from snapjump.checks import ParameterError
+from snapjump.composition import Simulation
+from snapjump.dataset.specification import first_difference
+from snapjump.learning.checkpoint import read_checkpoint
+from snapjump.learning.threads import torch_threads
+from snapjump.plan.base import AXES
+from snapjump.surrogate.base import Surrogate
+
+Array = NDArray[np.float64]
+Range = tuple[float, float]
+
+# What determines the physical model; all else determines how exactly it is solved.
+MODEL = ("robot", "frame", "contact", "friction", "damping")
+CHUNK = 4096  # designs at a time, so that their activations stay in the processor's cache
+ROUNDING = 1e-9  # of a range: how far beyond its end a design may lie
+DIFFERENCE = 1e-3  # of a range: step of the slopes of networks that torch cannot differentiate
+
+
+class ForwardModel:
+    """Satisfies :class:`snapjump.inverse.base.ForwardModel`. Designs (N, 4): delta_alpha (rad),
+    epsilon, mass_bar, mu; apexes in L.
+
+    ``about``: what the checkpoint says of it. Methods raise ParameterError, naming the column, for
+    designs that are outside of the training ranges or no numbers.
+    """
+
+    def __init__(self, network: Surrogate, about: dict[str, Any]):
+        self.network, self.about = network, about
+        self._low, self._high = np.array(about["ranges"], dtype=float).T
+
+    @property
+    def ranges(self) -> tuple[Range, Range, Range, Range]:
+        """The box of the designs that it was trained on."""
+        low, high = self._low.tolist(), self._high.tolist()
+        return tuple(zip(low, high, strict=True))  # type: ignore[return-value]
+
+    def predict(self, designs: Array) -> Array:
+        """Apexes (N, 2)."""
+        with torch.inference_mode():
+            return self._asked(self.network, designs)
+
+    def half_widths(self, designs: Array) -> Array | None:
+        """Half widths (N, 2) of intervals that hold 90 % of the apexes; None if it has none."""
+        with torch.inference_mode():
+            if self.network.half_widths(torch.empty(0, len(AXES))) is None:
+                return None
+            return self._asked(self.network.half_widths, designs)
+
+    def jacobian(self, designs: Array) -> Array:
+        """Derivatives (N, 2, 4) of the apexes by the design."""
+        if not self.network.differentiable:
+            return self._differences(self._checked(designs))
+        return self._asked(self._slopes, designs)
+
+    def check_model(self, simulation: Simulation) -> None:
+        """Raise ParameterError if a simulation has another physical model than the dataset had.
+
+        Mesh, integrator and step control may differ: they are errors, and no other robot.
+        """
+        given = {part: asdict(getattr(simulation, part)) for part in MODEL}
+        for part in MODEL[1:]:
+            given[part] = {"name": simulation.name(part), **given[part]}
+        given["sim"] = {"name": simulation.scene_name}
+        configuration = self.about["dataset"]["specification"]["configuration"]
+        learned = {part: configuration[part] for part in MODEL}
+        learned["sim"] = {"name": configuration["sim"]["name"]}
+        # Tuples become lists, as in the checkpoint.
+        found = first_difference(json.loads(json.dumps(given)), learned)
+        if found is not None:
+            key, ours, theirs = found
+            raise ParameterError(key, ours, f"{theirs!r}, which the forward model was trained with")
+
+    def _asked(self, function: Callable[[Tensor], Tensor | None], designs: Array) -> Array:
+        """A function of designs, chunk by chunk, as float64."""
+        given = torch.from_numpy(self._checked(designs)).to(self.network.inputs.mean.dtype)
+        with torch_threads():
+            found = [function(chunk) for chunk in given.split(CHUNK)]
+        return torch.cat(found).numpy().astype(float)  # type: ignore[arg-type]
+
+    def _slopes(self, designs: Tensor) -> Tensor:
+        designs = designs.clone().requires_grad_()
+        apexes = self.network(designs)
+        # Rows do not see each other, so that one pass serves all designs.
+        rows = [
+            torch.autograd.grad(apexes[:, i].sum(), designs, retain_graph=i == 0)[0] for i in (0, 1)
+        ]
+        return torch.stack(rows, dim=1)
+
+    def _differences(self, designs: Array) -> Array:
+        """Central ones, one-sided at the ends of the ranges."""
+        step = DIFFERENCE * (self._high - self._low)
+        columns = []
+        for axis in range(len(AXES)):
+            ahead, behind = designs.copy(), designs.copy()
+            ahead[:, axis] = np.minimum(designs[:, axis] + step[axis], self._high[axis])
+            behind[:, axis] = np.maximum(designs[:, axis] - step[axis], self._low[axis])
+            width = (ahead - behind)[:, axis, None]
+            columns.append((self.predict(ahead) - self.predict(behind)) / width)
+        return np.stack(columns, axis=2)
+
+    def _checked(self, designs: Array) -> Array:
+        """Designs that may be asked, as an array."""
+        designs = np.asarray(designs, dtype=float)
+        if designs.ndim != 2 or designs.shape[1] != len(AXES):
+            raise ParameterError("designs", designs.shape, f"a shape (N, {len(AXES)})")
+        slack = ROUNDING * (self._high - self._low)
+        inside = (designs >= self._low - slack) & (designs <= self._high + slack)
+        if not inside.all():
+            row, axis = np.argwhere(~inside)[0]
+            low, high = self._low[axis], self._high[axis]
+            allowed = f"a number in [{low:g}, {high:g}], where the forward model was trained"
+            raise ParameterError(AXES[axis], float(designs[row, axis]), allowed)
+        return designs
+
+
+def open_forward_model(path: str | Path) -> ForwardModel:
+    """The forward model of a checkpoint. Raises ParameterError for a file that is none."""
+    return ForwardModel(*read_checkpoint(path))

@@ -1,0 +1,96 @@
+"""The file of a forward model: kept exactly, and refused in one line if anything is wrong."""
+
+import json
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+import torch
+from forward_models import RESNET, about, jumps, network
+from safetensors.torch import save_file
+
+from snapjump.checks import ParameterError
+from snapjump.learning.checkpoint import read_checkpoint, write_checkpoint
+from snapjump.learning.forward_model import open_forward_model
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    write_checkpoint(tmp_path / "model.safetensors", network(), about())
+    return tmp_path / "model.safetensors"
+
+
+def test_what_was_kept_is_read(file: Path) -> None:
+    found = read_checkpoint(file)
+    assert found.about == json.loads(json.dumps(about()))
+    with torch.no_grad():
+        designs = jumps(50).designs
+        assert torch.equal(found.network(designs), network()(designs))
+    assert np.isfinite(open_forward_model(str(file)).predict(designs.numpy())).all()
+    assert [f.name for f in file.parent.iterdir()] == ["model.safetensors"]
+
+
+def refused(path: Path, why: str) -> None:
+    with pytest.raises(ParameterError) as caught:
+        read_checkpoint(path)
+    assert caught.value.key == "checkpoint" and caught.value.value == str(path)
+    assert why in caught.value.allowed and "\n" not in str(caught.value)
+
+
+def test_no_file_and_a_folder(tmp_path: Path) -> None:
+    refused(tmp_path / "none.safetensors", "there is no such file")
+    refused(tmp_path, "it cannot be read")
+
+
+@pytest.mark.parametrize("share", [0.0, 0.01, 0.5, 0.999])
+def test_a_file_that_was_cut_off(file: Path, share: float) -> None:
+    os.truncate(file, int(share * file.stat().st_size))
+    refused(file, "it cannot be read")
+
+
+def test_a_changed_byte_anywhere(file: Path) -> None:
+    content = file.read_bytes()
+    random = np.random.default_rng(0)
+    for place in [9, *random.integers(8, len(content), 100), len(content) - 1]:
+        changed = bytearray(content)
+        changed[place] ^= 1
+        file.write_bytes(bytes(changed))
+        refused(file, "a forward model that task=train left")
+
+
+def test_foreign_files(tmp_path: Path) -> None:
+    file = tmp_path / "foreign.safetensors"
+    save_file({"weight": torch.ones(2)}, file)
+    refused(file, "its format is None")
+    save_file({"weight": torch.ones(2)}, file, {"format": "snapjump forward model 99"})
+    refused(file, "forward model 99")
+    file.write_text("a text")
+    refused(file, "it cannot be read")
+    torch.save({"weight": torch.ones(2)}, file)
+    refused(file, "it cannot be read")
+
+
+@pytest.mark.parametrize(
+    ("change", "why"),
+    [
+        ({"width": 17}, "its weights are of another network"),
+        ({"blocks": 2}, "its weights are of another network"),
+        ({"name": "transformer"}, "its surrogate is not one of this version"),
+        ({"depth": 3}, "its surrogate is not one of this version"),
+    ],
+)
+def test_weights_of_another_surrogate(tmp_path: Path, change: dict, why: str) -> None:
+    file = tmp_path / "model.safetensors"
+    write_checkpoint(file, network(), about({**RESNET, **change}))
+    refused(file, why)
+
+
+def test_nan_reaches_no_file(tmp_path: Path) -> None:
+    broken = network()
+    broken.outputs.mean[0] = torch.nan
+    with pytest.raises(ValueError, match=r"outputs\.mean is not finite"):
+        write_checkpoint(tmp_path / "model.safetensors", broken, about())
+    with pytest.raises(ValueError):
+        write_checkpoint(tmp_path / "model.safetensors", network(), {"mae_bar": float("nan")})
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,105 @@
+"""Asking a forward model: values, slopes, and what it refuses to answer."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+from forward_models import RANGES, about, jumps, network
+from small_datasets import CONFIG
+
+from snapjump.checks import ParameterError
+from snapjump.composition import with_tier
+from snapjump.learning.forward_model import ForwardModel
+from snapjump.options.damping import KelvinVoigtOptions
+from snapjump.options.integrator import Bdf2Options
+from snapjump.parameters.robot import Robot
+from snapjump.simulation import build
+from snapjump.surrogate.resnet import Resnet
+
+
+@pytest.fixture
+def model() -> ForwardModel:
+    return ForwardModel(network(), about())
+
+
+def test_it_predicts_what_the_network_does(model: ForwardModel) -> None:
+    designs = jumps(5000).designs
+    found = model.predict(designs.numpy())
+    assert found.shape == (5000, 2) and found.dtype == np.float64
+    with torch.no_grad():
+        assert np.allclose(found, model.network(designs).numpy(), rtol=1e-5, atol=1e-5)
+    assert model.predict(np.empty((0, 4))).shape == (0, 2)
+    assert model.half_widths(designs.numpy()) is None
+
+
+def test_its_slopes_are_those_of_its_values(model: ForwardModel) -> None:
+    model.network.double()
+    designs = jumps(7).designs.double().numpy()
+    step = 1e-5
+    expected = np.stack(
+        [
+            (model.predict(designs + move) - model.predict(designs - move)) / (2.0 * step)
+            for move in step * np.eye(4)
+        ],
+        axis=2,
+    )
+    assert np.allclose(model.jacobian(designs), expected, rtol=1e-6, atol=1e-6)
+
+
+def test_slopes_of_a_network_that_torch_cannot_differentiate(
+    model: ForwardModel, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    designs = jumps(20).designs.double().numpy()
+    designs[0], designs[1] = np.array(RANGES).T  # no step leads out of the box
+    exact = model.jacobian(designs)
+    monkeypatch.setattr(Resnet, "differentiable", False)
+    found = model.jacobian(designs)
+    assert np.abs(found - exact).max() < 0.02 * np.abs(exact).max()
+
+
+@pytest.mark.parametrize("axis", range(4))
+@pytest.mark.parametrize("value", [-1e9, 1e9, np.nan, np.inf])
+def test_it_does_not_extrapolate(model: ForwardModel, axis: int, value: float) -> None:
+    name = ("delta_alpha_rad", "epsilon", "mass_bar", "mu")[axis]
+    designs = np.tile(np.mean(RANGES, axis=1), (3, 1))
+    designs[1, axis] = value
+    low, high = RANGES[axis]
+    for ask in (model.predict, model.jacobian):
+        with pytest.raises(ParameterError) as caught:
+            ask(designs)
+        assert caught.value.key == name and f"[{low:g}, {high:g}]" in caught.value.allowed
+
+
+def test_the_ends_of_the_ranges_are_inside(model: ForwardModel) -> None:
+    assert np.array_equal(model.ranges, RANGES)
+    low, high = np.array(RANGES).T
+    assert np.isfinite(model.predict(np.array([low, high, high * (1.0 + 1e-12)]))).all()
+
+
+def test_designs_of_another_shape(model: ForwardModel) -> None:
+    for designs in (np.zeros(4), np.zeros((2, 3))):
+        with pytest.raises(ParameterError, match="designs"):
+            model.predict(designs)
+
+
+def test_the_same_physical_model_at_other_numerics(model: ForwardModel) -> None:
+    same = build(CONFIG)
+    model.check_model(same)
+    finer = replace(same, discretization=replace(same.discretization, elements=96))
+    model.check_model(replace(finer, integrator=Bdf2Options(), accuracy="reference"))
+
+
+@pytest.mark.parametrize(
+    ("part", "key"),
+    [
+        ({"robot": Robot(width_m=0.02)}, "robot.width_m"),
+        ({"damping": KelvinVoigtOptions(1e-6)}, "damping.relaxation_time_s"),
+        ({"contact": with_tier("draft").contact}, "contact.distance_m"),
+        ({"friction": with_tier("paper").friction}, "friction.name"),
+    ],
+)
+def test_another_physical_model_is_refused(model: ForwardModel, part: dict, key: str) -> None:
+    with pytest.raises(ParameterError, match="trained with") as caught:
+        model.check_model(replace(build(CONFIG), **part))
+    assert caught.value.key == key
