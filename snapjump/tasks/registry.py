@@ -11,6 +11,7 @@ from snapjump.tasks.base import Task
 TASKS = {
     "simulate": "snapjump.tasks.simulate:Simulate",
     "dataset": "snapjump.tasks.dataset:GenerateDataset",
+    "inverse": "snapjump.tasks.inverse:InverseDesign",
     "tradeoff": "experiments.tradeoff.study:Tradeoff",
     "convergence": "experiments.convergence.study:Convergence",
     "stability": "experiments.stability.study:Stability",
