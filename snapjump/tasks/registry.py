@@ -11,6 +11,8 @@ from snapjump.tasks.base import Task
 TASKS = {
     "simulate": "snapjump.tasks.simulate:Simulate",
     "dataset": "snapjump.tasks.dataset:GenerateDataset",
+    "train": "snapjump.tasks.train:Train",
+    "export": "snapjump.tasks.export:Export",
     "tradeoff": "experiments.tradeoff.study:Tradeoff",
     "convergence": "experiments.convergence.study:Convergence",
     "stability": "experiments.stability.study:Stability",
