@@ -46,8 +46,12 @@ def tell(axes: Any, place: Any, text: str, colour: str, shift: tuple[int, int]) 
 def compound(outline: Any) -> Any:
     """A geometry, holes and all, as a path of matplotlib."""
     from matplotlib.path import Path
+    from shapely.geometry.polygon import orient
 
-    parts = [part for part in getattr(outline, "geoms", [outline]) if part.geom_type == "Polygon"]
+    # Holes are what runs the other way round.
+    parts = [
+        orient(part) for part in getattr(outline, "geoms", [outline]) if part.geom_type == "Polygon"
+    ]
     rings = [ring for part in parts for ring in (part.exterior, *part.interiors)]
     return Path.make_compound_path(*[Path(np.asarray(ring.coords), closed=True) for ring in rings])
 
