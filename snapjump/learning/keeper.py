@@ -80,7 +80,7 @@ class Keeper(Callback):
         self.curves.append(
             {
                 "epoch": epoch + 1,
-                "train_loss": pl_module.train_loss,
+                "train_loss": pl_module.take_train_loss(),
                 VALIDATION: error,
                 "learning_rate": training.rate(epoch),
                 "batch_size": training.batch_size(epoch),
