@@ -1,4 +1,4 @@
-"""How far the achievable region can be trusted: ``python -m experiments.region`` prints a JSON object.
+"""How far the achievable region can be trusted: ``python -m experiments.region`` prints figures.
 
 Random targets about the regions of several environments are judged by the forward model, as
 ``task=inverse`` does it, and by simulations of a fine grid of designs.
@@ -19,7 +19,7 @@ from snapjump.targets.region import AchievableRegion
 from snapjump.targets.request import SHIPPED
 from snapjump.targets.simulator import JumpSimulator
 
-ENVIRONMENTS, TARGETS = 10, 200  # targets in each
+ENVIRONMENTS, TARGETS = 8, 250  # targets in each
 POINTS = 41  # of the grid of simulated designs, per control
 MARGIN = 0.1  # of the extent of the region, that targets lie beyond it
 
@@ -37,7 +37,8 @@ def main(checkpoint: str | None = None, tier: str = "standard") -> None:
     simulator = JumpSimulator(with_tier(tier))
     random = np.random.default_rng(0)
     low, high = np.array(forward.ranges[:2]).T
-    accepted, rejected = [], []
+    accepted: list[float] = []
+    rejected: list[float] = []
     for _, _, mass_bar, mu in spread_designs(ENVIRONMENTS):
         problem = Problem(np.zeros(2), mass_bar, mu, low, high, forward, simulator)
         truth = AchievableRegion.of(problem, SimulatedModel(simulator), POINTS)  # type: ignore[arg-type]
