@@ -34,7 +34,8 @@ def inverse_picture(designed: "Designed", region: "AchievableRegion | None", pat
         motion = read_motion(designed.jump)
         if motion is not None and motion.centre is not None:
             draw_path(axes, designed, motion)
-            flight = figure.add_axes((0.8, top - size, 0.19, size))
+            left = 0.8 if region is not None else 0.475
+            flight = figure.add_axes((left, top - size, 0.99 - left, size))
             draw_trajectory(
                 flight, motion, since_start(designed.jump, "apex_time_s"), apex_of(designed.jump)
             )
@@ -59,7 +60,13 @@ def headline(designed: "Designed") -> str:
     delta_alpha, epsilon = designed.chosen.controls.tolist()
     title = f"Target ({x:g}, {y:g}) L at μ = {problem.mu:g}, m\u0304 = {problem.mass_bar:g}:  "
     found = f"Δα = {delta_alpha:.4g} rad,  ε = {epsilon:.4g}"
-    return title + (found if designed.answer.reachable else f"out of reach; nearest {found}")
+    if designed.answer.reachable:
+        return title + found
+    return (
+        title
+        + ("not reached" if problem.forward is None else "out of reach")
+        + f"; nearest {found}"
+    )
 
 
 def draw_path(axes: Any, designed: "Designed", motion: Motion) -> None:

@@ -70,4 +70,4 @@ def usable_forward(
     if method.needs_forward or method.robust:
         without = " (inverse=physics goes on without it, if inverse.robust is false)"
         raise ParameterError(wrong.key, wrong.value, wrong.allowed + without)
-    return None, f"{wrong}; the search goes on without it"
+    return None, f"{wrong.key} = {wrong.value:g} is not {wrong.allowed}; the search does without it"

@@ -149,6 +149,8 @@ def outcome_of(designed: "Designed") -> Outcome:
         return Outcome(OK, "", summary)
     nearest = designed.answer.solutions[0]
     x, y = nearest.apex.tolist()
-    how = "simulated" if nearest.simulated else "predicted"
-    message = f"no design reaches the target; the nearest {how} apex is x {x:.4g} L, y {y:.4g} L"
+    told = "no design reaches the target; the nearest predicted apex is"
+    if nearest.simulated:
+        told = "no design was found that reaches the target; the nearest simulated apex is"
+    message = f"{told} x {x:.4g} L, y {y:.4g} L"
     return Outcome(UNREACHABLE, message, summary)

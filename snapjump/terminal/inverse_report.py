@@ -94,6 +94,7 @@ def robust(summary: Mapping[str, Any], length_mm: float) -> str:
 def cost(summary: Mapping[str, Any]) -> str:
     """Time and simulations of the search, and time of the robust design."""
     seconds, simulations = summary["solve_seconds"], summary["simulations"]
-    search = f"{1e3 * seconds:.3g} ms and {simulations} simulations for the search"
+    took = f"{seconds:.3g} s" if seconds >= 1.0 else f"{1e3 * seconds:.3g} ms"
+    search = f"{took} and {simulations} simulations for the search"
     more = summary.get("robust_seconds")
     return search if more is None else f"{search}, {more:.2g} s for the robust design"
