@@ -34,13 +34,18 @@ class ForwardModel(Protocol):
 class Simulator(Protocol):
     """Simulated apexes at one accuracy tier; ``simulations`` counts every one there was."""
 
-    simulations: int
+    @property
+    def simulations(self) -> int:
+        """Also those at other tiers that came from here."""
 
     def apexes(self, designs: Array) -> Array:
         """Apexes (N, 2) in L, NaN for a robot that does not jump or a jump that failed."""
 
     def slopes(self, designs: Array) -> Array:
         """Exact derivatives (N, 2, 4) of the apexes by the design, NaN where there are none."""
+
+    def at(self, tier: str) -> "Simulator":
+        """The same physical model at another accuracy tier."""
 
 
 @dataclass(frozen=True)
