@@ -7,6 +7,7 @@ from scipy.ndimage import minimum_filter
 
 from snapjump.checks import check_integer
 from snapjump.inverse.base import (
+    REACHED_BAR,
     Array,
     ForwardModel,
     InverseOptions,
@@ -16,9 +17,9 @@ from snapjump.inverse.base import (
 )
 
 MOST_STARTS = 24
-CONVERGED_BAR = 1.0e-7
+SHORTEST = 1.0e-5  # step that is worth another one, as a share of the ranges
 # Levenberg's damping, as a share of the largest curvature: first, least, and given up.
-FIRST, LEAST, LARGEST = 1.0e-3, 1.0e-9, 1.0e4
+FIRST, LEAST, LARGEST = 1.0e-6, 1.0e-9, 1.0e4
 
 
 @dataclass(frozen=True)
@@ -36,25 +37,28 @@ class GaussNewtonOptions(InverseOptions):
     def solve(self, problem: Problem) -> list[Solution]:
         """All solutions that a grid of predictions can tell apart."""
         forward = problem.known_forward("gauss_newton")
-        starts = grid_starts(problem, forward, self.points)
-        return predicted_solutions(
-            problem, forward, descend(problem, forward, starts, self.iterations)
-        )
+        controls = problem.grid(self.points)
+        designs = problem.designs(controls.reshape(-1, 2))
+        apexes = forward.predict(designs).reshape(controls.shape)
+        starts = linear_preimages(controls, apexes, problem.target)[:MOST_STARTS]
+        found, misses = descend(problem, forward, starts, self.iterations)
+        if not (misses <= REACHED_BAR).any():
+            # Beyond the region that the grid makes out, or where it folds: from the nearest apexes.
+            starts = nearest_points(controls, apexes, problem.target)[:MOST_STARTS]
+            more, _ = descend(problem, forward, starts, self.iterations)
+            found = np.vstack([found, more])
+        return predicted_solutions(problem, forward, found)
 
 
 MEMBER = GaussNewtonOptions
 
 
-def grid_starts(problem: Problem, forward: ForwardModel, points: int) -> Array:
-    """Controls (S, 2) to begin from: where the grid's triangles, mapped linearly, have the target,
-    and grid points that are nearer to it than their neighbours."""
-    controls = problem.grid(points)
-    apexes = forward.predict(problem.designs(controls.reshape(-1, 2))).reshape(controls.shape)
-    inside = linear_preimages(controls, apexes, problem.target)
-    misses = np.hypot(*np.moveaxis(apexes - problem.target, -1, 0))
+def nearest_points(controls: Array, apexes: Array, target: Array) -> Array:
+    """Controls (S, 2) of grids (n, n, 2) whose apexes are nearer than their neighbours', sorted."""
+    misses = np.hypot(*np.moveaxis(apexes - target, -1, 0))
     lowest = misses <= minimum_filter(misses, size=3, mode="nearest")
-    nearest = controls[lowest][np.argsort(misses[lowest])]
-    return np.vstack([inside, nearest])[:MOST_STARTS]
+    found: Array = controls[lowest][np.argsort(misses[lowest])]
+    return found
 
 
 def grid_triangles(grid: Array) -> Array:
@@ -85,11 +89,16 @@ def cross(first: Array, second: Array) -> Array:
     return product
 
 
-def descend(problem: Problem, forward: ForwardModel, starts: Array, iterations: int) -> Array:
-    """Controls (S, 2) of least miss near the starts (S, 2), side by side, within the bounds."""
+def descend(
+    problem: Problem, forward: ForwardModel, starts: Array, iterations: int
+) -> tuple[Array, Array]:
+    """Controls (S, 2) of least miss near the starts (S, 2), within the bounds, and misses (S,)."""
     span = problem.high - problem.low
+    if not len(starts):
+        return starts, np.zeros(0)
     shares = problem.scaled(starts)
     missed = forward.predict(problem.designs(starts)) - problem.target
+    misses = np.hypot(*missed.T)
     damping = np.full(len(starts), FIRST)
     active = np.arange(len(starts))
     for _ in range(iterations):
@@ -101,12 +110,13 @@ def descend(problem: Problem, forward: ForwardModel, starts: Array, iterations: 
         moved = np.abs(trial - shares[active]).max(axis=1)
         shares[active[better]] = trial[better]
         missed = np.where(better[:, None], found, missed)
-        damping = np.where(better, np.maximum(0.1 * damping, LEAST), 10.0 * damping)
-        goes_on = (np.hypot(*missed.T) > CONVERGED_BAR) & (damping < LARGEST) & (moved > 1e-12)
+        misses[active] = np.hypot(*missed.T)
+        damping = np.where(better, np.maximum(0.1 * damping, LEAST), 30.0 * damping)
+        goes_on = (moved > SHORTEST) & (damping < LARGEST)
         active, missed, damping = active[goes_on], missed[goes_on], damping[goes_on]
         if not len(active):
             break
-    return problem.unscaled(shares)
+    return problem.unscaled(shares), misses
 
 
 def steps(slopes: Array, missed: Array, damping: Array, shares: Array) -> Array:

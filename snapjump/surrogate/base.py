@@ -63,7 +63,7 @@ class Surrogate(nn.Module, ABC):
 
     ``by_descent``: whether it is trained by gradient descent; otherwise ``fit`` does all of it.
     ``needs_slopes``: whether it learns from derivatives as well, and needs a dataset that has them.
-    ``differentiable``: whether torch can differentiate it by the designs.
+    ``differentiable``: whether it is made of torch's operations, which slopes and ONNX need.
     """
 
     by_descent: ClassVar[bool] = True

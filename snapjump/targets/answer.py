@@ -58,5 +58,6 @@ def out_of_reach(problem: Problem, forward: ForwardModel) -> Solution | None:
         return None
     # The grid's own error is taken out by a descent from where it is nearest.
     start = np.array([region.nearest(problem.target)[0]])
-    (nearest,) = predicted_solutions(problem, forward, descend(problem, forward, start, ITERATIONS))
+    controls, _ = descend(problem, forward, start, ITERATIONS)
+    (nearest,) = predicted_solutions(problem, forward, controls)
     return None if nearest.miss_bar(problem.target) <= BOUNDARY_BAR else nearest

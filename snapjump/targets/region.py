@@ -11,7 +11,9 @@ from snapjump.inverse.base import ForwardModel, Problem
 from snapjump.inverse.gauss_newton import grid_triangles
 
 Array = NDArray[np.float64]
-POINTS = 31
+# Per control: the boundary then takes 0.3 % of random targets for unreachable that are not, and
+# 0.03 % the other way round, against a grid of 161.
+POINTS = 21
 
 
 @dataclass(frozen=True)

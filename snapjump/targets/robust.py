@@ -50,6 +50,28 @@ class Scatter:
     radius90_bar: float
 
 
+@dataclass(frozen=True)
+class Comparison:
+    """A design that allows for the tolerances beside one that only aims."""
+
+    robust: Solution
+    robust_scatter: Scatter
+    plain: Solution
+    plain_scatter: Scatter
+
+
+def compare(
+    problem: Problem, forward: ForwardModel, tolerance: Tolerance, solutions: list[Solution]
+) -> Comparison:
+    """The robust design that solutions lead to, beside the first of these."""
+    robust = robust_solution(problem, forward, tolerance, solutions)
+    scatters = [
+        scatter(problem, forward, tolerance, solution.controls)
+        for solution in (robust, solutions[0])
+    ]
+    return Comparison(robust, scatters[0], solutions[0], scatters[1])
+
+
 def sobol_points(count: int, seed: int) -> Array:
     """Points (count, 4) of the open unit cube; the same for the same seed."""
     points: Array = qmc.Sobol(4, rng=seed).random(count)
@@ -104,7 +126,7 @@ def robust_solution(
             problem.scaled(solution.controls),
             method="Nelder-Mead",
             bounds=[(0.0, 1.0)] * 2,
-            options={"xatol": 1e-4, "fatol": 1e-5, "initial_simplex": None},
+            options={"xatol": 1e-4, "fatol": 1e-5},
         )
         for solution in solutions[:MOST_STARTS]
     ]

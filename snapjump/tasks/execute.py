@@ -47,7 +47,17 @@ SECTIONS = (
     "tracking",
 )
 # Which only some tasks have.
-EXTRAS = ("dataset", "plan", "executor")
+EXTRAS = (
+    "dataset",
+    "plan",
+    "executor",
+    "surrogate",
+    "training",
+    "checkpoint",
+    "inverse",
+    "target",
+    "tolerance",
+)
 SWITCHES = ("figures", "seed", "effort", "publish")
 EFFORTS = ("quick", "full")
 LARGEST_SEED = 2**32 - 1

@@ -11,6 +11,9 @@ from snapjump.tasks.base import Task
 TASKS = {
     "simulate": "snapjump.tasks.simulate:Simulate",
     "dataset": "snapjump.tasks.dataset:GenerateDataset",
+    "train": "snapjump.tasks.train:Train",
+    "export": "snapjump.tasks.export:Export",
+    "inverse": "snapjump.tasks.inverse:InverseDesign",
     "tradeoff": "experiments.tradeoff.study:Tradeoff",
     "convergence": "experiments.convergence.study:Convergence",
     "stability": "experiments.stability.study:Stability",

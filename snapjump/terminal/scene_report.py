@@ -27,13 +27,13 @@ def scene_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list[
     return [
         (scene, title),
         *results,
-        ("accuracy", _accuracy(config, summary)),
+        ("accuracy", accuracy_line(config, summary)),
         ("warning", _warning(config, summary)),
         ("cost", _cost(summary)),
     ]
 
 
-def _accuracy(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
+def accuracy_line(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
     """The tier, and its measured error if this is a jump with just what the tier chooses, else
     what the jump estimates itself."""
     accuracy = config["accuracy"]

@@ -23,6 +23,10 @@ class DatasetUse:
     context: str
 
 
+# Numbers of a job by their names, against its steps: (step, value), one after the other.
+Curves = Mapping[str, Sequence[tuple[int, float]]]
+
+
 @dataclass(frozen=True)
 class Record:
     """All of one job that is recorded, at once and at its end. Times are in ms since 1970."""
@@ -37,6 +41,7 @@ class Record:
     files: Sequence[Path] = ()
     parent_id: str | None = None
     datasets: Sequence[DatasetUse] = ()
+    curves: Curves = field(default_factory=dict)
 
 
 class Tracker(Protocol):

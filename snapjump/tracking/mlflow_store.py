@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from mlflow.tracking import MlflowClient
 
 PARAMS_PER_BATCH = 100
+METRICS_PER_BATCH = 1000
 LONGEST_PARAM = 5000
 LONGEST_TAG = 5000
 LONGEST_DIGEST = 36
@@ -92,6 +93,13 @@ class MlflowStore:
         self.client.log_batch(run_id, metrics=metrics, params=params[:PARAMS_PER_BATCH], tags=tags)
         for first in range(PARAMS_PER_BATCH, len(params), PARAMS_PER_BATCH):
             self.client.log_batch(run_id, params=params[first : first + PARAMS_PER_BATCH])
+        points = [
+            Metric(key, value, record.ended_ms, step)
+            for key, curve in record.curves.items()
+            for step, value in curve
+        ]
+        for first in range(0, len(points), METRICS_PER_BATCH):
+            self.client.log_batch(run_id, metrics=points[first : first + METRICS_PER_BATCH])
         if record.datasets:
             self.client.log_inputs(run_id, [_input(use) for use in record.datasets])
         for file in record.files:

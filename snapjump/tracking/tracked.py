@@ -1,17 +1,22 @@
 """A record made from the files of a job, so that it can be written at any time after."""
 
+import csv
+import io
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from datetime import datetime
 from typing import Any
 
+from snapjump.files.atomic import write_text
 from snapjump.files.json_file import read_json, write_json
 from snapjump.files.result_folder import ResultFolder
-from snapjump.tracking.base import DatasetUse, Record, State, Tracker
+from snapjump.tracking.base import Curves, DatasetUse, Record, State, Tracker
 
 MARK = "tracking.json"
 CHILDREN = "children.json"
 DATASETS = "datasets.json"
+CURVES = "curves.csv"
 # What is for the records alone, and no result.
 OWN = (MARK, CHILDREN, DATASETS)
 STATES: dict[str, State] = {"ok": "FINISHED", "no_jump": "FINISHED", "interrupted": "KILLED"}
@@ -46,6 +51,36 @@ def write_children(folder: ResultFolder, children: Sequence[Mapping[str, Any]]) 
 def write_datasets(folder: ResultFolder, datasets: Sequence[DatasetUse]) -> None:
     """Leave which datasets a job made or used, for its record."""
     write_json(folder.path / DATASETS, {"datasets": [asdict(use) for use in datasets]})
+
+
+def write_curves(folder: ResultFolder, rows: Sequence[Mapping[str, float]]) -> None:
+    """Leave numbers against steps as a table; the first column is the step, a whole number.
+
+    Writes no file if there are no rows. A value that is not finite is left out.
+    """
+    if not rows:
+        return
+    file = io.StringIO()
+    writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+    writer.writeheader()
+    for row in rows:
+        writer.writerow({key: v if math.isfinite(v) else "" for key, v in row.items()})
+    write_text(folder.path / CURVES, file.getvalue())
+
+
+def read_curves(folder: ResultFolder) -> Curves:
+    """What a job left with :func:`write_curves`; nothing if it left none."""
+    try:
+        text = (folder.path / CURVES).read_text(encoding="utf-8")
+    except OSError:
+        return {}
+    curves: dict[str, list[tuple[int, float]]] = {}
+    for row in csv.DictReader(io.StringIO(text)):
+        (_, step), *values = row.items()
+        for key, value in values:
+            if value:
+                curves.setdefault(key, []).append((int(step), float(value)))
+    return curves
 
 
 def record_children(
@@ -101,6 +136,7 @@ def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Recor
             DatasetUse(**use)
             for use in (read_json(folder.path / DATASETS) or {}).get("datasets", [])
         ],
+        curves=read_curves(folder),
     )
 
 

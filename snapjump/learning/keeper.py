@@ -1,0 +1,96 @@
+"""What a training keeps as it goes: curves, the best weights, and all that it needs to go on."""
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import torch
+from pytorch_lightning import Callback, LightningModule, Trainer
+from pytorch_lightning.plugins.io import CheckpointIO
+
+from snapjump.files.atomic import atomic_file
+from snapjump.learning.lightning_module import VALIDATION, Descent
+
+Progress = Callable[[float, str], None]
+SAVE_EVERY_S = 5.0
+
+
+class AtomicFiles(CheckpointIO):
+    """Lightning's checkpoints, whole or not at all, and without code inside."""
+
+    def save_checkpoint(
+        self, checkpoint: dict[str, Any], path: Any, storage_options: Any = None
+    ) -> None:
+        """Write one."""
+        with atomic_file(Path(path), "wb") as file:
+            torch.save(checkpoint, file)
+
+    def load_checkpoint(
+        self, path: Any, map_location: Any = None, weights_only: bool | None = None
+    ) -> dict[str, Any]:
+        """Read one."""
+        content: dict[str, Any] = torch.load(path, map_location, weights_only=True)
+        return content
+
+    def remove_checkpoint(self, path: Any) -> None:
+        """Remove one."""
+        Path(path).unlink(missing_ok=True)
+
+
+class Keeper(Callback):
+    """``curves``: a row an epoch; ``best``: the weights of the smallest validation error;
+    ``seconds``: of all runs that this training took."""
+
+    def __init__(self, file: Path, progress: Progress):
+        self.file, self.progress = file, progress
+        self.curves: list[dict[str, float]] = []
+        self.best: dict[str, torch.Tensor] = {}
+        self.seconds = 0.0
+        self._stopped = False
+        self._clock = self._saved = time.perf_counter()
+
+    def state_dict(self) -> dict[str, Any]:
+        """All of it, in a checkpoint."""
+        return {
+            "curves": self.curves,
+            "best": self.best,
+            "seconds": self.seconds,
+            "stopped": self._stopped,
+        }
+
+    def load_state_dict(self, state: dict[str, Any]) -> None:
+        """What an earlier run kept."""
+        self.curves, self.best = state["curves"], state["best"]
+        self.seconds, self._stopped = state["seconds"], state["stopped"]
+
+    def on_train_start(self, trainer: Trainer, pl_module: LightningModule) -> None:
+        """A training that had already stopped does not go on."""
+        trainer.should_stop = self._stopped
+        self._clock = self._saved = time.perf_counter()
+
+    def on_train_epoch_end(self, trainer: Trainer, pl_module: LightningModule) -> None:
+        """Add to the curves; keep what is better; save now and then, and at the end."""
+        assert isinstance(pl_module, Descent)
+        epoch, error = trainer.current_epoch, float(trainer.callback_metrics[VALIDATION])
+        training = pl_module.training_options
+        if error <= min((row[VALIDATION] for row in self.curves), default=error):
+            weights = pl_module.network.state_dict()
+            self.best = {name: value.clone() for name, value in weights.items()}
+        self.curves.append(
+            {
+                "epoch": epoch + 1,
+                "train_loss": pl_module.train_loss,
+                VALIDATION: error,
+                "learning_rate": training.rate(epoch),
+                "batch_size": training.batch_size(epoch),
+            }
+        )
+        now = time.perf_counter()
+        self.seconds, self._clock = self.seconds + now - self._clock, now
+        self._stopped = trainer.should_stop
+        if self._stopped or epoch + 1 == training.epochs or now - self._saved >= SAVE_EVERY_S:
+            trainer.save_checkpoint(self.file)
+            self._saved = now
+        text = f"epoch {epoch + 1}, validation MAE {error:.4f} L"
+        self.progress((epoch + 1) / training.epochs, text)

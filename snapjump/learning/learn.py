@@ -1,0 +1,158 @@
+"""From a dataset to a forward model: trained once, continued where it stopped, then found again.
+
+outputs/training/<surrogate>-<hash>/last.ckpt                  what a training goes on from
+outputs/training/<surrogate>-<hash>/curves.json                and, once it has ended,
+outputs/training/<surrogate>-<hash>/forward_model.safetensors  what has come of it
+"""
+
+import hashlib
+import time
+from collections.abc import Mapping
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import torch
+
+from snapjump.checks import ParameterError
+from snapjump.dataset.sealed import read_sealed, sha256_of, write_sealed
+from snapjump.files.lock import FileLock
+from snapjump.files.provenance import SOURCES, origin
+from snapjump.learning.checkpoint import Checkpoint, read_checkpoint, write_checkpoint
+from snapjump.learning.data import RULE, JumpData
+from snapjump.learning.fit import STATE, Fitted, descend
+from snapjump.learning.keeper import Progress
+from snapjump.learning.measures import measures
+from snapjump.learning.threads import torch_threads
+from snapjump.members import member_group
+from snapjump.plan.base import AXES
+from snapjump.surrogate.base import Surrogate, SurrogateOptions
+
+DEFAULT = Path("outputs/training")
+DIGITS = 16
+FORWARD_MODEL, CURVES = "forward_model.safetensors", "curves.json"
+# The packages that determine the weights, beside the dataset.
+DETERMINES = ("learning", "surrogate")
+
+
+class Learned(NamedTuple):
+    """``file``: the checkpoint; ``curves``: a row an epoch, none for what has no epochs;
+    ``kept``: whether it had been trained before."""
+
+    file: Path
+    network: Surrogate
+    about: dict[str, Any]
+    curves: list[dict[str, float]]
+    kept: bool
+
+
+def check_slopes(options: SurrogateOptions, data: JumpData) -> None:
+    """Raise ParameterError for a surrogate that needs slopes and a dataset that has none."""
+    if options.network().needs_slopes and not data.dataset.specification["sensitivities"]:
+        name = member_group("surrogate", options)["name"]
+        allowed = (
+            f"a dataset with derivatives with surrogate={name} (dataset.sensitivities=true "
+            "friction.velocity_threshold_m_s=0.01 when it is made)"
+        )
+        raise ParameterError("dataset.path", str(data.dataset.folder.path), allowed)
+
+
+def learn(
+    data: JumpData,
+    options: SurrogateOptions,
+    progress: Progress,
+    configuration: Mapping[str, Any] | None = None,
+    place: Path = DEFAULT,
+) -> Learned:
+    """Train a surrogate, or go on, or find what has been trained.
+
+    ``configuration``: the resolved one of the run, for the checkpoint. Raises FloatingPointError
+    if the training diverges.
+    """
+    check_slopes(options, data)
+    group = dict(member_group("surrogate", options))
+    determined = {
+        "surrogate": group,
+        "training": asdict(data.training),
+        "dataset_sha256": data.dataset.sha256,
+        "seed": data.seed,
+    }
+    digest = sha256_of({**determined, "sources": _sources()})[:DIGITS]
+    folder = place / f"{group['name']}-{digest}"
+    folder.mkdir(parents=True, exist_ok=True)
+    lock = FileLock(folder / ".lock")
+    if not lock.acquire(wait=False):
+        progress(0.0, "waiting for another process that trains the same")
+        lock.acquire()
+    try:
+        found = _finished(folder)
+        if found is not None:
+            return found
+        with torch_threads(data.training.threads):
+            network, fitted = _fitted(data, options, folder, progress)
+            about = {**_about(data, network, fitted), **determined}
+        about |= {"origin": origin(), "configuration": dict(configuration or {})}
+        write_sealed(folder / CURVES, {"curves": fitted.curves})
+        write_checkpoint(folder / FORWARD_MODEL, network, about)
+        (folder / STATE).unlink(missing_ok=True)
+        return Learned(folder / FORWARD_MODEL, network, about, fitted.curves, kept=False)
+    finally:
+        lock.release()
+
+
+def _fitted(
+    data: JumpData, options: SurrogateOptions, folder: Path, progress: Progress
+) -> tuple[Surrogate, Fitted]:
+    """The network with all that it learns."""
+    with torch.random.fork_rng(devices=[]):
+        torch.manual_seed(data.seed)
+        network: Surrogate = options.network()
+    started = time.perf_counter()
+    network.fit(data.train)
+    fitted = Fitted([], time.perf_counter() - started)
+    if network.by_descent:
+        fitted = descend(network, data, folder, progress)
+    network.requires_grad_(False).eval()
+    network.calibrate(data.validation)
+    return network, fitted
+
+
+def _about(data: JumpData, network: Surrogate, fitted: Fitted) -> dict[str, Any]:
+    """What a checkpoint says of itself."""
+    dataset = data.dataset
+    return {
+        "dataset": {
+            "sha256": dataset.sha256,
+            "rows": dataset.rows,
+            "specification": dataset.specification,
+        },
+        "ranges": [dataset.specification["plan"][axis] for axis in AXES],
+        "split": RULE,
+        "rows_train": len(data.train.designs),
+        "rows_validation": len(data.validation.designs),
+        "rows_test": len(data.test.designs),
+        "parameters": sum(values.numel() for values in network.parameters()),
+        "epochs": len(fitted.curves),
+        "train_seconds": fitted.seconds,
+        "measures": measures(network, data.test),
+    }
+
+
+def _finished(folder: Path) -> Learned | None:
+    """What an earlier run has finished, if it is whole."""
+    kept = read_sealed(folder / CURVES)
+    try:
+        found: Checkpoint = read_checkpoint(folder / FORWARD_MODEL)
+    except ParameterError:
+        return None
+    if kept is None:
+        return None
+    return Learned(folder / FORWARD_MODEL, *found, kept["curves"], kept=True)
+
+
+def _sources() -> str:
+    digest = hashlib.sha256()
+    for package in DETERMINES:
+        for path in sorted((SOURCES / package).glob("*.py")):
+            digest.update(path.name.encode() + path.read_bytes())
+    return digest.hexdigest()

@@ -1,0 +1,105 @@
+"""``surrogate=ensemble``: residual networks of different seeds, and intervals from their spread."""
+
+import math
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor, nn
+
+from snapjump.checks import check_integer
+from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, Rows
+
+CONFIDENCE = 0.9
+
+
+@dataclass(frozen=True)
+class EnsembleOptions:
+    """Several residual networks: their mean, and calibrated intervals from their spread."""
+
+    members: int = 5
+    width: int = 64
+    blocks: int = 4
+
+    def __post_init__(self) -> None:
+        check_integer("surrogate.members", self.members, 2, 64)
+        check_integer("surrogate.width", self.width, 1, 4096)
+        check_integer("surrogate.blocks", self.blocks, 1, 64)
+
+    def network(self) -> "Ensemble":
+        """A new ensemble."""
+        return Ensemble(self.members, self.width, self.blocks)
+
+
+class Layers(nn.Module):
+    """A linear layer of every member, (M, N, inputs) -> (M, N, outputs), begun as torch's are."""
+
+    def __init__(self, members: int, inputs: int, outputs: int):
+        super().__init__()
+        bound = inputs**-0.5
+        self.weight = nn.Parameter(torch.empty(members, inputs, outputs).uniform_(-bound, bound))
+        self.bias = nn.Parameter(torch.empty(members, 1, outputs).uniform_(-bound, bound))
+
+    def forward(self, values: Tensor) -> Tensor:
+        return torch.baddbmm(self.bias, values, self.weight)
+
+
+class Block(nn.Module):
+    """A residual block of every member, as in :mod:`snapjump.surrogate.resnet`."""
+
+    def __init__(self, members: int, width: int):
+        super().__init__()
+        inner, outer = (Layers(members, width, width) for _ in range(2))
+        self.change = nn.Sequential(nn.SiLU(), inner, nn.SiLU(), outer)
+
+    def forward(self, values: Tensor) -> Tensor:
+        return values + self.change(values)
+
+
+class Ensemble(MassScaled):
+    """Members see the same batches, side by side; each has its own loss.
+
+    Intervals are conformal (Lei et al., arXiv 1604.04173): half widths are ``scale`` times the
+    members' spread plus ``least``, of the size that holds 90 % of the validation set. ``least``
+    keeps them honest where the members agree by chance.
+    """
+
+    scale: Tensor
+    least: Tensor
+
+    def __init__(self, members: int, width: int, blocks: int):
+        super().__init__()
+        self.members = members
+        self.body = nn.Sequential(
+            Layers(members, INPUTS, width),
+            *[Block(members, width) for _ in range(blocks)],
+            nn.SiLU(),
+            Layers(members, width, OUTPUTS),
+        )
+        self.register_buffer("scale", torch.ones(OUTPUTS))
+        self.register_buffer("least", torch.zeros(OUTPUTS))
+
+    def each(self, designs: Tensor) -> Tensor:
+        """Apexes (M, N, 2) of every member."""
+        scaled = self.scaled(designs).expand(self.members, -1, -1)
+        return self.apexes(self.body(scaled), designs)
+
+    def forward(self, designs: Tensor) -> Tensor:
+        return self.each(designs).mean(dim=0)
+
+    def loss(self, rows: Rows) -> Tensor:
+        return ((self.each(rows.designs) - rows.apexes) / self.spread).abs().mean()
+
+    def calibrate(self, rows: Rows) -> None:
+        each = self.each(rows.designs)
+        spread = each.std(dim=0)
+        self.least.copy_(spread.mean(dim=0))
+        scores = (each.mean(dim=0) - rows.apexes).abs() / (spread + self.least)
+        # One more than there are: the jump that is asked for counts as one of them.
+        rank = min(math.ceil(CONFIDENCE * (len(scores) + 1)), len(scores))
+        self.scale.copy_(scores.kthvalue(rank, dim=0).values)
+
+    def half_widths(self, designs: Tensor) -> Tensor:
+        return self.scale * (self.each(designs).std(dim=0) + self.least)
+
+
+MEMBER = EnsembleOptions

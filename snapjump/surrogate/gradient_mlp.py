@@ -1,0 +1,73 @@
+"""``surrogate=gradient_mlp``: a network that is trained on apexes and their exact derivatives."""
+
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor, nn
+
+from snapjump.checks import check_integer, check_number
+from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, Rows
+
+
+@dataclass(frozen=True)
+class GradientMlpOptions:
+    """Fully connected layers with SiLU, trained on apexes and their sensitivities."""
+
+    width: int = 128
+    layers: int = 4
+    slope_weight: float = 0.1
+
+    def __post_init__(self) -> None:
+        check_integer("surrogate.width", self.width, 1, 4096)
+        check_integer("surrogate.layers", self.layers, 1, 64)
+        check_number("surrogate.slope_weight", self.slope_weight, 0.0, 1e6)
+
+    def network(self) -> "GradientMlp":
+        """A new network."""
+        return GradientMlp(self.width, self.layers, self.slope_weight)
+
+
+class GradientMlp(MassScaled):
+    """Sobolev training (Czarnecki et al., arXiv 1706.04859).
+
+    The loss is the mean absolute error of the apexes and ``slope_weight`` times that of the
+    slopes, both in standard deviations of apexes and inputs; slopes that are NaN do not count.
+    """
+
+    needs_slopes = True
+    strides: Tensor  # standard deviations of the inputs
+
+    def __init__(self, width: int, layers: int, slope_weight: float):
+        super().__init__()
+        self.slope_weight = slope_weight
+        self.register_buffer("strides", torch.ones(INPUTS))
+        sizes = [INPUTS, *[width] * layers]
+        parts: list[nn.Module] = []
+        for here, there in zip(sizes[:-1], sizes[1:], strict=True):
+            parts += [nn.Linear(here, there), nn.SiLU()]
+        self.body = nn.Sequential(*parts, nn.Linear(width, OUTPUTS))
+
+    def forward(self, designs: Tensor) -> Tensor:
+        return self.apexes(self.body(self.scaled(designs)), designs)
+
+    def fit(self, rows: Rows) -> None:
+        super().fit(rows)
+        self.strides.copy_(rows.designs.std(dim=0))
+
+    def loss(self, rows: Rows) -> Tensor:
+        designs = rows.designs.clone().requires_grad_()
+        apexes = self(designs)
+        values = ((apexes - rows.apexes) / self.spread).abs().mean()
+        slopes = torch.stack(
+            [
+                torch.autograd.grad(apexes[:, i].sum(), designs, create_graph=True)[0]
+                for i in range(OUTPUTS)
+            ],
+            dim=1,
+        )
+        known = torch.isfinite(rows.slopes)
+        error = (slopes - rows.slopes) * self.strides / self.spread[:, None]
+        return values + self.slope_weight * error[known].abs().sum() / known.sum().clamp(min=1)
+
+
+MEMBER = GradientMlpOptions

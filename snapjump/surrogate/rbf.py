@@ -1,0 +1,83 @@
+"""``surrogate=rbf``: interpolation between the nearest jumps, as a measure for networks."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import torch
+from scipy.interpolate import RBFInterpolator
+from torch import Tensor
+
+from snapjump.checks import check_choice, check_integer, check_number
+from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, Rows
+
+KERNELS = ("linear", "thin_plate_spline", "cubic", "quintic")
+
+
+@dataclass(frozen=True)
+class RbfOptions:
+    """Radial basis functions through the nearest jumps: no network."""
+
+    neighbours: int = 60
+    kernel: str = "cubic"
+    smoothing: float = 0.0
+
+    def __post_init__(self) -> None:
+        # Quintic ones need a polynomial of degree 2, which has 15 coefficients in four inputs.
+        check_integer("surrogate.neighbours", self.neighbours, 15, 4096)
+        check_choice("surrogate.kernel", self.kernel, KERNELS)
+        check_number("surrogate.smoothing", self.smoothing, 0.0, 1e6)
+
+    def network(self) -> "Rbf":
+        """A new interpolation, through nothing yet."""
+        return Rbf(self)
+
+
+class Rbf(MassScaled):
+    """All training jumps are its buffers: ``points`` (N, 4) and ``values`` (N, 2), standardised."""
+
+    by_descent = False
+    differentiable = False
+    points: Tensor
+    values: Tensor
+
+    def __init__(self, options: RbfOptions):
+        super().__init__()
+        self.options = options
+        self.register_buffer("points", torch.empty(0, INPUTS))
+        self.register_buffer("values", torch.empty(0, OUTPUTS))
+        self.register_load_state_dict_pre_hook(_make_room)
+
+    @cached_property
+    def interpolator(self) -> Any:
+        """Scipy's, which solves a small system of equations for every design."""
+        options = self.options
+        return RBFInterpolator(
+            self.points.numpy(),
+            self.values.numpy(),
+            neighbors=min(options.neighbours, len(self.points)),
+            smoothing=options.smoothing,
+            kernel=options.kernel,
+        )
+
+    def forward(self, designs: Tensor) -> Tensor:
+        if not len(designs):
+            return designs[:, :OUTPUTS]
+        learned = self.interpolator(self.scaled(designs).numpy())
+        return self.apexes(torch.from_numpy(learned).to(designs.dtype), designs)
+
+    def fit(self, rows: Rows) -> None:
+        super().fit(rows)
+        self.points = self.scaled(rows.designs)
+        self.values = self.outputs(rows.apexes * rows.designs[:, 2:3])
+
+
+def _make_room(network: Rbf, state: dict[str, Any], prefix: str, *others: Any) -> None:
+    """There are as many points in a checkpoint as were learned from."""
+    for name in ("points", "values"):
+        there = state.get(prefix + name)
+        if there is not None:
+            setattr(network, name, torch.empty_like(there))
+
+
+MEMBER = RbfOptions

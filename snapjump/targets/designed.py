@@ -1,0 +1,98 @@
+"""All that is known of a designed jump, and the flat numbers of its ``result.json``."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from snapjump.inverse.base import Array, Problem, Solution
+from snapjump.results import Result
+from snapjump.targets.answer import Answer
+from snapjump.targets.robust import Comparison, Scatter
+
+PARAMETERS = ("delta_alpha", "epsilon", "mass_bar", "mu")
+
+
+@dataclass(frozen=True)
+class Designed:
+    """``chosen``: the design; ``costs_bar`` (4,): what 1 % of each parameter moves its apex by;
+    ``jump``: its simulation; ``robust``: where a robust design was asked for."""
+
+    problem: Problem
+    answer: Answer
+    chosen: Solution
+    costs_bar: Array
+    jump: Result
+    robust: Comparison | None
+
+    @property
+    def predicted(self) -> Array | None:
+        """Apex (2,) by the forward model, if there is one for this environment."""
+        if self.problem.forward is None:
+            return None
+        found: Array = self.problem.forward.predict(
+            self.problem.designs(self.chosen.controls[None, :])
+        )[0]
+        return found
+
+    @property
+    def simulated(self) -> Array | None:
+        """Apex (2,) by the simulator, if the robot jumped."""
+        if self.jump.status != "ok":
+            return None
+        return np.array([self.jump.x_bar, self.jump.y_bar])
+
+    def summary(self) -> dict[str, Any]:
+        """Keys with their unit; None where there is no number."""
+        problem, length_m = self.problem, self.jump.simulation.robot.length_m
+        missed = None
+        if self.simulated is not None:
+            missed = float(np.hypot(*(self.simulated - problem.target)))
+        found = {
+            "reachable": self.answer.reachable,
+            **point("target", problem.target),
+            "mu": problem.mu,
+            "mass_bar": problem.mass_bar,
+            **controls("", self.chosen),
+            **point("predicted", self.predicted),
+            **point("simulated", self.simulated),
+            "error_bar": missed,
+            "error_m": None if missed is None else missed * length_m,
+            "solve_seconds": self.answer.seconds,
+            "simulations": self.answer.simulations,
+            "solutions": len(self.answer.solutions),
+            "error_estimate_percent": self.jump.summary.get("error_estimate_percent"),
+        }
+        for k, other in enumerate(self.answer.solutions[1:], start=2):
+            found |= controls(f"solution_{k}_", other)
+        for name, cost in zip(PARAMETERS, self.costs_bar.tolist(), strict=True):
+            known = np.isfinite(cost)
+            found[f"one_percent_{name}_bar"] = cost if known else None
+            found[f"one_percent_{name}_m"] = cost * length_m if known else None
+        if self.robust is not None:
+            found |= controls("plain_", self.robust.plain)
+            found |= spread("plain", self.robust.plain_scatter)
+            found |= spread("robust", self.robust.robust_scatter)
+        return found
+
+
+def point(name: str, place: Array | None) -> dict[str, Any]:
+    """Both coordinates of an apex."""
+    x, y = (None, None) if place is None else place.tolist()
+    return {f"{name}_x_bar": x, f"{name}_y_bar": y}
+
+
+def controls(prefix: str, solution: Solution) -> dict[str, Any]:
+    """Both controls of a solution."""
+    delta_alpha, epsilon = solution.controls.tolist()
+    return {f"{prefix}epsilon": epsilon, f"{prefix}delta_alpha_rad": delta_alpha}
+
+
+def spread(name: str, scatter: Scatter) -> dict[str, Any]:
+    """The distribution of a design's apex."""
+    return {
+        f"{name}_expected_miss_bar": scatter.expected_miss_bar,
+        f"{name}_radius90_bar": scatter.radius90_bar,
+        **point(f"{name}_mean", scatter.mean),
+        **point(f"{name}_deviation", scatter.deviation),
+    }

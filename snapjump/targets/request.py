@@ -1,0 +1,73 @@
+"""What a user asks for: a target, a method, tolerances, a forward model; each checked."""
+
+from collections.abc import Sequence
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from snapjump import learning
+from snapjump.checks import ParameterError, check_group, is_finite_number
+from snapjump.inverse.base import Array, ForwardModel, InverseMethod
+from snapjump.targets.robust import Tolerance
+
+SHIPPED = Path(learning.__file__).parent / "trained" / "standard.safetensors"
+ENVIRONMENT = ("mass_bar", "mu")
+
+
+def checked_target(value: Any) -> Array:
+    """A target (2,). Raises ParameterError for what is no point above the ground."""
+    allowed = "[x, y] of an apex in L: two numbers, y >= 0"
+    if not isinstance(value, Sequence) or isinstance(value, str) or len(value) != 2:
+        raise ParameterError("target", value, allowed)
+    if not all(is_finite_number(number) for number in value) or value[1] < 0.0:
+        raise ParameterError("target", list(value), allowed)
+    return np.array(value, dtype=float)
+
+
+def checked_tolerance(values: Any) -> Tolerance:
+    """From a group with all its keys. Raises ParameterError."""
+    check_group("tolerance", values)
+    known = [field.name for field in fields(Tolerance)]
+    for key in values:
+        if key not in known:
+            allowed = "tolerance has " + ", ".join(known)
+            raise ParameterError(f"tolerance.{key}", values[key], allowed)
+    for key in known:
+        if key not in values:
+            raise ParameterError(f"tolerance.{key}", None, "a value, which cannot be left out")
+    return Tolerance(**values)
+
+
+def checkpoint_path(value: Any) -> Path:
+    """Where a forward model lies, null: the one that comes along. Raises ParameterError."""
+    if value is not None and (not isinstance(value, str) or not value):
+        raise ParameterError("checkpoint", value, "null, or a file that task=train left")
+    return Path(value) if value else SHIPPED
+
+
+def outside(environment: Any, forward: ForwardModel) -> ParameterError | None:
+    """The first parameter of an environment that the forward model was not trained with."""
+    for name, (low, high) in zip(ENVIRONMENT, forward.ranges[2:], strict=True):
+        value = getattr(environment, name)
+        if not low <= value <= high:
+            allowed = f"a number in [{low:g}, {high:g}], where the forward model was trained"
+            return ParameterError(f"environment.{name}", value, allowed)
+    return None
+
+
+def usable_forward(
+    environment: Any, forward: ForwardModel, method: InverseMethod
+) -> tuple[ForwardModel | None, str]:
+    """The forward model, or None and a warning for a method that can do without it there.
+
+    Raises ParameterError where it cannot: a forward model never extrapolates.
+    """
+    wrong = outside(environment, forward)
+    if wrong is None:
+        return forward, ""
+    if method.needs_forward or method.robust:
+        without = " (inverse=physics goes on without it, if inverse.robust is false)"
+        raise ParameterError(wrong.key, wrong.value, wrong.allowed + without)
+    return None, f"{wrong}; the search goes on without it"

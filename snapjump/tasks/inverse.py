@@ -1,0 +1,154 @@
+"""``task=inverse``: the design that reaches a target apex, and what is to be expected of it."""
+
+import sys
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from snapjump.checks import ParameterError
+from snapjump.files.result_folder import ResultFolder
+from snapjump.tasks.base import OK, UNREACHABLE, Outcome, Progress
+from snapjump.tasks.simulate import check_complete
+
+if TYPE_CHECKING:
+    from snapjump.composition import Simulation
+    from snapjump.inverse.base import ForwardModel, InverseMethod, Problem, Solution
+    from snapjump.results import Result
+    from snapjump.targets.designed import Designed
+    from snapjump.targets.robust import Tolerance
+
+# Shares of the progress bar that are done as the search, the simulation and the drawing begin.
+SEARCH, SIMULATION, DRAWING = 0.1, 0.6, 0.8
+DRAWN_POINTS = 81  # of the region in the figure, per control
+
+
+class InverseDesign:
+    """Decides, searches, simulates what was found, and draws it."""
+
+    def __init__(self) -> None:
+        self._config: Mapping[str, Any] = {}
+        self._base: Simulation
+        self._method: InverseMethod
+        self._tolerance: Tolerance
+        self._trained: ForwardModel
+        self._forward: ForwardModel | None = None
+        self._target: Any = None
+        self._warning = ""
+
+    def prepare(self, config: Mapping[str, Any]) -> None:
+        """Check every value, the forward model, and that it is one of this physical model."""
+        from snapjump.members import make_member
+        from snapjump.simulation import build, check_scene
+        from snapjump.targets import request
+
+        self._config = config
+        self._target = request.checked_target(config.get("target"))
+        self._method = make_member("inverse", config.get("inverse"))
+        self._tolerance = request.checked_tolerance(config.get("tolerance"))
+        path = request.checkpoint_path(config.get("checkpoint"))
+        self._base = build(config)
+        check_complete(config, self._base)
+        if self._base.scene_name != "jump":
+            raise ParameterError("sim", self._base.scene_name, "jump, which is what has an apex")
+        check_scene(self._base)
+        from snapjump.learning.forward_model import open_forward_model
+
+        trained = open_forward_model(path)
+        trained.check_model(self._base)
+        self._trained = trained
+        self._forward, self._warning = request.usable_forward(
+            self._base.environment, trained, self._method
+        )
+
+    def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
+        """Search, simulate the design at the configured tier, and draw."""
+        from snapjump.targets.answer import answer
+        from snapjump.targets.designed import Designed
+        from snapjump.targets.manufacturing import one_percent_costs_bar
+        from snapjump.targets.robust import compare
+        from snapjump.targets.warm_up import warm_up
+
+        if self._warning:
+            print(f"warning: {self._warning}", file=sys.stderr)
+        problem = self._problem()
+        progress(0.0, "getting ready")
+        warm_up(self._base, self._trained, self._method)
+        progress(SEARCH, "searching")
+        found = answer(problem, self._method)
+        chosen, robust = found.solutions[0], None
+        if self._method.robust and self._forward is not None:
+            robust = compare(problem, self._forward, self._tolerance, found.solutions)
+            chosen = robust.robust
+        costs_bar = one_percent_costs_bar(problem, chosen)
+        jump = self._simulated(chosen, progress)
+        designed = Designed(problem, found, chosen, costs_bar, jump, robust)
+        if self._config["figures"]:
+            progress(DRAWING, "drawing")
+            self._draw(folder, designed)
+        return outcome_of(designed)
+
+    def report(self, outcome: Outcome) -> list[tuple[str, str]]:
+        """The closing block."""
+        from snapjump.terminal.inverse_report import inverse_report
+
+        return inverse_report(self._config, outcome.summary)
+
+    def _problem(self) -> "Problem":
+        from snapjump.inverse.base import Problem
+        from snapjump.targets.simulator import JumpSimulator
+
+        low, high = np.array(self._trained.ranges[:2]).T
+        return Problem(
+            target=self._target,
+            mass_bar=self._base.environment.mass_bar,
+            mu=self._base.environment.mu,
+            low=low,
+            high=high,
+            forward=self._forward,
+            simulator=JumpSimulator(self._base),
+            seed=self._config["seed"],
+        )
+
+    def _simulated(self, chosen: "Solution", progress: Progress) -> "Result":
+        """The jump of a design with its trajectory, by the program for one robot."""
+        from snapjump.options.backend import ScalarBackend
+        from snapjump.parameters.design import Design
+        from snapjump.simulation import simulate
+
+        delta_alpha, epsilon = chosen.controls.tolist()
+        design = Design(epsilon=epsilon, delta_alpha=delta_alpha)
+        share = DRAWING - SIMULATION
+        return simulate(
+            replace(self._base, design=design, backend=ScalarBackend()),
+            lambda done, text: progress(SIMULATION + share * done, text),
+        )
+
+    def _draw(self, folder: ResultFolder, designed: "Designed") -> None:
+        from snapjump.plots.inverse import inverse_picture
+        from snapjump.targets.region import AchievableRegion
+
+        region = None
+        if self._forward is not None:
+            region = AchievableRegion.of(designed.problem, self._forward, DRAWN_POINTS)
+
+        def draw(path: Path) -> None:
+            inverse_picture(designed, region, path / "inverse.png")
+
+        folder.write_figures(draw)
+
+
+def outcome_of(designed: "Designed") -> Outcome:
+    """What to tell the shell of it."""
+    summary, jump = designed.summary(), designed.jump
+    if jump.status != OK:
+        return Outcome(jump.status, f"the design that was found: {jump.message}", summary)
+    if designed.answer.reachable:
+        return Outcome(OK, "", summary)
+    nearest = designed.answer.solutions[0]
+    x, y = nearest.apex.tolist()
+    how = "simulated" if nearest.simulated else "predicted"
+    message = f"no design reaches the target; the nearest {how} apex is x {x:.4g} L, y {y:.4g} L"
+    return Outcome(UNREACHABLE, message, summary)
