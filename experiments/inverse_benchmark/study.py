@@ -1,8 +1,8 @@
 """``python run.py task=inverse_benchmark``: every method of inverse design on the same targets."""
 
+import hashlib
 from collections.abc import Mapping
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from experiments.compositions import composed, groups_of
@@ -14,14 +14,15 @@ from snapjump.members import make_member, member_group
 from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
 
-BLOCK = 10  # problems of a cell, which are lost together if it is stopped
+# Problems and environments of a cell, which are lost together if it is stopped.
+BLOCK, REGIONS = 10, 2
 
 
 class InverseBenchmark(Study):
     """Random environments with targets that a hidden random design reaches."""
 
-    options = ("problems", "methods", "checkpoint")
-    sources = ("experiments.inverse_benchmark.compute",)
+    options = ("problems", "environments", "methods", "checkpoint")
+    sources = ("experiments.inverse_benchmark.compute", "experiments.inverse_benchmark.region")
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
         """Each method on each ten problems."""
@@ -31,45 +32,46 @@ class InverseBenchmark(Study):
 
         task = config["task"]
         check_integer("task.problems", task["problems"], 1, 100_000)
+        check_integer("task.environments", task["environments"], 0, 100_000)
         self.methods = chosen(task["methods"])
         groups = groups_of(config)
         simulation = composed(groups)
         if simulation.scene_name != "jump":
             raise ParameterError("sim", simulation.scene_name, "jump with task=inverse_benchmark")
-        path = Path(checkpoint_path(task["checkpoint"]))
-        forward = open_forward_model(path)
-        forward.check_model(simulation)
-        count = task["problems"]
-        return [
-            Cell(
-                f"{name}: {first} to {min(first + BLOCK, count) - 1}",
-                {
-                    "method": name,
-                    "inverse": dict(group),
-                    "groups": groups,
-                    "checkpoint": str(path),
-                    "checkpoint_sha256": forward.sha256,
-                    "seed": config["seed"],
-                    "first": first,
-                    "last": min(first + BLOCK, count),
-                },
-            )
+        path = checkpoint_path(task["checkpoint"])
+        open_forward_model(path).check_model(simulation)
+        shared = {
+            "groups": groups,
+            "checkpoint": str(path),
+            "checkpoint_sha256": hashlib.sha256(path.read_bytes()).hexdigest(),
+            "seed": config["seed"],
+        }
+        cells = [
+            Cell(f"{name}: targets {first} to {last - 1}",
+                 {**shared, "method": name, "inverse": dict(group), "first": first, "last": last})
             for name, group in self.methods.items()
-            for first in range(0, count, BLOCK)
-        ]
+            for first, last in stretches(task["problems"], BLOCK)
+        ]  # fmt: skip
+        return cells + [
+            Cell(f"region: environments {first} to {last - 1}",
+                 {**shared, "first": first, "last": last})
+            for first, last in stretches(task["environments"], REGIONS)
+        ]  # fmt: skip
 
     def compute(self, cell: Cell) -> list[Row]:
-        """A row for each problem."""
+        """A row for each problem, or each environment."""
         from experiments.inverse_benchmark.compute import solve_block
+        from experiments.inverse_benchmark.region import region_rows
 
-        return solve_block(cell.inputs)
+        return solve_block(cell.inputs) if "method" in cell.inputs else region_rows(cell.inputs)
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
         """The table, beside the paper's."""
         rows: dict[str, list[Row]] = {name: [] for name in self.methods}
+        regions: list[Row] = []
         for one in done.values():
             if one.status == OK:
-                rows[one.cell.inputs["method"]] += one.rows
+                rows.get(str(one.cell.inputs.get("method")), regions).extend(one.rows)
         rows = {name: found for name, found in rows.items() if found}
         table = [summary_row(name, found) for name, found in rows.items()]
         problems = max((len(found) for found in rows.values()), default=0)
@@ -86,10 +88,12 @@ class InverseBenchmark(Study):
                     "a target."
                     for row in table
                 ),
+                *region_findings(regions),
             ],
             tables={
                 "methods": Table("Misses in mm at L = 20 mm", table),
                 "unsolved": Table("Targets that methods with the simulator in them missed", missed),
+                "region": Table("Random targets and what was decided about them", regions),
                 "paper": Table("The paper, judged by its own program", PAPER),
             },
             figures={
@@ -113,10 +117,31 @@ class InverseBenchmark(Study):
             metrics={
                 name: {"solved": float(sum(solved(row) for row in one.rows))}
                 for name, one in done.items()
-                if one.status == OK
+                if one.status == OK and "method" in one.cell.inputs
             },
             blocks={"inverse": readme_block(table, problems)},
         )
+
+
+def stretches(count: int, size: int) -> list[tuple[int, int]]:
+    """Numbers 0 to count - 1 in stretches of so many: first, and the one after the last."""
+    return [(first, min(first + size, count)) for first in range(0, count, size)]
+
+
+def region_findings(regions: list[Row]) -> list[str]:
+    """One sentence, if there are any."""
+    if not regions:
+        return []
+    targets, accepts, rejects = (
+        sum(row[key] for row in regions) for key in ("targets", "false_accepts", "false_rejects")
+    )
+    farthest = max(row["farthest_wrong_bar"] for row in regions)
+    return [
+        f"Achievable region: of {targets} random targets in {len(regions)} environments "
+        f"{100 * accepts / targets:.2g} % are accepted that simulation does not reach, "
+        f"{100 * rejects / targets:.2g} % rejected that it does; those lie within {farthest:.2g} L "
+        "of the simulated boundary."
+    ]
 
 
 def chosen(methods: Any) -> dict[str, Mapping[str, Any]]:
