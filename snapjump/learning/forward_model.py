@@ -50,20 +50,19 @@ class ForwardModel:
     def predict(self, designs: Array) -> Array:
         """Apexes (N, 2)."""
         with torch.inference_mode():
-            return self._asked(self.network, designs)
+            return _joined(self._asked(self.network, designs))
 
     def half_widths(self, designs: Array) -> Array | None:
         """Half widths (N, 2) of intervals that hold 90 % of the apexes; None if it has none."""
         with torch.inference_mode():
-            if self.network.half_widths(torch.empty(0, len(AXES))) is None:
-                return None
-            return self._asked(self.network.half_widths, designs)
+            found = self._asked(self.network.half_widths, designs)
+            return None if found[0] is None else _joined(found)
 
     def jacobian(self, designs: Array) -> Array:
         """Derivatives (N, 2, 4) of the apexes by the design."""
         if not self.network.differentiable:
             return self._differences(self._checked(designs))
-        return self._asked(self._slopes, designs)
+        return _joined(self._asked(self._slopes, designs))
 
     def check_model(self, simulation: Simulation) -> None:
         """Raise ParameterError if a simulation has another physical model than the dataset had.
@@ -83,12 +82,11 @@ class ForwardModel:
             key, ours, theirs = found
             raise ParameterError(key, ours, f"{theirs!r}, which the forward model was trained with")
 
-    def _asked(self, function: Callable[[Tensor], Tensor | None], designs: Array) -> Array:
-        """A function of designs, chunk by chunk, as float64."""
+    def _asked(self, function: Callable[[Tensor], Any], designs: Array) -> list[Any]:
+        """What a function says of designs, chunk by chunk."""
         given = torch.from_numpy(self._checked(designs)).to(self.network.inputs.mean.dtype)
         with torch_threads():
-            found = [function(chunk) for chunk in given.split(CHUNK)]
-        return torch.cat(found).numpy().astype(float)  # type: ignore[arg-type]
+            return [function(chunk) for chunk in given.split(CHUNK)]
 
     def _slopes(self, designs: Tensor) -> Tensor:
         designs = designs.clone().requires_grad_()
@@ -124,6 +122,10 @@ class ForwardModel:
             allowed = f"a number in [{low:g}, {high:g}], where the forward model was trained"
             raise ParameterError(AXES[axis], float(designs[row, axis]), allowed)
         return designs
+
+
+def _joined(chunks: list[Tensor]) -> Array:
+    return torch.cat(chunks).numpy().astype(float)
 
 
 def open_forward_model(path: str | Path) -> ForwardModel:

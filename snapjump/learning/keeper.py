@@ -1,5 +1,6 @@
 """What a training keeps as it goes: curves, the best weights, and all that it needs to go on."""
 
+import math
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -48,7 +49,7 @@ class Keeper(Callback):
         self.best: dict[str, torch.Tensor] = {}
         self.seconds = 0.0
         self._stopped = False
-        self._clock = self._saved = time.perf_counter()
+        self._clock, self._saved = time.perf_counter(), -math.inf
 
     def state_dict(self) -> dict[str, Any]:
         """All of it, in a checkpoint."""
@@ -67,7 +68,7 @@ class Keeper(Callback):
     def on_train_start(self, trainer: Trainer, pl_module: LightningModule) -> None:
         """A training that had already stopped does not go on."""
         trainer.should_stop = self._stopped
-        self._clock = self._saved = time.perf_counter()
+        self._clock = time.perf_counter()
 
     def on_train_epoch_end(self, trainer: Trainer, pl_module: LightningModule) -> None:
         """Add to the curves; keep what is better; save now and then, and at the end."""
@@ -80,7 +81,7 @@ class Keeper(Callback):
         self.curves.append(
             {
                 "epoch": epoch + 1,
-                "train_loss": pl_module.train_loss,
+                "train_loss": pl_module.take_train_loss(),
                 VALIDATION: error,
                 "learning_rate": training.rate(epoch),
                 "batch_size": training.batch_size(epoch),

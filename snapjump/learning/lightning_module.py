@@ -11,12 +11,11 @@ VALIDATION = "validation_mae_bar"
 
 
 class Descent(LightningModule):
-    """``train_loss``: mean over the batches of the last epoch."""
+    """What Lightning trains."""
 
     def __init__(self, network: Surrogate, training: Training):
         super().__init__()
         self.network, self.training_options = network, training
-        self.train_loss = 0.0
         self._losses: list[Tensor] = []
         self._errors: list[Tensor] = []
 
@@ -36,9 +35,11 @@ class Descent(LightningModule):
         self._losses.append(loss.detach())
         return loss
 
-    def on_train_epoch_end(self) -> None:
-        self.train_loss = float(torch.stack(self._losses).mean())
+    def take_train_loss(self) -> float:
+        """Mean over the batches since it was last taken."""
+        loss = float(torch.stack(self._losses).mean())
         self._losses.clear()
+        return loss
 
     def validation_step(self, rows: Rows, batch_idx: int) -> None:
         self._errors.append((self.network(rows.designs) - rows.apexes).abs())

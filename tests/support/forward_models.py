@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import numpy as np
 import torch
 from small_datasets import small
 
@@ -12,24 +13,23 @@ RANGES = [[0.01, 0.19], [0.1, 0.3], [0.3, 2.0], [0.1, 0.6]]
 RESNET = {"name": "resnet", "width": 16, "blocks": 1}
 
 
-def jumps(count: int, seed: int = 0) -> Rows:
-    """Designs in the paper's ranges, and apexes by a smooth made-up law with exact slopes."""
-    unit = torch.rand((count, 4), generator=torch.Generator().manual_seed(seed), dtype=torch.double)
-    low, high = torch.tensor(RANGES, dtype=torch.double).T
-    designs = low + (high - low) * unit
+def law(designs: Any) -> tuple[Any, Any]:
+    """Apexes (N, 2) by a smooth made-up law, and their exact slopes (N, 2, 4)."""
     lag, epsilon, mass, mu = designs.T
-    lean = torch.sin(10.0 * lag) * mu
-    apexes = torch.stack([8.0 * epsilon * lean / mass, 50.0 * epsilon / mass - lean], dim=1)
-    zero, slope = torch.zeros_like(lag), 10.0 * torch.cos(10.0 * lag) * mu
-    x, sine = apexes[:, 0], torch.sin(10.0 * lag)
-    slopes = torch.stack(
-        [
-            torch.stack([8.0 * epsilon * slope / mass, x / epsilon, -x / mass, x / mu], dim=1),
-            torch.stack([-slope, 50.0 / mass, -50.0 * epsilon / mass**2 + zero, -sine], dim=1),
-        ],
-        dim=1,
-    )
-    return Rows(designs.float(), apexes.float(), slopes.float())
+    sine, cosine = np.sin(10.0 * lag), 10.0 * np.cos(10.0 * lag)
+    x = 8.0 * epsilon * sine * mu / mass
+    y = 50.0 * epsilon / mass - sine * mu
+    slopes_x = [8.0 * epsilon * cosine * mu / mass, x / epsilon, -x / mass, x / mu]
+    slopes_y = [-cosine * mu, 50.0 / mass, -50.0 * epsilon / mass**2, -sine]
+    slopes = np.stack([np.stack(slopes_x, axis=1), np.stack(slopes_y, axis=1)], axis=1)
+    return np.stack([x, y], axis=1), slopes
+
+
+def jumps(count: int, seed: int = 0) -> Rows:
+    """Designs in the paper's ranges that jump by the law."""
+    low, high = np.array(RANGES).T
+    designs = low + (high - low) * np.random.default_rng(seed).random((count, 4))
+    return Rows(*(torch.tensor(part, dtype=torch.float32) for part in (designs, *law(designs))))
 
 
 def network(group: dict[str, Any] = RESNET, seed: int = 0) -> Surrogate:

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.dataset.columns import COLUMNS, FLAG, INTEGER, NUMBER, Rows
+from snapjump.dataset.columns import COLUMNS, FLAG, INPUTS, INTEGER, NUMBER, Rows
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.generate import Generation, generate
 from snapjump.dataset.manifest import write_manifest
@@ -89,5 +89,30 @@ def made_up(path: Path, specification: Specification) -> DatasetFolder:
     folder.open(specification)
     for number in range(specification.shards):
         write_shard(folder, specification, number, made_up_rows(specification, number))
+    write_manifest(folder, specification)
+    return folder
+
+
+def smooth_dataset(path: Path, specification: Specification, **columns: Any) -> DatasetFolder:
+    """A complete dataset whose apexes (and slopes, if it has sensitivities) follow a smooth law.
+
+    ``columns``: other values of some columns, the same in every row.
+    """
+    from forward_models import law  # needs torch
+
+    folder = DatasetFolder(path)
+    folder.open(specification)
+    for number in range(specification.shards):
+        rows = dict(made_up_rows(specification, number))
+        apexes, slopes = law(specification.plan.designs(*specification.stretch(number)))
+        rows["status"] = np.full(len(apexes), "ok", dtype=object)
+        rows |= {"x_bar": apexes[:, 0], "y_bar": apexes[:, 1]}
+        for i, apex in enumerate(("x_bar", "y_bar")):
+            for j, name in enumerate(INPUTS):
+                known = slopes[:, i, j] if specification.sensitivities else np.nan
+                rows[f"d{apex}_d_{name}"] = np.full(len(apexes), known)
+        for name, value in columns.items():
+            rows[name] = np.full(len(apexes), value, rows[name].dtype)
+        write_shard(folder, specification, number, rows)
     write_manifest(folder, specification)
     return folder

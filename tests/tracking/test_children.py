@@ -1,12 +1,13 @@
 """Records nested below a job's own, made from the file that the job left."""
 
 import dataclasses
+import math
 from pathlib import Path
 
 from snapjump.files.result_folder import ResultFolder
 from snapjump.tracking.base import Record
 from snapjump.tracking.off import Off
-from snapjump.tracking.tracked import record_folder, write_children
+from snapjump.tracking.tracked import read_curves, record_folder, write_children, write_curves
 
 
 class Memory(Off):
@@ -56,3 +57,21 @@ def test_children_are_recorded_below_their_job_and_once(tmp_path: Path) -> None:
 def test_without_tracking_nothing_is_recorded(tmp_path: Path) -> None:
     assert record_folder(Off(), job(tmp_path), "study", None) == ""
     assert not (tmp_path / "tracking.json").exists()
+
+
+def test_curves_are_recorded_against_their_steps(tmp_path: Path) -> None:
+    store, folder = Memory(), job(tmp_path)
+    rows = [{"epoch": 1, "loss": 0.5, "rate": 1e-3}, {"epoch": 2, "loss": math.nan, "rate": 1e-4}]
+    write_curves(folder, rows)
+    record_folder(store, folder, "training", None)
+    record = store.records["run 0"]
+    assert record.curves == {"loss": [(1, 0.5)], "rate": [(1, 1e-3), (2, 1e-4)]}
+    # They are a result as well.
+    assert "curves.csv" in {file.name for file in record.files}
+    assert "nan" not in (tmp_path / "curves.csv").read_text()
+
+
+def test_without_curves_there_is_no_file(tmp_path: Path) -> None:
+    folder = job(tmp_path)
+    write_curves(folder, [])
+    assert not (tmp_path / "curves.csv").exists() and read_curves(folder) == {}

@@ -1,0 +1,106 @@
+"""Which jumps are learned from, which are not, and in what order."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import torch
+from forward_models import law
+from small_datasets import CONFIG, made_up, small, smooth_dataset
+
+from snapjump.checks import ParameterError
+from snapjump.dataset.read import open_dataset
+from snapjump.learning.data import Batches, JumpData, read_rows, split
+from snapjump.learning.training import Training
+
+WITH_SLOPES: dict[str, Any] = {
+    "friction": {"name": "implicit", "velocity_threshold_m_s": 0.01},
+    "backend": CONFIG["backend"],
+}
+
+
+def test_a_split_is_of_all_rows_and_by_the_seed() -> None:
+    parts = split(1000, Training(test_share=0.2, validation_share=0.1), 3)
+    assert [len(part) for part in parts] == [720, 80, 200]
+    assert sorted(np.concatenate(parts)) == list(range(1000))
+    again = split(1000, Training(test_share=0.2, validation_share=0.1), 3)
+    assert all(np.array_equal(one, other) for one, other in zip(parts, again, strict=True))
+    other = split(1000, Training(), 4)
+    assert set(other.test) != set(parts.test)
+
+
+def test_fewer_rows_have_the_same_test_set() -> None:
+    whole, some = split(1000, Training(), 0), split(1000, Training(rows=300), 0)
+    assert np.array_equal(whole.test, some.test)
+    assert [len(some.train), len(some.validation)] == [270, 30]
+    more = split(1000, Training(rows=600), 0)
+    # Those of the smaller one are among those of the larger: curves against size are of one path.
+    assert {*some.train, *some.validation} <= {*more.train, *more.validation}
+    assert len(split(1000, Training(rows=800), 0).train) == len(whole.train)
+
+
+@pytest.mark.parametrize(
+    ("count", "training", "key"),
+    [
+        (49, Training(), "dataset.path"),
+        (100, Training(validation_share=0.01), "dataset.path"),
+        (1000, Training(rows=801), "training.rows"),
+        (1000, Training(rows=94), "training.rows"),
+    ],
+)
+def test_splits_that_there_are_not(count: int, training: Training, key: str) -> None:
+    with pytest.raises(ParameterError) as caught:
+        split(count, training, 0)
+    assert caught.value.key == key
+
+
+def test_the_rows_are_the_dataset_s(data: Callable[..., JumpData]) -> None:
+    found = data()
+    assert [len(part.designs) for part in (found.train, found.validation, found.test)] == [
+        288,
+        32,
+        80,
+    ]
+    for part in (found.train, found.validation, found.test):
+        apexes, _ = law(part.designs.double().numpy())
+        assert np.allclose(part.apexes.numpy(), apexes, rtol=1e-5, atol=1e-5)
+        assert torch.isnan(part.slopes).all() and part.slopes.shape == (len(apexes), 2, 4)
+
+
+def test_batches_are_all_rows_once_in_an_order_of_seed_and_epoch(
+    data: Callable[..., JumpData],
+) -> None:
+    found = data()
+    batches = found.train_dataloader()
+    assert isinstance(batches, Batches) and len(batches) == len(list(batches)) == 18
+    first = torch.cat([rows.designs for rows in batches])
+    again = torch.cat([rows.designs for rows in found.train_dataloader()])
+    assert torch.equal(first, again) and not torch.equal(first, found.train.designs)
+    assert torch.equal(first.sort(dim=0).values, found.train.designs.sort(dim=0).values)
+    other = torch.cat([rows.designs for rows in Batches(found.train, 16, (0, 1))])
+    assert not torch.equal(first, other)
+    for rows in batches:
+        apexes, _ = law(rows.designs.double().numpy())
+        assert np.allclose(rows.apexes.numpy(), apexes, rtol=1e-5, atol=1e-5)
+
+
+def test_slopes_of_a_dataset_that_has_them(tmp_path: Path) -> None:
+    smooth_dataset(tmp_path, small(60, 60, sensitivities=True, **WITH_SLOPES))
+    rows = read_rows(open_dataset(tmp_path))
+    _, slopes = law(rows.designs.double().numpy())
+    assert np.allclose(rows.slopes.numpy(), slopes, rtol=1e-4, atol=1e-4)
+
+
+def test_jumps_that_failed_are_left_out(tmp_path: Path) -> None:
+    made_up(tmp_path, small(100, 50))
+    rows = read_rows(open_dataset(tmp_path))
+    assert len(rows.designs) == 90 and torch.isfinite(rows.apexes).all()
+
+
+def test_a_dataset_without_a_jump_is_refused(tmp_path: Path) -> None:
+    nan = {"x_bar": np.nan, "y_bar": np.nan}
+    smooth_dataset(tmp_path, small(60, 60), status="step_underflow", **nan)
+    with pytest.raises(ParameterError, match=r"dataset\.path.*status is ok"):
+        JumpData(open_dataset(tmp_path), Training(), 0)

@@ -1,0 +1,151 @@
+"""Descent: it learns, stops early, goes on after a kill to the same bits, and tells of NaN."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import torch
+from forward_models import RESNET
+
+from snapjump.learning import keeper
+from snapjump.learning.data import JumpData
+from snapjump.learning.fit import STATE, Fitted, descend
+from snapjump.members import make_member
+from snapjump.surrogate.base import Surrogate
+
+Data = Callable[..., JumpData]
+
+
+class Killed(BaseException):
+    """What ends a process between two epochs."""
+
+
+def nothing(share: float, text: str) -> None:
+    """No progress."""
+
+
+def network(data: JumpData) -> Surrogate:
+    torch.manual_seed(0)
+    made: Surrogate = make_member("surrogate", RESNET).network()
+    made.fit(data.train)
+    return made
+
+
+def fitted(data: JumpData, folder: Path, progress=nothing) -> tuple[Surrogate, Fitted]:
+    made = network(data)
+    folder.mkdir(exist_ok=True)
+    return made, descend(made, data, folder, progress)
+
+
+def equal(one: Surrogate, other: Surrogate) -> bool:
+    theirs = other.state_dict()
+    return all(torch.equal(values, theirs[name]) for name, values in one.state_dict().items())
+
+
+@pytest.fixture
+def every_epoch(monkeypatch: pytest.MonkeyPatch) -> None:
+    """States are saved after each epoch."""
+    monkeypatch.setattr(keeper, "SAVE_EVERY_S", 0.0)
+
+
+def test_it_learns_and_says_how_far_it_is(data: Data, tmp_path: Path) -> None:
+    told: list[tuple[float, str]] = []
+    found = data(epochs=20, patience=20, learning_rate=0.01)
+    _, fit = fitted(found, tmp_path, lambda share, text: told.append((share, text)))
+    errors = [row["validation_mae_bar"] for row in fit.curves]
+    losses = [row["train_loss"] for row in fit.curves]
+    assert errors[-1] < 0.2 * errors[0] and losses[-1] < 0.2 * losses[0]
+    assert [row["epoch"] for row in fit.curves] == list(range(1, 21))
+    assert [row["batch_size"] for row in fit.curves] == [16] * 7 + [32] * 7 + [64] * 6
+    assert fit.curves[0]["learning_rate"] == found.training.rate(0)
+    assert [share for share, _ in told] == [pytest.approx(n / 20) for n in range(1, 21)]
+    assert told[0][1].startswith("epoch 1, validation MAE") and fit.seconds > 0.0
+
+
+def test_what_is_kept_are_the_best_weights(
+    data: Data, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = data(epochs=6)
+    monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 1e-3 * 4.0**epoch)
+    made, fit = fitted(found, tmp_path)
+    errors = [row["validation_mae_bar"] for row in fit.curves]
+    with torch.no_grad():
+        error = (made(found.validation.designs) - found.validation.apexes).abs().mean()
+    assert float(error) == pytest.approx(min(errors), rel=1e-5)
+    assert min(errors) < 0.9 * errors[-1]  # or it would be no test
+
+
+def test_it_stops_when_nothing_becomes_better(
+    data: Data, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = data(epochs=50, patience=3)
+    monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 0.0)
+    _, fit = fitted(found, tmp_path)
+    assert len(fit.curves) == 4
+
+
+@pytest.mark.parametrize("after", [1, 2, 5])
+def test_a_training_that_was_killed_goes_on_to_the_same_bits(
+    data: Data, tmp_path: Path, every_epoch: None, after: int
+) -> None:
+    whole, expected = fitted(data(), tmp_path / "whole")
+    epochs: list[str] = []
+
+    def dies(share: float, text: str) -> None:
+        epochs.append(text)
+        if len(epochs) == after:
+            raise Killed
+
+    with pytest.raises(Killed):
+        fitted(data(), tmp_path / "killed", dies)
+    resumed, fit = fitted(data(), tmp_path / "killed", lambda share, text: epochs.append(text))
+    assert len(epochs) == 6  # none of them twice
+    assert equal(resumed, whole)
+    assert fit.curves == expected.curves
+
+
+def test_a_training_that_had_ended_is_not_gone_on_with(
+    data: Data, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = data(epochs=50, patience=2)
+    monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 0.0)
+    for _ in range(2):
+        _, fit = fitted(found, tmp_path)
+        assert len(fit.curves) == 3
+    complete = data()
+    for _ in range(2):
+        _, fit = fitted(complete, tmp_path / "complete")
+        assert len(fit.curves) == 6
+
+
+def test_a_state_that_is_damaged_is_begun_anew(data: Data, tmp_path: Path) -> None:
+    whole, _ = fitted(data(), tmp_path)
+    (tmp_path / STATE).write_bytes((tmp_path / STATE).read_bytes()[:1000])
+    again, fit = fitted(data(), tmp_path)
+    assert equal(again, whole) and len(fit.curves) == 6
+
+
+def test_ctrl_c_is_not_swallowed(data: Data, tmp_path: Path) -> None:
+    def interrupts(share: float, text: str) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        fitted(data(), tmp_path, interrupts)
+
+
+def test_a_loss_that_is_no_number_is_told(data: Data, tmp_path: Path) -> None:
+    found = data()
+    made = network(found)
+    made.loss = lambda rows: torch.nan * made(rows.designs).sum()  # type: ignore[method-assign]
+    with pytest.raises(FloatingPointError, match=r"nan after epoch 1.*learning_rate"):
+        descend(made, found, tmp_path, nothing)
+
+
+def test_torch_has_its_threads_back(data: Data, tmp_path: Path) -> None:
+    before = torch.get_num_threads()
+    torch.set_num_threads(2)
+    try:
+        fitted(data(epochs=1), tmp_path)
+        assert torch.get_num_threads() == 2
+    finally:
+        torch.set_num_threads(before)

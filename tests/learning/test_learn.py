@@ -1,0 +1,99 @@
+"""From a dataset to a checkpoint: what it says, and that nothing is trained twice."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from forward_models import RANGES, RESNET
+from small_datasets import CONFIG, small, smooth_dataset
+
+from snapjump.checks import ParameterError
+from snapjump.dataset.read import open_dataset
+from snapjump.learning.data import JumpData
+from snapjump.learning.forward_model import open_forward_model
+from snapjump.learning.learn import CURVES, FORWARD_MODEL, check_slopes, learn
+from snapjump.learning.training import Training
+from snapjump.members import make_member, member_class
+
+Data = Callable[..., JumpData]
+OPTIONS = make_member("surrogate", RESNET)
+
+
+def silent(share: float, text: str) -> None:
+    """No progress."""
+
+
+def refuse(share: float, text: str) -> None:
+    raise AssertionError("trained again")
+
+
+def test_what_a_checkpoint_says(data: Data, tmp_path: Path) -> None:
+    found = data()
+    learned = learn(found, OPTIONS, silent, {"seed": 0}, tmp_path)
+    model = open_forward_model(learned.file)
+    about = model.about
+    assert about == learned.about and about["surrogate"] == RESNET
+    assert about["dataset"]["sha256"] == about["dataset_sha256"] == found.dataset.sha256
+    assert about["dataset"]["specification"] == found.dataset.specification
+    assert np.array_equal(model.ranges, RANGES) and about["seed"] == 0
+    assert about["training"]["epochs"] == about["epochs"] == len(learned.curves) == 6
+    assert [about[f"rows_{part}"] for part in ("train", "validation", "test")] == [288, 32, 80]
+    assert about["parameters"] == 4 * 16 + 16 + 2 * (16 * 16 + 16) + 16 * 2 + 2
+    assert about["configuration"] == {"seed": 0} and "torch" in about["origin"]["versions"]
+    off = np.abs(model.predict(found.test.designs.double().numpy()) - found.test.apexes.numpy())
+    assert about["measures"]["mae_bar"] == pytest.approx(off.mean(), rel=1e-4)
+
+
+def test_nothing_is_trained_twice_and_what_is_damaged_is(data: Data, tmp_path: Path) -> None:
+    first = learn(data(), OPTIONS, silent, None, tmp_path)
+    again = learn(data(), OPTIONS, refuse, None, tmp_path)
+    assert not first.kept and again.kept
+    assert again.file == first.file and again.curves == first.curves
+    assert {f.name for f in first.file.parent.iterdir()} == {".lock", FORWARD_MODEL, CURVES}
+    content = first.file.read_bytes()
+    first.file.write_bytes(content[:-1])
+    assert not learn(data(), OPTIONS, silent, None, tmp_path).kept
+    changes: list[dict[str, Any]] = [{"seed": 1}, {"epochs": 5}, {"rows": 200}]
+    files = {learn(data(**change), OPTIONS, silent, None, tmp_path).file for change in changes}
+    assert len({*files, first.file}) == 4
+
+
+def test_what_needs_no_descent(data: Data, tmp_path: Path) -> None:
+    learned = learn(data(), member_class("surrogate", "rbf")(), silent, None, tmp_path)
+    assert learned.curves == [] and learned.about["epochs"] == 0
+    model = open_forward_model(learned.file)
+    found = data()
+    designs = found.test.designs.double().numpy()
+    assert np.abs(model.predict(designs) - found.test.apexes.numpy()).mean() < 0.1
+    assert model.jacobian(designs[:3]).shape == (3, 2, 4)
+
+
+def test_intervals_come_from_the_validation_set(data: Data, tmp_path: Path) -> None:
+    options = member_class("surrogate", "ensemble")(members=3, width=8, blocks=1)
+    learned = learn(data(), options, silent, None, tmp_path)
+    measured = learned.about["measures"]
+    assert 0.7 < measured["coverage"] <= 1.0 and measured["half_width_bar"] > 0.0
+    half_widths = open_forward_model(learned.file).half_widths(data().test.designs.numpy())
+    assert half_widths is not None and half_widths.mean() == pytest.approx(
+        measured["half_width_bar"], rel=1e-4
+    )
+
+
+def test_slopes_must_be_there_for_what_needs_them(data: Data, tmp_path: Path) -> None:
+    options = member_class("surrogate", "gradient_mlp")(width=8, layers=1)
+    with pytest.raises(ParameterError) as caught:
+        check_slopes(options, data())
+    assert caught.value.key == "dataset.path" and caught.value.value in str(caught.value)
+    assert "dataset.sensitivities=true friction.velocity_threshold_m_s=0.01" in str(caught.value)
+    friction = {"name": "implicit", "velocity_threshold_m_s": 0.01}
+    specification = small(100, 100, sensitivities=True, friction=friction, **_backend())
+    smooth_dataset(tmp_path / "slopes", specification)
+    training = Training(epochs=2, batch_first=16, batch_last=16, validation_share=0.2)
+    with_slopes = JumpData(open_dataset(tmp_path / "slopes"), training, 0)
+    assert len(learn(with_slopes, options, silent, None, tmp_path).curves) == 2
+
+
+def _backend() -> dict[str, Any]:
+    return {"backend": CONFIG["backend"]}

@@ -1,0 +1,44 @@
+"""Slopes in the loss: what they add, and what is left out."""
+
+import torch
+from forward_models import jumps
+
+from snapjump.surrogate.gradient_mlp import GradientMlp
+
+
+def network(slope_weight: float) -> GradientMlp:
+    torch.manual_seed(0)
+    made = GradientMlp(width=8, layers=2, slope_weight=slope_weight)
+    made.fit(jumps(100))
+    return made
+
+
+def test_its_loss_is_the_error_of_values_and_of_slopes() -> None:
+    rows, made = jumps(20), network(0.5)
+    designs = rows.designs.clone().requires_grad_()
+    apexes = made(designs)
+    values = ((apexes - rows.apexes) / rows_std(100)).abs().mean()
+    jacobian = torch.func.vmap(torch.func.jacrev(lambda one: made(one[None])[0]))(rows.designs)
+    strides = jumps(100).designs.std(dim=0)
+    slopes = ((jacobian - rows.slopes) * strides / rows_std(100)[:, None]).abs().mean()
+    assert torch.allclose(made.loss(rows), values + 0.5 * slopes, rtol=1e-4)
+
+
+def rows_std(count: int) -> torch.Tensor:
+    return jumps(count).apexes.std(dim=0)
+
+
+def test_slopes_that_are_not_known_do_not_count() -> None:
+    rows, made = jumps(20), network(0.5)
+    some = rows.slopes.clone()
+    some[::2] = torch.nan
+    half = rows._replace(slopes=some)
+    odd = type(rows)(*(values[1::2] for values in rows))
+    loss = made.loss(half)
+    loss.backward()
+    assert all(torch.isfinite(values.grad).all() for values in made.parameters())
+    of_values = network(0.0).loss
+    expected = of_values(rows) + made.loss(odd) - of_values(odd)
+    assert torch.allclose(loss, expected, rtol=1e-4)
+    none = rows._replace(slopes=torch.full_like(some, torch.nan))
+    assert torch.allclose(made.loss(none), of_values(rows))

@@ -1,0 +1,46 @@
+"""``task=export``: the file it leaves, and checkpoints that are refused."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from forward_models import about, network
+
+from snapjump.checks import ParameterError
+from snapjump.learning.checkpoint import write_checkpoint
+from snapjump.tasks.export import Export
+
+RBF = {"name": "rbf", "neighbours": 20, "kernel": "cubic", "smoothing": 0.0}
+
+
+def test_a_forward_model_becomes_onnx(command, tmp_path: Path) -> None:
+    write_checkpoint(tmp_path / "model.safetensors", network(), about())
+    done = command("task=export", "checkpoint=model.safetensors", "tracking=off")
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == "" or "Warning" not in done.stderr
+    (file,) = tmp_path.glob("outputs/20*/*/result.json")
+    result = json.loads(file.read_text())
+    assert 0.0 <= result["max_difference"] < 1e-5
+    assert result["onnx_us"] > 0.0 and result["torch_us"] > 0.0
+    assert (file.parent / "forward_model.onnx").stat().st_size > 1000
+    assert "us with onnxruntime" in done.stdout and "forward_model.onnx" in done.stdout
+
+
+@pytest.mark.parametrize("value", [None, "", 3, "none.safetensors", "text.safetensors"])
+def test_checkpoints_that_are_none(
+    value: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "text.safetensors").write_text("a text")
+    with pytest.raises(ParameterError) as caught:
+        Export().prepare({"checkpoint": value, "seed": 0})
+    assert caught.value.key == "checkpoint" and caught.value.value == value
+    assert "\n" not in str(caught.value)
+
+
+def test_what_is_no_network(tmp_path: Path) -> None:
+    path = str(tmp_path / "model.safetensors")
+    write_checkpoint(Path(path), network(RBF), about(RBF))
+    with pytest.raises(ParameterError, match="rbf"):
+        Export().prepare({"checkpoint": path, "seed": 0})
