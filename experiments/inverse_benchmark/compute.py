@@ -2,7 +2,6 @@
 
 import time
 from collections.abc import Mapping
-from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -17,42 +16,44 @@ from snapjump.learning.forward_model import ForwardModel, open_forward_model
 from snapjump.members import make_member
 from snapjump.studies.base import Row
 from snapjump.targets.simulator import JumpSimulator
+from snapjump.targets.warm_up import warm_up
 
 opened = cache(open_forward_model)
 
 
 def solve_block(inputs: Mapping[str, Any]) -> list[Row]:
-    """A row for each problem of a cell: misses in mm at both tiers, time, simulations."""
-    forward = opened(inputs["checkpoint"])
-    base = composed(inputs["groups"])
+    """A row for each problem of a cell: misses in mm, time, simulations.
+
+    Misses are judged at the tier of the run (``own``), at standard and at reference.
+    """
+    forward, base = opened(inputs["checkpoint"]), composed(inputs["groups"])
     first, last = inputs["first"], inputs["last"]
     problems = make_problems(base, forward.ranges, inputs["seed"], first, last)
     method = make_member("inverse", inputs["inverse"])
-    simulators = {tier: JumpSimulator(base).at(tier) for tier in TIERS}
-    # Kernels are loaded before the clock starts.
-    for simulator in simulators.values():
-        simulator.apexes(problems.hidden[:1])
+    warm_up(base, forward, method)
+    at_reference = inputs["inverse"].get("finishing") == "reference"
     rows = []
-    for k in range(last - first):
-        problem = make_problem(problems.targets[k], problems.hidden[k], forward, base, first + k)
-        method.solve(problem) if k == 0 else None
-        simulator = JumpSimulator(base)
-        problem = replace(problem, simulator=simulator)
+    for k, (target, hidden) in enumerate(zip(problems.targets, problems.hidden, strict=True)):
+        problem = make_problem(target, hidden, forward, base, first + k)
         begun = time.perf_counter()
         solution = method.solve(problem)[0]
         seconds = time.perf_counter() - begun
-        rows.append(row(problems.hidden[k], problem, solution, forward, seconds))
-        rows[-1] |= {
-            "problem": first + k,
-            "simulations": simulator.simulations,
-            "finished_at": "reference" if inputs["inverse"].get("finishing") == "reference"
-            else "standard",
-        }  # fmt: skip
+        rows.append(
+            {
+                "problem": first + k,
+                **answered(hidden, problem, solution, forward),
+                "seconds": seconds,
+                "simulations": problem.simulator.simulations,
+                "finished_at": "reference" if at_reference else "own",
+            }
+        )
     designs = np.array([[r["delta_alpha_rad"], r["epsilon"], r["mass_bar"], r["mu"]] for r in rows])
-    for tier, simulator in simulators.items():
+    judge = JumpSimulator(base)
+    for tier in ("own", *TIERS):
+        simulator = judge if tier == "own" else judge.at(tier)
         misses = np.hypot(*(simulator.apexes(designs) - problems.targets).T) * LENGTH_MM
-        for one, miss in zip(rows, misses, strict=True):
-            one[f"miss_{tier}_mm"] = float(miss) if np.isfinite(miss) else None
+        for row, miss in zip(rows, misses, strict=True):
+            row[f"miss_{tier}_mm"] = float(miss) if np.isfinite(miss) else None
     return rows
 
 
@@ -73,9 +74,7 @@ def make_problem(
     )
 
 
-def row(
-    hidden: Array, problem: Problem, solution: Solution, forward: ForwardModel, seconds: float
-) -> Row:
+def answered(hidden: Array, problem: Problem, solution: Solution, forward: ForwardModel) -> Row:
     """What was asked, what was found, and what the forward model says of it."""
     delta_alpha, epsilon = (float(value) for value in solution.controls)
     predicted = forward.predict(problem.designs(solution.controls[None]))[0]
@@ -90,5 +89,4 @@ def row(
         "epsilon": epsilon,
         "predicted_x_bar": float(predicted[0]),
         "predicted_y_bar": float(predicted[1]),
-        "seconds": seconds,
     }

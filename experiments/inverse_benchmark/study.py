@@ -25,10 +25,9 @@ class InverseBenchmark(Study):
     sources = ("experiments.inverse_benchmark.compute", "experiments.inverse_benchmark.region")
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
-        """Each method on each ten problems."""
-        from snapjump.learning.trained import checkpoint_path
-
+        """Each method on each ten problems, and the regions of the environments."""
         from snapjump.learning.forward_model import open_forward_model
+        from snapjump.targets.request import checkpoint_path
 
         task = config["task"]
         check_integer("task.problems", task["problems"], 1, 100_000)
