@@ -123,8 +123,11 @@ class InverseOptions:
 class InverseMethod(Protocol):
     """What a member's module calls ``MEMBER``: its options, and what it does."""
 
-    robust: bool
     needs_forward: ClassVar[bool]
+
+    @property
+    def robust(self) -> bool:
+        """Whether its solutions are starts for a robust design."""
 
     def solve(self, problem: Problem) -> list[Solution]:
         """All solutions that were found, the best first; at least one, however large its miss."""

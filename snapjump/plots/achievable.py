@@ -46,8 +46,12 @@ def tell(axes: Any, place: Any, text: str, colour: str, shift: tuple[int, int]) 
 def compound(outline: Any) -> Any:
     """A geometry, holes and all, as a path of matplotlib."""
     from matplotlib.path import Path
+    from shapely.geometry.polygon import orient
 
-    parts = [part for part in getattr(outline, "geoms", [outline]) if part.geom_type == "Polygon"]
+    # Holes are what runs the other way round.
+    parts = [
+        orient(part) for part in getattr(outline, "geoms", [outline]) if part.geom_type == "Polygon"
+    ]
     rings = [ring for part in parts for ring in (part.exterior, *part.interiors)]
     return Path.make_compound_path(*[Path(np.asarray(ring.coords), closed=True) for ring in rings])
 
@@ -59,11 +63,14 @@ def draw_map(
     region: "AchievableRegion",
 ) -> None:
     """Predicted distance from the target over the controls, with every solution."""
+    from matplotlib.colors import PowerNorm
+    from matplotlib.ticker import MultipleLocator
+
     axes = figure.add_axes(place)
     misses = np.hypot(*np.moveaxis(region.apexes - designed.problem.target, -1, 0))
     lag, epsilon = region.controls[:, 0, 0], region.controls[0, :, 1]
     shown = axes.pcolormesh(
-        lag, epsilon, misses.T, cmap="viridis_r", shading="gouraud", rasterized=True
+        lag, epsilon, misses.T, cmap="viridis_r", norm=PowerNorm(0.5), shading="gouraud"
     )
     left, bottom, width, height = place
     bar = figure.colorbar(shown, cax=figure.add_axes((left + width + 0.008, bottom, 0.01, height)))
@@ -82,6 +89,7 @@ def draw_map(
         zorder=9,
     )  # fmt: skip
     axes.set(xlabel=LABELS[0], ylabel=LABELS[1])
+    axes.xaxis.set_major_locator(MultipleLocator(0.05))
     axes.legend(
         loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2, borderaxespad=0.2, borderpad=0.0,
         handlelength=1.2, columnspacing=1.2,

@@ -30,11 +30,11 @@ def inverse_picture(designed: "Designed", region: "AchievableRegion | None", pat
         axes = figure.add_axes((0.05, top - size, 0.36, size))
         if region is not None:
             draw_region(axes, region)
-            draw_map(figure, (0.475, top - size, 0.235, size), designed, region)
+            draw_map(figure, (0.475, top - size, 0.22, size), designed, region)
         motion = read_motion(designed.jump)
         if motion is not None and motion.centre is not None:
             draw_path(axes, designed, motion)
-            flight = figure.add_axes((0.79, top - size, 0.2, size))
+            flight = figure.add_axes((0.8, top - size, 0.19, size))
             draw_trajectory(
                 flight, motion, since_start(designed.jump, "apex_time_s"), apex_of(designed.jump)
             )

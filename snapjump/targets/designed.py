@@ -70,6 +70,7 @@ class Designed:
             found[f"one_percent_{name}_bar"] = cost if known else None
             found[f"one_percent_{name}_m"] = cost * length_m if known else None
         if self.robust is not None:
+            found["robust_seconds"] = self.robust.seconds
             found |= controls("plain_", self.robust.plain)
             found |= spread("plain", self.robust.plain_scatter)
             found |= spread("robust", self.robust.robust_scatter)

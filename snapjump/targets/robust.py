@@ -1,5 +1,6 @@
 """Robust designs: the least expected miss when no parameter is quite what it should be."""
 
+import time
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -52,8 +53,10 @@ class Scatter:
 
 @dataclass(frozen=True)
 class Comparison:
-    """A design that allows for the tolerances beside one that only aims."""
+    """A design that allows for the tolerances, and the seconds that it took, beside one that only
+    aims."""
 
+    seconds: float
     robust: Solution
     robust_scatter: Scatter
     plain: Solution
@@ -64,12 +67,14 @@ def compare(
     problem: Problem, forward: ForwardModel, tolerance: Tolerance, solutions: list[Solution]
 ) -> Comparison:
     """The robust design that solutions lead to, beside the first of these."""
+    begun = time.perf_counter()
     robust = robust_solution(problem, forward, tolerance, solutions)
+    seconds = time.perf_counter() - begun
     scatters = [
         scatter(problem, forward, tolerance, solution.controls)
         for solution in (robust, solutions[0])
     ]
-    return Comparison(robust, scatters[0], solutions[0], scatters[1])
+    return Comparison(seconds, robust, scatters[0], solutions[0], scatters[1])
 
 
 def sobol_points(count: int, seed: int) -> Array:

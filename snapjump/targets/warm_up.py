@@ -4,18 +4,21 @@ import numpy as np
 
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
-from snapjump.inverse.base import ForwardModel, InverseMethod
+from snapjump.inverse.base import ForwardModel, InverseMethod, Problem
+from snapjump.inverse.gauss_newton import GaussNewtonOptions
+from snapjump.targets.answer import answer
 from snapjump.targets.simulator import LANES, JumpSimulator
 
 
 def warm_up(base: Simulation, forward: ForwardModel, method: InverseMethod) -> None:
-    """Do it before a search is timed; what the method does not ask is left alone."""
+    """Do it before a search is timed; a method that asks the forward model alone needs no jumps."""
     middle = np.mean(forward.ranges, axis=1)[None, :]
-    forward.predict(middle)
-    forward.jacobian(middle)
+    simulator = JumpSimulator(base)
+    low, high = np.array(forward.ranges[:2]).T
+    target, (mass_bar, mu) = forward.predict(middle)[0], middle[0, 2:].tolist()
+    answer(Problem(target, mass_bar, mu, low, high, forward, simulator), GaussNewtonOptions())
     if method.needs_forward:
         return
-    simulator = JumpSimulator(base)
     simulator.apexes(middle)
     simulator.apexes(np.repeat(middle, LANES, axis=0))
     try:

@@ -33,6 +33,7 @@ def inverse_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> lis
         ("error", length(summary["error_bar"], length_mm)),
         ("1 % of", costs(summary, length_mm)),
         ("others", others(summary)),
+        ("plain", controls(summary, "plain_")),
         ("robust", robust(summary, length_mm)),
         ("accuracy", accuracy_line(config, summary)),
         ("cost", cost(summary)),
@@ -55,8 +56,11 @@ def point(summary: Mapping[str, Any], name: str, length_mm: float | None = None)
 
 
 def controls(summary: Mapping[str, Any], prefix: str) -> str:
-    """A design, to what a machine could set."""
-    delta_alpha, epsilon = summary[f"{prefix}delta_alpha_rad"], summary[f"{prefix}epsilon"]
+    """A design, to what a machine could set; nothing where there is none."""
+    delta_alpha = summary.get(f"{prefix}delta_alpha_rad")
+    epsilon = summary.get(f"{prefix}epsilon")
+    if delta_alpha is None or epsilon is None:
+        return ""
     return f"delta_alpha {delta_alpha:.6g} rad, epsilon {epsilon:.6g}"
 
 
@@ -88,5 +92,8 @@ def robust(summary: Mapping[str, Any], length_mm: float) -> str:
 
 
 def cost(summary: Mapping[str, Any]) -> str:
-    """Time and simulations of the search."""
-    return f"{summary['solve_seconds']:.3g} s, {summary['simulations']} simulations to solve"
+    """Time and simulations of the search, and time of the robust design."""
+    seconds, simulations = summary["solve_seconds"], summary["simulations"]
+    search = f"{1e3 * seconds:.3g} ms and {simulations} simulations for the search"
+    more = summary.get("robust_seconds")
+    return search if more is None else f"{search}, {more:.2g} s for the robust design"

@@ -1,0 +1,78 @@
+"""inverse.png: with and without a forward model, of several solutions, robust, out of reach."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from made_up_maps import MadeUpModel, folded, problem
+from PIL import Image
+
+from snapjump.inverse.base import Solution
+from snapjump.inverse.gauss_newton import GaussNewtonOptions
+from snapjump.plots import palette
+from snapjump.plots.achievable import compound
+from snapjump.plots.inverse import inverse_picture
+from snapjump.results import Result
+from snapjump.targets.answer import Answer, answer
+from snapjump.targets.designed import Designed
+from snapjump.targets.region import AchievableRegion
+from snapjump.targets.robust import Tolerance, compare
+
+MODEL = MadeUpModel(folded)
+TARGET = folded(np.array([[0.06, 0.2, 1.0, 0.3]]))[0]
+
+
+@pytest.fixture
+def flight(jump: Any) -> Any:
+    """The made-up jump as a result."""
+    return Result(jump.status, "", jump.summary, jump.arrays, jump.simulation)
+
+
+def drawn(designed: Designed, region: AchievableRegion | None, folder: Path) -> np.ndarray:
+    path = inverse_picture(designed, region, folder / "inverse.png")
+    return np.asarray(Image.open(path).convert("RGB"))
+
+
+def has(picture: np.ndarray, colour: str, least: int = 40) -> bool:
+    return int((picture == palette.rgb(colour)).all(axis=2).sum()) > least
+
+
+@pytest.mark.parametrize("target", [TARGET, TARGET + 30.0])
+def test_region_solutions_and_flight(flight: Any, tmp_path: Path, target: Any) -> None:
+    given = problem(target, MODEL)
+    found = answer(given, GaussNewtonOptions())
+    designed = Designed(given, found, found.solutions[0], np.zeros(4), flight, None)
+    picture = drawn(designed, AchievableRegion.of(given, MODEL), tmp_path)
+    for colour in (palette.BEAM, palette.PLUM, palette.CENTRE, palette.FORCE, palette.INK):
+        assert has(picture, colour)
+    assert not has(picture, palette.CLAMP)
+
+
+def test_a_robust_design_has_clouds(flight: Any, tmp_path: Path) -> None:
+    given = problem(TARGET, MODEL)
+    found = answer(given, GaussNewtonOptions())
+    robust = compare(given, MODEL, Tolerance(), found.solutions)
+    designed = Designed(given, found, robust.robust, np.zeros(4), flight, robust)
+    picture = drawn(designed, AchievableRegion.of(given, MODEL), tmp_path)
+    assert has(picture, palette.CLAMP)
+    assert picture.shape[0] > 1000
+
+
+def test_without_a_forward_model(flight: Any, tmp_path: Path) -> None:
+    found = Answer(True, [Solution(np.array([0.1, 0.2]), TARGET, True)], 1.0, 60)
+    designed = Designed(problem(TARGET), found, found.solutions[0], np.zeros(4), flight, None)
+    picture = drawn(designed, None, tmp_path)
+    assert has(picture, palette.CENTRE) and not has(picture, palette.PLUM)
+
+
+def test_holes_run_the_other_way_round() -> None:
+    """Then they are not filled, and the areas within all rings add up to that of the geometry."""
+    import shapely
+
+    ring = shapely.Point(0.0, 0.0).buffer(2.0).difference(shapely.Point(0.0, 0.0).buffer(1.0))
+    geometry = shapely.union(ring, shapely.box(5.0, 5.0, 6.0, 6.0))
+    rings = compound(geometry).to_polygons()
+    assert len(rings) == 3
+    signed = [0.5 * np.sum(x[:-1] * y[1:] - x[1:] * y[:-1]) for x, y in (r.T for r in rings)]
+    assert sum(signed) == pytest.approx(geometry.area) and min(signed) < 0.0

@@ -1,0 +1,71 @@
+"""The achievable region against one whose shape is known in closed form."""
+
+import numpy as np
+import pytest
+from made_up_maps import HEIGHT, SLOPE, MadeUpModel, folded, problem
+
+from snapjump.targets.region import AchievableRegion
+
+RANDOM = np.random.default_rng(3)
+LOW, HIGH = 0.1 * HEIGHT, 0.3 * HEIGHT  # of y at m_bar = 1
+LEFT, RIGHT = 0.01 * SLOPE, 0.19 * SLOPE  # of x / y
+
+
+def region(points: int = 21, model: MadeUpModel | None = None) -> AchievableRegion:
+    model = model or MadeUpModel()
+    return AchievableRegion.of(problem([5.0, 10.0], model), model, points)
+
+
+def inside(targets: np.ndarray) -> np.ndarray:
+    """The trapezoid between two heights and two lines through the origin."""
+    x, y = targets.T
+    return (y >= LOW) & (y <= HIGH) & (x >= LEFT * y) & (x <= RIGHT * y)
+
+
+@pytest.mark.parametrize("points", [2, 5, 21])
+def test_targets_within_a_trapezoid(points: int) -> None:
+    targets = RANDOM.uniform([-2.0, 0.0], [16.0, 25.0], (2000, 2))
+    assert 300 < inside(targets).sum() < 1700
+    np.testing.assert_array_equal(region(points).contains(targets), inside(targets))
+
+
+def test_its_boundary_belongs_to_it() -> None:
+    found = region()
+    corners = found.apexes[[0, 0, -1, -1], [0, -1, 0, -1]]
+    np.testing.assert_allclose(corners[0], [LEFT * LOW, LOW])
+    assert found.contains(corners).all()
+
+
+def test_its_area() -> None:
+    area = 0.5 * (RIGHT - LEFT) * (HIGH**2 - LOW**2)
+    assert region().outline().area == pytest.approx(area, rel=1e-9)
+
+
+def test_the_nearest_apex_and_its_design() -> None:
+    found = region()
+    # Above: straight down. To the right: at a right angle to the line through the origin.
+    controls, apex = found.nearest(np.array([5.0, HIGH + 3.0]))
+    np.testing.assert_allclose(apex, [5.0, HIGH], atol=1e-9)
+    np.testing.assert_allclose(controls, [5.0 / HIGH / SLOPE, 0.3], atol=1e-9)
+    along = np.array([RIGHT, 1.0]) / np.hypot(RIGHT, 1.0)
+    edge = 14.0 * along
+    controls, apex = found.nearest(edge + 2.0 * np.array([along[1], -along[0]]))
+    np.testing.assert_allclose(apex, edge, atol=1e-9)
+    np.testing.assert_allclose(controls, [0.19, edge[1] / HEIGHT], atol=1e-9)
+
+
+def test_a_folded_map_is_counted_once() -> None:
+    """Its area is that of the half beyond the fold."""
+    half = 0.5 * 40.0 * 0.09**2 * (HIGH**2 - LOW**2)
+    found = region(81, MadeUpModel(folded)).outline()
+    assert found.area == pytest.approx(half, rel=1e-3)
+
+
+def test_a_map_onto_a_line() -> None:
+    def line(designs: np.ndarray) -> np.ndarray:
+        return np.stack([0.0 * designs[:, 1], HEIGHT * designs[:, 1]], axis=1)
+
+    found = region(5, MadeUpModel(line))
+    controls, apex = found.nearest(np.array([3.0, 12.0]))
+    np.testing.assert_allclose(apex, [0.0, 12.0], atol=1e-9)
+    assert controls[1] == pytest.approx(0.2)

@@ -1,0 +1,97 @@
+"""What users ask for, and the one line where they may not."""
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from made_up_maps import MadeUpModel
+
+from snapjump.checks import ParameterError
+from snapjump.inverse.bayesian import BayesianOptions
+from snapjump.inverse.gauss_newton import GaussNewtonOptions
+from snapjump.targets.request import (
+    SHIPPED,
+    checked_target,
+    checked_tolerance,
+    checkpoint_path,
+    usable_forward,
+)
+from snapjump.targets.robust import Tolerance
+
+TOLERANCE = {"delta_alpha_rad": 0.002, "epsilon": 0.001, "mass_bar": 0.01, "mu": 0.02}
+
+
+def test_targets() -> None:
+    np.testing.assert_array_equal(checked_target([5, 14.5]), [5.0, 14.5])
+    np.testing.assert_array_equal(checked_target((-1.0, 0.0)), [-1.0, 0.0])
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        *(None, "5,14", "ab", 5.0, [], [5.0], [5.0, 14.0, 1.0], {"x": 5.0, "y": 14.0}),
+        *([5.0, float("nan")], [float("inf"), 14.0], [5.0, -0.1], ["5", 14.0], [True, 14.0]),
+        *([None, 14.0], [[5.0, 14.0], 1.0], [10**400, 1.0]),
+    ],
+)
+def test_bad_targets(value: Any) -> None:
+    with pytest.raises(ParameterError) as caught:
+        checked_target(value)
+    assert caught.value.key == "target" and "\n" not in str(caught.value)
+
+
+def test_tolerances() -> None:
+    assert checked_tolerance(TOLERANCE) == Tolerance()
+
+
+@pytest.mark.parametrize(
+    ("group", "key"),
+    [
+        (None, "tolerance"),
+        (0.1, "tolerance"),
+        ({**TOLERANCE, "width_m": 0.1}, "tolerance.width_m"),
+        ({"epsilon": 0.1}, "tolerance.delta_alpha_rad"),
+        ({**TOLERANCE, "mu": -1.0}, "tolerance.mu"),
+    ],
+)
+def test_bad_tolerances(group: Any, key: str) -> None:
+    with pytest.raises(ParameterError) as caught:
+        checked_tolerance(group)
+    assert caught.value.key == key
+
+
+def test_checkpoints() -> None:
+    assert checkpoint_path(None) == SHIPPED
+    assert str(checkpoint_path("a/b.safetensors")) == "a/b.safetensors"
+
+
+@pytest.mark.parametrize("value", ["", 3, False, ["a"]])
+def test_bad_checkpoints(value: Any) -> None:
+    with pytest.raises(ParameterError, match="checkpoint"):
+        checkpoint_path(value)
+
+
+@pytest.mark.parametrize(
+    ("values", "key"),
+    [
+        ({"mu": 0.601, "mass_bar": 1.0}, "environment.mu"),
+        ({"mu": 0.099, "mass_bar": 1.0}, "environment.mu"),
+        ({"mu": 0.3, "mass_bar": 2.01}, "environment.mass_bar"),
+        ({"mu": 0.9, "mass_bar": 0.2}, "environment.mass_bar"),
+    ],
+)
+def test_environments_outside_the_training_range(values: Any, key: str) -> None:
+    environment, model = SimpleNamespace(**values), MadeUpModel()
+    for method in (GaussNewtonOptions(), BayesianOptions(robust=True)):
+        with pytest.raises(ParameterError) as caught:
+            usable_forward(environment, model, method)
+        assert caught.value.key == key and "[0." in str(caught.value)
+    forward, warning = usable_forward(environment, model, BayesianOptions())
+    assert forward is None and key in warning and "\n" not in warning
+
+
+@pytest.mark.parametrize("method", [GaussNewtonOptions(), BayesianOptions()])
+def test_environments_on_its_edge(method: Any) -> None:
+    model = MadeUpModel()
+    assert usable_forward(SimpleNamespace(mu=0.6, mass_bar=0.3), model, method) == (model, "")
