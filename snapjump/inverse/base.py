@@ -109,11 +109,16 @@ class InverseOptions:
     """What the options of every method begin with.
 
     ``robust``: whether its solutions are starts for the design with the least expected miss.
-    ``needs_forward``: whether it asks the forward model for more than a start.
+    ``needs_forward``: whether it asks the forward model for more than a start; ``needs_slopes``:
+    whether it asks the simulator for derivatives.
     """
 
     robust: bool = False
     needs_forward: ClassVar[bool] = True
+
+    @property
+    def needs_slopes(self) -> bool:
+        return False
 
     def __post_init__(self) -> None:
         if not isinstance(self.robust, bool):
@@ -128,6 +133,10 @@ class InverseMethod(Protocol):
     @property
     def robust(self) -> bool:
         """Whether its solutions are starts for a robust design."""
+
+    @property
+    def needs_slopes(self) -> bool:
+        """Whether it asks the simulator for derivatives."""
 
     def solve(self, problem: Problem) -> list[Solution]:
         """All solutions that were found, the best first; at least one, however large its miss."""

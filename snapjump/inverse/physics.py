@@ -4,10 +4,10 @@ Gauss-Newton steps start from the forward model's solutions, in rounds of severa
 fill the lanes of the simulator: one aims at the target, the others around it.
 
 ``slopes=fitted``: the derivative is a fit to all that was simulated nearby, drawn to the forward
-model's (without one, to the exact one). ``slopes=exact``: it is the simulator's own at the best
-point so far, and the candidates are steps of several lengths. The converged map has wrinkles of
-0.01 L and every tier some roughness besides; an exact derivative is that of a wrinkle, a fit
-sees over it. The benchmark compares both.
+model's (without one, a grid of simulations comes first). ``slopes=exact``: it is the simulator's
+own at the best point so far, and the candidates are steps of several lengths. The converged map
+has wrinkles of 0.01 L and every tier some roughness besides; an exact derivative is that of a
+wrinkle, a fit sees over it. The benchmark compares both.
 """
 
 from collections.abc import Iterator
@@ -54,39 +54,44 @@ class PhysicsOptions(InverseOptions):
         check_number("inverse.tolerance_bar", self.tolerance_bar, 0.0, 1.0, above=True)
         check_integer("inverse.most_simulations", self.most_simulations, CANDIDATES, 100_000)
 
+    @property
+    def needs_slopes(self) -> bool:
+        return self.slopes == "exact"
+
     def solve(self, problem: Problem) -> list[Solution]:
         """The refined solutions, as many as it takes to reach the target; then the others."""
-        starts = first_guesses(problem)
+        search = Search(problem, problem.simulator)
+        starts = first_guesses(search)
         refined: list[Solution] = []
         while starts and not any(self._reaches(problem, one) for one in refined):
-            refined.append(self._refined(problem, starts.pop(0)))
+            refined.append(self._refined(search, starts.pop(0)))
+            search = Search(problem, problem.simulator)
         refined.sort(key=lambda solution: solution.miss_bar(problem.target))
         return [*refined, *starts]
 
     def _reaches(self, problem: Problem, solution: Solution) -> bool:
         return solution.miss_bar(problem.target) <= self.tolerance_bar
 
-    def _refined(self, problem: Problem, start: Solution) -> Solution:
+    def _refined(self, search: "Search", start: Solution) -> Solution:
         """Refined at the problem's tier, then at the finer one if that is to have the last word."""
-        rounds = exact_rounds if self.slopes == "exact" else fitted_rounds
-        simulators = [problem.simulator]
+        rounds = exact_rounds if self.needs_slopes else fitted_rounds
+        problem, searches = search.problem, [search]
         if self.finishing != "same":
-            simulators.append(problem.simulator.at(self.finishing))
-        for simulator in simulators:
-            allowed = simulator.simulations + self.most_simulations - CANDIDATES
-            for best in rounds(Search(problem, simulator), start):
-                if self._reaches(problem, best) or simulator.simulations > allowed:
+            searches.append(Search(problem, problem.simulator.at(self.finishing)))
+        for search in searches:
+            allowed = search.simulator.simulations + self.most_simulations - CANDIDATES
+            for best in rounds(search, start):
+                if self._reaches(problem, best) or search.simulator.simulations > allowed:
                     break
             start = best
         return start
 
 
-def first_guesses(problem: Problem) -> list[Solution]:
-    """The forward model's solutions, or without one the best point of a coarse grid."""
-    if problem.forward is not None:
-        return GaussNewtonOptions().solve(problem)
-    search = Search(problem, problem.simulator)
-    search.simulate(problem.scaled(problem.grid(SIDE).reshape(-1, 2)))
+def first_guesses(search: "Search") -> list[Solution]:
+    """The forward model's solutions, or without one the best point of a grid of simulations."""
+    if search.problem.forward is not None:
+        return GaussNewtonOptions().solve(search.problem)
+    search.simulate(search.problem.scaled(search.problem.grid(SIDE).reshape(-1, 2)))
     return [search.best()]
 
 
@@ -105,7 +110,7 @@ class Search:
 
     def simulate(self, shares: Array) -> None:
         """Simulate candidates (N, 2); those that do not jump are forgotten."""
-        apexes = self.simulator.apexes(self.problem.designs(self.problem.unscaled(shares)))
+        apexes = self.simulator.apexes(self.designs(shares))
         jumped = np.isfinite(apexes).all(axis=1)
         self.shares = np.vstack([self.shares, shares[jumped]])
         self.apexes = np.vstack([self.apexes, apexes[jumped]])
@@ -121,15 +126,14 @@ class Search:
         k = int(self.misses().argmin())
         return Solution(self.problem.unscaled(self.shares[k]), self.apexes[k], True)
 
-    def slopes(self, shares: Array, exact: bool) -> Array:
-        """Derivative (2, 2) of the apex by the shares, the forward model's or the exact one."""
-        design = self.problem.designs(self.problem.unscaled(shares[None]))
-        by_design = self.simulator.slopes(design)[0] if exact else None
-        if by_design is None or not np.isfinite(by_design).all():
-            if self.problem.forward is None:
-                return np.eye(2) * max(1.0, float(np.abs(self.target).max()))
-            by_design = self.problem.forward.jacobian(design)[0]
-        return by_design[:, :2] * (self.problem.high - self.problem.low)
+    def by_shares(self, slopes: Array) -> Array:
+        """Derivatives (2, 2) of the apex by the shares, from those (1, 2, 4) by the design."""
+        found: Array = slopes[0, :, :2] * (self.problem.high - self.problem.low)
+        return found
+
+    def designs(self, shares: Array) -> Array:
+        """Designs (N, 4) of shares (N, 2)."""
+        return self.problem.designs(self.problem.unscaled(shares))
 
 
 def step(slopes: Array, change: Array, shares: Array) -> Array:
@@ -141,14 +145,20 @@ def step(slopes: Array, change: Array, shares: Array) -> Array:
 
 def fitted_rounds(search: Search, start: Solution) -> Iterator[Solution]:
     """The best point after each round; slopes are fitted to what was simulated."""
+    forward, target = search.problem.forward, search.target
     here = search.problem.scaled(start.controls)
-    believed = start.apex if np.isfinite(start.apex).all() else search.target
-    drawn_to = slopes = search.slopes(here, exact=search.problem.forward is None)
-    ring = max(FIRST_RING_BAR, RING_SHARE * float(np.hypot(*(believed - search.target))))
+    believed = start.apex if np.isfinite(start.apex).all() else target
+    drawn_to = np.eye(2) * float(np.abs(target).max())
+    if forward is not None:
+        drawn_to = search.by_shares(forward.jacobian(search.designs(here[None])))
+    slopes = drawn_to
+    if len(search.apexes):
+        here, believed, slopes = fit(search, drawn_to)
+    ring = max(FIRST_RING_BAR, RING_SHARE * float(np.hypot(*(believed - target))))
     turn = 2.0 * np.pi * np.arange(CANDIDATES - 1) / (CANDIDATES - 1)
     around = np.vstack([np.zeros(2), np.column_stack([np.cos(turn), np.sin(turn)])])
     while True:
-        change = search.target - believed
+        change = target - believed
         steps = [step(slopes, change + ring * aim, here) for aim in around]
         search.simulate(np.clip(here + steps, 0.0, 1.0))
         yield search.best()
@@ -182,7 +192,10 @@ def exact_rounds(search: Search, start: Solution) -> Iterator[Solution]:
     yield best
     while True:
         here = search.problem.scaled(best.controls)
-        way = step(search.slopes(here, exact=True), search.target - best.apex, here)
+        slopes = search.simulator.slopes(search.designs(here[None]))
+        if not np.isfinite(slopes).all():
+            return
+        way = step(search.by_shares(slopes), search.target - best.apex, here)
         search.simulate(np.clip(here + LENGTHS[:, None] * way, 0.0, 1.0))
         if search.best().miss_bar(search.target) >= best.miss_bar(search.target):
             return

@@ -43,6 +43,7 @@ class InverseDesign:
         from snapjump.members import make_member
         from snapjump.simulation import build, check_scene
         from snapjump.targets import request
+        from snapjump.targets.simulator import differentiable
 
         self._config = config
         self._target = request.checked_target(config.get("target"))
@@ -54,6 +55,8 @@ class InverseDesign:
         if self._base.scene_name != "jump":
             raise ParameterError("sim", self._base.scene_name, "jump, which is what has an apex")
         check_scene(self._base)
+        if self._method.needs_slopes:
+            differentiable(self._base)
         from snapjump.learning.forward_model import open_forward_model
 
         trained = open_forward_model(path)
