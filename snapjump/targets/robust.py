@@ -13,6 +13,7 @@ from snapjump.inverse.base import Array, ForwardModel, Problem, Solution
 
 SAMPLES, REPORTED = 256, 2048  # powers of two, as Sobol's points ask for
 MOST_STARTS = 6
+FIRST_STEP = 0.05  # of the descent, as a share of the ranges
 LARGEST = 1.0e3  # of a standard deviation
 
 
@@ -125,16 +126,19 @@ def robust_solution(
         apexes = forward.predict(built(problem, forward, tolerance, controls, points))
         return float(np.hypot(*(apexes - problem.target).T).mean())
 
-    found = [
-        minimize(
-            expected_miss,
-            problem.scaled(solution.controls),
-            method="Nelder-Mead",
-            bounds=[(0.0, 1.0)] * 2,
-            options={"xatol": 1e-4, "fatol": 1e-5},
+    found = []
+    for solution in solutions[:MOST_STARTS]:
+        start = problem.scaled(solution.controls)
+        inwards = np.diag(np.where(start > 0.5, -FIRST_STEP, FIRST_STEP))
+        options = {
+            "initial_simplex": np.vstack([start, start + inwards]),
+            "xatol": 1e-4,
+            "fatol": 1e-5,
+        }
+        bounds = [(0.0, 1.0)] * 2
+        found.append(
+            minimize(expected_miss, start, method="Nelder-Mead", bounds=bounds, options=options)
         )
-        for solution in solutions[:MOST_STARTS]
-    ]
     best = min(found, key=lambda result: float(result.fun))
     controls = problem.unscaled(best.x)
     return Solution(controls, forward.predict(problem.designs(controls[None, :]))[0], False)

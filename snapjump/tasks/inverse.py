@@ -40,6 +40,7 @@ class InverseDesign:
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Check every value, the forward model, and that it is one of this physical model."""
+        from snapjump.learning.forward_model import open_forward_model
         from snapjump.members import make_member
         from snapjump.simulation import build, check_scene
         from snapjump.targets import request
@@ -50,15 +51,19 @@ class InverseDesign:
         self._method = make_member("inverse", config.get("inverse"))
         self._tolerance = request.checked_tolerance(config.get("tolerance"))
         path = request.checkpoint_path(config.get("checkpoint"))
+        scene = config["sim"].get("name")
+        if scene != "jump":
+            raise ParameterError("sim", scene, "jump, which is what has an apex")
         self._base = build(config)
         check_complete(config, self._base)
-        if self._base.scene_name != "jump":
-            raise ParameterError("sim", self._base.scene_name, "jump, which is what has an apex")
         check_scene(self._base)
+<<<<<<< HEAD
         if self._method.needs_slopes:
             differentiable(self._base)
         from snapjump.learning.forward_model import open_forward_model
 
+=======
+>>>>>>> inverse
         trained = open_forward_model(path)
         trained.check_model(self._base)
         self._trained = trained
