@@ -57,13 +57,8 @@ class InverseDesign:
         self._base = build(config)
         check_complete(config, self._base)
         check_scene(self._base)
-<<<<<<< HEAD
         if self._method.needs_slopes:
             differentiable(self._base)
-        from snapjump.learning.forward_model import open_forward_model
-
-=======
->>>>>>> inverse
         trained = open_forward_model(path)
         trained.check_model(self._base)
         self._trained = trained
