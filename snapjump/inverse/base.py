@@ -34,13 +34,18 @@ class ForwardModel(Protocol):
 class Simulator(Protocol):
     """Simulated apexes at one accuracy tier; ``simulations`` counts every one there was."""
 
-    simulations: int
+    @property
+    def simulations(self) -> int:
+        """Also those at other tiers that came from here."""
 
     def apexes(self, designs: Array) -> Array:
         """Apexes (N, 2) in L, NaN for a robot that does not jump or a jump that failed."""
 
     def slopes(self, designs: Array) -> Array:
         """Exact derivatives (N, 2, 4) of the apexes by the design, NaN where there are none."""
+
+    def at(self, tier: str) -> "Simulator":
+        """The same physical model at another accuracy tier."""
 
 
 @dataclass(frozen=True)
@@ -104,11 +109,16 @@ class InverseOptions:
     """What the options of every method begin with.
 
     ``robust``: whether its solutions are starts for the design with the least expected miss.
-    ``needs_forward``: whether it asks the forward model for more than a start.
+    ``needs_forward``: whether it asks the forward model for more than a start; ``needs_slopes``:
+    whether it asks the simulator for derivatives.
     """
 
     robust: bool = False
     needs_forward: ClassVar[bool] = True
+
+    @property
+    def needs_slopes(self) -> bool:
+        return False
 
     def __post_init__(self) -> None:
         if not isinstance(self.robust, bool):
@@ -123,6 +133,10 @@ class InverseMethod(Protocol):
     @property
     def robust(self) -> bool:
         """Whether its solutions are starts for a robust design."""
+
+    @property
+    def needs_slopes(self) -> bool:
+        """Whether it asks the simulator for derivatives."""
 
     def solve(self, problem: Problem) -> list[Solution]:
         """All solutions that were found, the best first; at least one, however large its miss."""

@@ -31,8 +31,15 @@ from snapjump.surrogate.base import Surrogate, SurrogateOptions
 DEFAULT = Path("outputs/training")
 DIGITS = 16
 FORWARD_MODEL, CURVES = "forward_model.safetensors", "curves.json"
-# The packages that determine the weights, beside the dataset.
-DETERMINES = ("learning", "surrogate")
+# The modules that determine the weights, beside that of the surrogate and the dataset.
+DETERMINES = (
+    "learning/data.py",
+    "learning/fit.py",
+    "learning/keeper.py",
+    "learning/lightning_module.py",
+    "learning/training.py",
+    "surrogate/base.py",
+)
 
 
 class Learned(NamedTuple):
@@ -77,7 +84,7 @@ def learn(
         "dataset_sha256": data.dataset.sha256,
         "seed": data.seed,
     }
-    digest = sha256_of({**determined, "sources": _sources()})[:DIGITS]
+    digest = sha256_of({**determined, "sources": _sources(group["name"])})[:DIGITS]
     folder = place / f"{group['name']}-{digest}"
     folder.mkdir(parents=True, exist_ok=True)
     lock = FileLock(folder / ".lock")
@@ -150,9 +157,8 @@ def _finished(folder: Path) -> Learned | None:
     return Learned(folder / FORWARD_MODEL, *found, kept["curves"], kept=True)
 
 
-def _sources() -> str:
+def _sources(surrogate: str) -> str:
     digest = hashlib.sha256()
-    for package in DETERMINES:
-        for path in sorted((SOURCES / package).glob("*.py")):
-            digest.update(path.name.encode() + path.read_bytes())
+    for name in (*DETERMINES, f"surrogate/{surrogate}.py"):
+        digest.update(name.encode() + (SOURCES / name).read_bytes())
     return digest.hexdigest()

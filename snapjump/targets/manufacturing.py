@@ -2,22 +2,20 @@
 
 import numpy as np
 
-from snapjump.checks import ParameterError
-from snapjump.inverse.base import Array, Problem, Solution, one_percent_bar
+from snapjump.inverse.base import Array, Problem, Solution
+
+PERCENT = 0.01
 
 
 def one_percent_costs_bar(problem: Problem, solution: Solution) -> Array:
     """How far (L) one percent of each of a solution's parameters moves its apex: (4,).
 
-    By the simulator's exact derivatives for a solution that was simulated, if it has them, else by
-    the forward model's; NaN where neither knows. Order: delta_alpha, epsilon, mass_bar, mu.
+    Half the distance between the simulated apexes at 1 % more and at 1 % less; NaN where one of
+    them does not jump. Order: delta_alpha, epsilon, mass_bar, mu. (An exact derivative is that of
+    a wrinkle of the map, which is far narrower than what a workshop keeps.)
     """
     design = problem.designs(solution.controls[None, :])
-    if solution.simulated or problem.forward is None:
-        try:
-            costs = one_percent_bar(design, problem.simulator.slopes(design))[0]
-        except ParameterError:  # modules that sensitivities do not know
-            costs = np.full(4, np.nan)
-        if np.isfinite(costs).all() or problem.forward is None:
-            return costs
-    return one_percent_bar(design, problem.forward.jacobian(design))[0]
+    more, less = design * (1.0 + PERCENT * np.eye(4)), design * (1.0 - PERCENT * np.eye(4))
+    apexes = problem.simulator.apexes(np.vstack([more, less]))
+    found: Array = 0.5 * np.hypot(*(apexes[:4] - apexes[4:]).T)
+    return found

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from snapjump.batch import simulate_designs
 from snapjump.checks import ParameterError
-from snapjump.composition import Simulation
+from snapjump.composition import Simulation, with_tier
 from snapjump.engine.status import NAMES, OK
 from snapjump.scenes.sensitivities import SMALLEST_STICK_ZONE_M_S, check_differentiable
 from snapjump.statics.threshold_curve import ThresholdCurve
@@ -26,7 +26,7 @@ class JumpSimulator:
     """Jumps of one composition; satisfies :class:`snapjump.inverse.base.Simulator`.
 
     An apex is that of :func:`snapjump.simulate_jump` at the same settings, to the last bit.
-    ``simulations``: how many there were, those with derivatives too.
+    ``simulations``: how many there were, those with derivatives and those at other tiers too.
     """
 
     def __init__(self, base: Simulation):
@@ -34,11 +34,22 @@ class JumpSimulator:
         if base.scene_name != "jump":
             raise ParameterError("sim", base.scene_name, "jump, which is what targets are of")
         self.base = base
-        self.simulations = 0
+        self._own = 0
+        self._tiers: dict[str, JumpSimulator] = {}
+
+    @property
+    def simulations(self) -> int:
+        return self._own + sum(other.simulations for other in self._tiers.values())
+
+    def at(self, tier: str) -> "JumpSimulator":
+        """The same physical model at another accuracy tier; the same object every time."""
+        if tier not in self._tiers:
+            self._tiers[tier] = JumpSimulator(at_tier(self.base, tier))
+        return self._tiers[tier]
 
     def apexes(self, designs: Array) -> Array:
         """Apexes (N, 2) in L of designs (N, 4), NaN unless the status is ok."""
-        self.simulations += len(designs)
+        self._own += len(designs)
         lanes = 1 if len(designs) <= FEW else LANES
         batch = simulate_designs(self.base, designs, threads=1, lanes=lanes)
         jumped = np.array(batch.status) == NAMES[OK]
@@ -52,7 +63,7 @@ class JumpSimulator:
         sensitivities do not know.
         """
         base = differentiable(self.base)
-        self.simulations += len(designs)
+        self._own += len(designs)
         low, high = designs[:, EPSILON].min(), designs[:, EPSILON].max()
         nodes = FEW_NODES if high - low <= NARROW * high else NODES
         margin = 1.0 + NARROW
@@ -67,6 +78,15 @@ class JumpSimulator:
         found = np.stack([batch.sensitivities.dx_bar, batch.sensitivities.dy_bar], axis=1)
         jumped = np.array(batch.status) == NAMES[OK]
         return np.where(jumped[:, None, None], found, np.nan)
+
+
+# What a tier does not choose: the physical model, and where it is computed.
+KEPT = ("robot", "design", "environment", "frame", "contact", "friction", "damping", "backend")
+
+
+def at_tier(base: Simulation, tier: str) -> Simulation:
+    """The physical model of a simulation with the mesh, integrator and steps of a tier."""
+    return with_tier(tier, **{part: getattr(base, part) for part in KEPT})
 
 
 def differentiable(base: Simulation) -> Simulation:

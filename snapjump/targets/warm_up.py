@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.inverse.base import ForwardModel, InverseMethod, Problem
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
@@ -21,7 +20,5 @@ def warm_up(base: Simulation, forward: ForwardModel, method: InverseMethod) -> N
         return
     simulator.apexes(middle)
     simulator.apexes(np.repeat(middle, LANES, axis=0))
-    try:
+    if method.needs_slopes:
         simulator.slopes(middle)
-    except ParameterError:  # modules that sensitivities do not know
-        pass

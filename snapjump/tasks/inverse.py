@@ -44,6 +44,7 @@ class InverseDesign:
         from snapjump.members import make_member
         from snapjump.simulation import build, check_scene
         from snapjump.targets import request
+        from snapjump.targets.simulator import differentiable
 
         self._config = config
         self._target = request.checked_target(config.get("target"))
@@ -56,6 +57,8 @@ class InverseDesign:
         self._base = build(config)
         check_complete(config, self._base)
         check_scene(self._base)
+        if self._method.needs_slopes:
+            differentiable(self._base)
         trained = open_forward_model(path)
         trained.check_model(self._base)
         self._trained = trained

@@ -14,6 +14,8 @@ TASKS = {
     "train": "snapjump.tasks.train:Train",
     "export": "snapjump.tasks.export:Export",
     "inverse": "snapjump.tasks.inverse:InverseDesign",
+    "compare_surrogates": "experiments.surrogates.study:CompareSurrogates",
+    "inverse_benchmark": "experiments.inverse_benchmark.study:InverseBenchmark",
     "tradeoff": "experiments.tradeoff.study:Tradeoff",
     "convergence": "experiments.convergence.study:Convergence",
     "stability": "experiments.stability.study:Stability",

@@ -1,0 +1,81 @@
+"""misses.png: how far from their targets the methods' designs really get, and what that costs."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from experiments.inverse_benchmark.methods import PAPER
+from experiments.inverse_benchmark.table import TIERS, column
+from snapjump.plots import palette
+from snapjump.plots.saving import picture
+from snapjump.studies.base import Row
+
+COLOURS = (
+    palette.QUIET,
+    palette.BEAM,
+    palette.CENTRE,
+    palette.SKY,
+    palette.FORCE,
+    palette.CLAMP,
+    palette.VIOLET,
+)
+LIMITS_MM = (3e-4, 60.0)
+
+
+def draw_benchmark(methods: Mapping[str, Sequence[Row]], path: Path) -> None:
+    """Distributions of the misses at both tiers, and mean miss against time."""
+    title = "Inverse design: simulated misses at L = 20 mm"
+    with picture(path, (14.0, 6.2), title) as figure:
+        for k, tier in enumerate(TIERS):
+            axes = figure.add_axes((0.05 + 0.325 * k, 0.2, 0.27, 0.66))
+            _distributions(axes, methods, tier)
+            if k == 0:
+                axes.set_ylabel("share of targets (%)")
+                axes.legend(
+                    loc="upper left", bbox_to_anchor=(0.0, -0.13), ncols=4, columnspacing=1.4
+                )
+        _costs(figure.add_axes((0.715, 0.2, 0.27, 0.66)), methods)
+
+
+def _distributions(axes: Any, methods: Mapping[str, Sequence[Row]], tier: str) -> None:
+    axes.set_title(f"judged at {tier}", loc="left")
+    for colour, (name, rows) in zip(COLOURS, methods.items(), strict=False):
+        misses = column(rows, f"miss_{tier}_mm")
+        misses = np.sort(misses[np.isfinite(misses)])
+        share = 100.0 * np.arange(1, len(misses) + 1) / max(len(rows), 1)
+        axes.step(misses, share, where="post", color=colour, lw=2.0, label=name)
+    for row in PAPER[:1]:
+        mean = float(str(row["mean_mm"]))
+        axes.axvline(mean, color=palette.INK, lw=1.0, ls=":")
+        words = {"rotation": 90, "ha": "right", "va": "bottom", "color": palette.QUIET}
+        axes.text(0.92 * mean, 4.0, "the paper's mean", **words)
+    axes.set_xscale("log")
+    axes.set_xlim(*LIMITS_MM)
+    axes.set_ylim(0.0, 101.0)
+    axes.set_xlabel("miss (mm)")
+    axes.grid(True)
+
+
+def _costs(axes: Any, methods: Mapping[str, Sequence[Row]]) -> None:
+    axes.set_title("mean miss, judged at reference, against time", loc="left")
+    for colour, (name, rows) in zip(COLOURS, methods.items(), strict=False):
+        misses = column(rows, "miss_reference_mm")
+        seconds = float(np.median(column(rows, "seconds")))
+        mean = float(np.nanmean(misses))
+        axes.plot(seconds, mean, "o", ms=9, color=colour)
+        axes.annotate(name.replace("physics, ", ""), (seconds, mean), (7, 5), color=colour,
+                      textcoords="offset points")  # fmt: skip
+    for row in PAPER:
+        place = float(str(row["seconds"])), float(str(row["mean_mm"]))
+        axes.plot(*place, "s", ms=7, mfc="none", color=palette.INK)
+        words = str(row["method"]).removeprefix("the paper: ")
+        axes.annotate(words, place, (-6, 8), color=palette.INK, ha="right",
+                      textcoords="offset points")  # fmt: skip
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xlim(2e-3, 3e3)
+    axes.set_xlabel("time for one target (s); squares: the paper, its machine and program")
+    axes.set_ylabel("mm")
+    axes.grid(True)

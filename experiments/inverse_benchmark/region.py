@@ -1,0 +1,85 @@
+"""Whether targets are called reachable that are, and those that are not are not."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import shapely
+
+from experiments.compositions import composed
+from experiments.inverse_benchmark.compute import make_problem, opened
+from experiments.inverse_benchmark.problems import Array
+from snapjump.composition import Simulation
+from snapjump.plan.base import Range, stretched
+from snapjump.studies.base import Row
+from snapjump.targets.answer import out_of_reach
+from snapjump.targets.region import AchievableRegion
+from snapjump.targets.simulator import JumpSimulator
+
+POINTS = 33  # of the simulated grid of controls, per control
+MARGIN = 0.1  # of the region's extent, that targets may lie beyond it
+TARGETS = 100  # in an environment
+
+
+@dataclass(frozen=True)
+class Simulated:
+    """A simulator in the place of a forward model that only predicts."""
+
+    simulator: JumpSimulator
+    ranges: tuple[Range, Range, Range, Range]
+
+    def predict(self, designs: Array) -> Array:
+        """Apexes (N, 2) in L. Raises RuntimeError if a robot does not jump."""
+        apexes = self.simulator.apexes(designs)
+        if not np.isfinite(apexes).all():
+            raise RuntimeError("a design of the region's grid did not jump")
+        return apexes
+
+    def jacobian(self, designs: Array) -> Array:
+        """Exact derivatives (N, 2, 4)."""
+        return self.simulator.slopes(designs)
+
+
+def region_rows(inputs: Mapping[str, Any]) -> list[Row]:
+    """A row for each environment: how many of its random targets were decided wrongly.
+
+    The truth is the region of simulated apexes; a decision is that of ``task=inverse``.
+    """
+    forward, base = opened(inputs["checkpoint"]), composed(inputs["groups"])
+    return [
+        one_environment(forward, base, inputs["seed"], k)
+        for k in range(inputs["first"], inputs["last"])
+    ]
+
+
+def one_environment(forward: Any, base: Simulation, seed: int, k: int) -> Row:
+    """Environment number k of a seed."""
+    rng = np.random.default_rng([seed, k, 1])
+    hidden = stretched(rng.random((1, 4)), forward.ranges)[0]
+    problem = make_problem(np.zeros(2), hidden, forward, base, k)
+    truth = AchievableRegion.of(problem, Simulated(JumpSimulator(base), forward.ranges), POINTS)
+    learned = AchievableRegion.of(problem, forward)
+    low, high = truth.apexes.min(axis=(0, 1)), truth.apexes.max(axis=(0, 1))
+    targets = low + (high - low) * ((1.0 + 2.0 * MARGIN) * rng.random((TARGETS, 2)) - MARGIN)
+    targets[:, 1] = np.maximum(targets[:, 1], 0.0)
+    reachable, contained = truth.contains(targets), learned.contains(targets)
+    accepted = np.array(
+        [
+            out_of_reach(make_problem(target, hidden, forward, base, k), forward) is None
+            for target in targets
+        ]
+    )
+    edge = shapely.distance(truth.outline().boundary, shapely.points(targets))
+    wrong = accepted != reachable
+    return {
+        "mass_bar": float(hidden[2]),
+        "mu": float(hidden[3]),
+        "targets": TARGETS,
+        "reachable": int(reachable.sum()),
+        "false_accepts": int((accepted & ~reachable).sum()),
+        "false_rejects": int((~accepted & reachable).sum()),
+        "false_accepts_of_grid": int((contained & ~reachable).sum()),
+        "false_rejects_of_grid": int((~contained & reachable).sum()),
+        "farthest_wrong_bar": float(edge[wrong].max()) if wrong.any() else 0.0,
+    }

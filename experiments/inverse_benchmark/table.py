@@ -1,0 +1,89 @@
+"""What the rows of the benchmark come to."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from experiments.inverse_benchmark.methods import PAPER, SOLVED_MM
+from snapjump.studies.base import Row
+from snapjump.terminal.block import markdown_table
+
+TIERS = ("standard", "reference")
+
+
+def summary_row(method: str, rows: Sequence[Row]) -> Row:
+    """One line of the table: misses in mm at L = 20 mm at both tiers, those that are known."""
+    found: Row = {"method": method, "problems": len(rows)}
+    for tier in TIERS:
+        misses = column(rows, f"miss_{tier}_mm")
+        known = misses[np.isfinite(misses)]
+        found[f"mean_mm_{tier}"] = float(known.mean())
+        found[f"std_mm_{tier}"] = float(known.std())
+        found[f"median_mm_{tier}"] = float(np.median(known))
+        found[f"p95_mm_{tier}"] = float(np.quantile(known, 0.95))
+        found[f"max_mm_{tier}"] = float(known.max())
+        found[f"failed_{tier}"] = len(misses) - len(known)
+    found["solved"] = sum(solved(row) for row in rows)
+    seconds = column(rows, "seconds")
+    found["seconds_median"] = float(np.median(seconds))
+    found["seconds_p95"] = float(np.quantile(seconds, 0.95))
+    found["simulations_mean"] = float(column(rows, "simulations").mean())
+    return found
+
+
+def solved(row: Row) -> bool:
+    """Whether a target was hit, judged at the tier that the method finished at."""
+    miss = row[f"miss_{row['finished_at']}_mm"]
+    return miss is not None and miss < SOLVED_MM
+
+
+def column(rows: Sequence[Row], key: str) -> np.ndarray:
+    """Numbers, NaN where there is none."""
+    return np.array([np.nan if row[key] is None else float(row[key]) for row in rows])
+
+
+def readme_block(table: Sequence[Row], problems: int) -> str:
+    """The table for people, beside the paper's."""
+    header = [
+        "method",
+        "judged at `standard`: mean, 95 %, max (mm)",
+        "judged at `reference` (mm)",
+        "solved",
+        "time (s)",
+        "simulations",
+    ]
+    lines = []
+    for row in table:
+        member, comma, how = row["method"].partition(",")
+        misses = [
+            ", ".join(f"{row[f'{key}_mm_{tier}']:.2g}" for key in ("mean", "p95", "max"))
+            for tier in TIERS
+        ]
+        tally = f"{row['solved']} of {row['problems']}"
+        cost = [f"{row['seconds_median']:.2g}", f"{row['simulations_mean']:.3g}"]
+        lines.append([f"`{member}`{comma}{how}", *misses, tally, *cost])
+    for row in PAPER:
+        spread = f" ± {row['std_mm']}" if "std_mm" in row else ""
+        told = f"{row['mean_mm']}{spread} (by its own program)"
+        lines.append([str(row["method"]), told, "", "", f"{row['seconds']:g}", ""])
+    told = markdown_table(header, lines)
+    return told + (
+        f"\n\n{problems} random environments, each with a target that a hidden design reaches\n"
+        "at `standard`. Misses are simulated, in mm at L = 20 mm; solved: below "
+        f"{SOLVED_MM} mm at the tier that\nthe method finished at. Times are medians on one core.\n"
+        "`python run.py task=inverse_benchmark publish=docs/studies` makes this table."
+    )
+
+
+def unsolved(methods: Mapping[str, Sequence[Row]]) -> list[Row]:
+    """Every target that a method with the simulator in it did not hit."""
+    keys = ("problem", "target_x_bar", "target_y_bar", "mass_bar", "mu", "hidden_delta_alpha_rad",
+            "hidden_epsilon", "delta_alpha_rad", "epsilon", "miss_standard_mm",
+            "miss_reference_mm", "simulations")  # fmt: skip
+    return [
+        {"method": name, **{key: row[key] for key in keys}}
+        for name, rows in methods.items()
+        if name.startswith("physics")
+        for row in rows
+        if not solved(row)
+    ]

@@ -1,0 +1,90 @@
+"""curves.png and places.png: error against jumps and time, and where it is."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from snapjump.plan.base import AXES
+from snapjump.plots import palette
+from snapjump.plots.dataset import LABELS
+from snapjump.plots.saving import picture
+from snapjump.studies.base import Row
+
+COLOURS = {
+    "mlp": palette.FORCE,
+    "resnet": palette.BEAM,
+    "ensemble": palette.CENTRE,
+    "rbf": palette.QUIET,
+    "gradient_mlp": palette.VIOLET,
+}
+MARKS = {"of the paper's tier": "s", "with slopes": "^", "slopes left out": "v"}
+
+
+def draw_curves(table: Sequence[Row], floors: Sequence[Row], paper: float, path: Path) -> None:
+    """MAE against jumps and against seconds of training; the floors as lines."""
+    with picture(
+        path, (13.0, 5.6), "Forward models: error on the held-out standard grid"
+    ) as figure:
+        for k, (key, label) in enumerate(
+            (("jumps", "jumps learned from"), ("train_seconds", "training on one core (s)"))
+        ):
+            axes = figure.add_axes((0.065 + 0.42 * k, 0.13, 0.36, 0.73))
+            _lines(axes, table, key)
+            axes.axhline(paper, color=palette.INK, lw=1, ls=":")
+            for row in floors:
+                axes.axhline(row["mean_bar"], color=palette.CLAMP, lw=1,
+                             ls="--" if row["tier"] == "paper" else "-")  # fmt: skip
+            axes.set_xscale("log")
+            axes.set_yscale("log")
+            axes.set_xlabel(label)
+            axes.grid(True, which="both")
+            if k == 0:
+                axes.set_ylabel("mean absolute error, x and y averaged (L)")
+        handles, labels = axes.get_legend_handles_labels()
+        figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.855, 0.87))
+        words = [(paper, "the paper's MAE (dotted)", palette.INK)]
+        words += [(row["mean_bar"], f"floor at {row['tier']}", palette.CLAMP) for row in floors]
+        for height, text, colour in words:
+            axes.text(1.02, height, text, transform=axes.get_yaxis_transform(), color=colour,
+                      va="center")  # fmt: skip
+
+
+def _lines(axes: Any, table: Sequence[Row], key: str) -> None:
+    """Members as lines over their sizes, and the special trainings as marks of their own."""
+    for member, colour in COLOURS.items():
+        rows = [row for row in table if row["surrogate"].split(",")[0] == member]
+        plain = sorted(
+            (row for row in rows if not any(words in row["surrogate"] for words in MARKS)),
+            key=lambda row: row["jumps"],
+        )
+        if plain:
+            x, y = [row[key] for row in plain], [row["mae_bar"] for row in plain]
+            axes.plot(x, y, "o-", color=colour, lw=2, ms=5, label=member)
+        for words, mark in MARKS.items():
+            for row in rows:
+                if words in row["surrogate"]:
+                    axes.plot([row[key]], [row["mae_bar"]], mark, ms=8, mfc="none", color=colour,
+                              label=f"{member}\n{words}")  # fmt: skip
+
+
+def draw_places(rows: Sequence[Row], path: Path) -> None:
+    """Mean absolute errors of x and y in fifths of each input."""
+    with picture(path, (13.0, 3.9), "Where the error sits") as figure:
+        for k, (name, label) in enumerate(zip(AXES, LABELS, strict=True)):
+            axes = figure.add_axes((0.065 + 0.238 * k, 0.17, 0.2, 0.62))
+            ours = [row for row in rows if row["input"] == name]
+            middles = np.array([0.5 * (row["from"] + row["to"]) for row in ours])
+            width = 0.38 * (ours[0]["to"] - ours[0]["from"])
+            for shift, key, colour in ((-0.5, "x", palette.BEAM), (0.5, "y", palette.FORCE)):
+                heights = [row[f"mae_{key}_bar"] for row in ours]
+                axes.bar(middles + shift * width, heights, width, color=colour, label=key)
+            axes.set_xlabel(label)
+            axes.grid(True, axis="y")
+            axes.set_ylim(0.0, 1.08 * max(max(r["mae_x_bar"], r["mae_y_bar"]) for r in rows))
+            if k == 0:
+                axes.set_ylabel("MAE (L)")
+                axes.legend(loc="upper right")
+            else:
+                axes.tick_params(labelleft=False)

@@ -1,0 +1,66 @@
+"""The floor: what the map does within a cell of the paper's grid that no smooth model can follow.
+
+Random cells of the 15^4 grid are filled with as many jumps as a cubic polynomial needs several
+times over. What that leaves unexplained, each jump left out in turn, is structure of the map (and
+roughness of the tier) below the distance of the grid's points.
+"""
+
+from itertools import combinations_with_replacement
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats.qmc import Sobol
+
+from snapjump.batch import simulate_designs
+from snapjump.composition import Simulation
+from snapjump.plan.base import AXES, Range
+from snapjump.statics.threshold_curve import ThresholdCurve
+from snapjump.studies.base import Row
+
+Array = NDArray[np.float64]
+INTERVALS = 14  # of the paper's grid along each input
+JUMPS = 128  # in a cell; a cubic of four variables has 35 coefficients
+DEGREE = 3
+
+
+def floor_rows(
+    base: Simulation, ranges: tuple[Range, ...], cells: int, seed: int, threads: int | None = 1
+) -> list[Row]:
+    """For each of so many random cells: its lowest corner, and the mean absolute error of the cubic
+    in x and y (L). Jumps that fail are left out."""
+    low, high = np.array(ranges).T
+    size = (high - low) / INTERVALS
+    rng = np.random.default_rng(seed)
+    corners = low + size * rng.integers(0, INTERVALS, (cells, len(AXES)))
+    unit = np.array([Sobol(len(AXES), rng=rng).random(JUMPS) for _ in range(cells)])
+    designs = (corners[:, None] + size * unit).reshape(-1, len(AXES))
+    curve = ThresholdCurve.over(base.robot, base.discretization, np.array(ranges[1]))
+    batch = simulate_designs(base, designs, curve=curve, threads=threads)
+    apexes = np.column_stack([batch.x_bar, batch.y_bar]).reshape(cells, JUMPS, 2)
+    rows = []
+    for corner, points, found in zip(corners, unit, apexes, strict=True):
+        known = np.isfinite(found).all(axis=1)
+        errors = np.abs(left_out(2.0 * points[known] - 1.0, found[known])).mean(axis=0)
+        place = {f"{name}_low": float(value) for name, value in zip(AXES, corner, strict=True)}
+        rows.append(
+            {
+                **place,
+                "jumps": int(known.sum()),
+                "x_bar": float(errors[0]),
+                "y_bar": float(errors[1]),
+            }  # fmt: skip
+        )
+    return rows
+
+
+def left_out(points: Array, values: Array) -> Array:
+    """Errors (N, 2) of the cubic at points (N, 4) in [-1, 1]^4, each fitted without that point."""
+    terms = [
+        np.prod(points[:, list(chosen)], axis=1)
+        for degree in range(DEGREE + 1)
+        for chosen in combinations_with_replacement(range(points.shape[1]), degree)
+    ]
+    matrix = np.column_stack(terms)
+    hat = matrix @ np.linalg.pinv(matrix)
+    found: Array = (values - hat @ values) / (1.0 - np.diag(hat))[:, None]
+    return found

@@ -1,0 +1,206 @@
+"""``inverse=physics``: the simulator has the last word.
+
+Gauss-Newton steps start from the forward model's solutions, in rounds of several candidates that
+fill the lanes of the simulator: one aims at the target, the others around it.
+
+``slopes=fitted``: the derivative is a fit to all that was simulated nearby, drawn to the forward
+model's (without one, a grid of simulations comes first). ``slopes=exact``: it is the simulator's
+own at the best point so far, and the candidates are steps of several lengths. The converged map
+has wrinkles of 0.01 L and every tier some roughness besides; an exact derivative is that of a
+wrinkle, a fit sees over it. The benchmark compares both.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+import numpy as np
+from scipy.optimize import lsq_linear
+
+from snapjump.checks import check_choice, check_integer, check_number
+from snapjump.inverse.base import Array, InverseOptions, Problem, Simulator, Solution
+from snapjump.inverse.gauss_newton import GaussNewtonOptions
+
+CANDIDATES = 8  # a round: as many as the simulator has lanes
+SLOPES = ("fitted", "exact")
+FINISHING = ("same", "reference")
+SIDE = 8  # of the grid of simulations that begins a search without forward model
+LONGEST_STEP = 0.25  # of a control's range
+# Distance of the aims around the target: at first that of a forward model's error, then a share of
+# the miss, and never less than what roughness makes of any aim. In L.
+FIRST_RING_BAR, RING_SHARE, LEAST_RING_BAR = 0.02, 0.25, 2.0e-4
+ROUGHNESS_BAR = 1.0e-3  # of a simulated apex, against which slopes are fitted
+TRUST = 0.3  # relative error of the slopes that the fit is drawn to
+NEAREST = 24  # points of a fit, the nearest to the target
+CLOSE_BAR = 2.0e-3  # misses below this weigh alike in a fit
+LENGTHS = np.array([1.5, 1.2, 1.0, 0.8, 0.5, 0.25, 0.1, 0.03])  # of exact steps
+
+
+@dataclass(frozen=True)
+class PhysicsOptions(InverseOptions):
+    """Gauss-Newton on the simulator, from the forward model's solutions."""
+
+    needs_forward: ClassVar[bool] = False
+
+    slopes: str = "fitted"
+    finishing: str = "same"
+    tolerance_bar: float = 3.0e-4
+    most_simulations: int = 160
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_choice("inverse.slopes", self.slopes, SLOPES)
+        check_choice("inverse.finishing", self.finishing, FINISHING)
+        check_number("inverse.tolerance_bar", self.tolerance_bar, 0.0, 1.0, above=True)
+        check_integer("inverse.most_simulations", self.most_simulations, CANDIDATES, 100_000)
+
+    @property
+    def needs_slopes(self) -> bool:
+        return self.slopes == "exact"
+
+    def solve(self, problem: Problem) -> list[Solution]:
+        """The refined solutions, as many as it takes to reach the target; then the others."""
+        search = Search(problem, problem.simulator)
+        starts = first_guesses(search)
+        refined: list[Solution] = []
+        while starts and not any(self._reaches(problem, one) for one in refined):
+            refined.append(self._refined(search, starts.pop(0)))
+            search = Search(problem, problem.simulator)
+        refined.sort(key=lambda solution: solution.miss_bar(problem.target))
+        return [*refined, *starts]
+
+    def _reaches(self, problem: Problem, solution: Solution) -> bool:
+        return solution.miss_bar(problem.target) <= self.tolerance_bar
+
+    def _refined(self, search: "Search", start: Solution) -> Solution:
+        """Refined at the problem's tier, then at the finer one if that is to have the last word."""
+        rounds = exact_rounds if self.needs_slopes else fitted_rounds
+        problem, searches = search.problem, [search]
+        if self.finishing != "same":
+            searches.append(Search(problem, problem.simulator.at(self.finishing)))
+        for search in searches:
+            allowed = search.simulator.simulations + self.most_simulations - CANDIDATES
+            for best in rounds(search, start):
+                if self._reaches(problem, best) or search.simulator.simulations > allowed:
+                    break
+            start = best
+        return start
+
+
+def first_guesses(search: "Search") -> list[Solution]:
+    """The forward model's solutions, or without one the best point of a grid of simulations."""
+    if search.problem.forward is not None:
+        return GaussNewtonOptions().solve(search.problem)
+    search.simulate(search.problem.scaled(search.problem.grid(SIDE).reshape(-1, 2)))
+    return [search.best()]
+
+
+@dataclass
+class Search:
+    """What was simulated: ``shares`` (N, 2) of the controls' ranges, and their apexes (N, 2)."""
+
+    problem: Problem
+    simulator: Simulator
+    shares: Array = field(default_factory=lambda: np.zeros((0, 2)))
+    apexes: Array = field(default_factory=lambda: np.zeros((0, 2)))
+
+    @property
+    def target(self) -> Array:
+        return self.problem.target
+
+    def simulate(self, shares: Array) -> None:
+        """Simulate candidates (N, 2); those that do not jump are forgotten."""
+        apexes = self.simulator.apexes(self.designs(shares))
+        jumped = np.isfinite(apexes).all(axis=1)
+        self.shares = np.vstack([self.shares, shares[jumped]])
+        self.apexes = np.vstack([self.apexes, apexes[jumped]])
+
+    def misses(self) -> Array:
+        """Distances (N) to the target in L."""
+        return np.hypot(*(self.apexes - self.target).T)
+
+    def best(self) -> Solution:
+        """The point nearest to the target; if none jumped, the middle, infinitely far."""
+        if not len(self.apexes):
+            return Solution(self.problem.unscaled(np.full(2, 0.5)), np.full(2, np.inf), True)
+        k = int(self.misses().argmin())
+        return Solution(self.problem.unscaled(self.shares[k]), self.apexes[k], True)
+
+    def by_shares(self, slopes: Array) -> Array:
+        """Derivatives (2, 2) of the apex by the shares, from those (1, 2, 4) by the design."""
+        found: Array = slopes[0, :, :2] * (self.problem.high - self.problem.low)
+        return found
+
+    def designs(self, shares: Array) -> Array:
+        """Designs (N, 4) of shares (N, 2)."""
+        return self.problem.designs(self.problem.unscaled(shares))
+
+
+def step(slopes: Array, change: Array, shares: Array) -> Array:
+    """The step (2) from the shares that changes the apex so, as far as bounds let it."""
+    room = np.maximum(np.stack([shares, 1.0 - shares]), 1e-12)
+    way = lsq_linear(slopes, change, bounds=(-room[0], room[1])).x
+    return np.clip(way, -LONGEST_STEP, LONGEST_STEP)
+
+
+def fitted_rounds(search: Search, start: Solution) -> Iterator[Solution]:
+    """The best point after each round; slopes are fitted to what was simulated."""
+    forward, target = search.problem.forward, search.target
+    here = search.problem.scaled(start.controls)
+    believed = start.apex if np.isfinite(start.apex).all() else target
+    drawn_to = np.eye(2) * float(np.abs(target).max())
+    if forward is not None:
+        drawn_to = search.by_shares(forward.jacobian(search.designs(here[None])))
+    slopes = drawn_to
+    if len(search.apexes):
+        here, believed, slopes = fit(search, drawn_to)
+    ring = max(FIRST_RING_BAR, RING_SHARE * float(np.hypot(*(believed - target))))
+    turn = 2.0 * np.pi * np.arange(CANDIDATES - 1) / (CANDIDATES - 1)
+    around = np.vstack([np.zeros(2), np.column_stack([np.cos(turn), np.sin(turn)])])
+    while True:
+        change = target - believed
+        steps = [step(slopes, change + ring * aim, here) for aim in around]
+        search.simulate(np.clip(here + steps, 0.0, 1.0))
+        yield search.best()
+        if len(search.apexes):
+            here, believed, slopes = fit(search, drawn_to)
+            ring = max(LEAST_RING_BAR, RING_SHARE * float(search.misses().min()))
+
+
+def fit(search: Search, drawn_to: Array) -> tuple[Array, Array, Array]:
+    """Middle (2) of the points nearest to the target, their mean apex (2), and slopes (2, 2).
+
+    Ridge regression, drawn to given slopes as far as roughness leaves the points undecided.
+    """
+    misses = search.misses()
+    nearest = np.argsort(misses)[:NEAREST]
+    weights = 1.0 / (misses[nearest] + CLOSE_BAR)
+    weights /= weights.sum()
+    middle, mean = weights @ search.shares[nearest], weights @ search.apexes[nearest]
+    inputs, outputs = search.shares[nearest] - middle, search.apexes[nearest] - mean
+    stiffness = (ROUGHNESS_BAR / (TRUST * np.linalg.norm(drawn_to))) ** 2
+    normal = inputs.T @ (weights[:, None] * inputs) + stiffness * np.eye(2)
+    unexplained = outputs - inputs @ drawn_to.T
+    correction = np.linalg.solve(normal, inputs.T @ (weights[:, None] * unexplained))
+    return middle, mean, drawn_to + correction.T
+
+
+def exact_rounds(search: Search, start: Solution) -> Iterator[Solution]:
+    """The best point after each round; ends where no step is an improvement."""
+    search.simulate(search.problem.scaled(start.controls)[None])
+    best = search.best()
+    yield best
+    while True:
+        here = search.problem.scaled(best.controls)
+        slopes = search.simulator.slopes(search.designs(here[None]))
+        if not np.isfinite(slopes).all():
+            return
+        way = step(search.by_shares(slopes), search.target - best.apex, here)
+        search.simulate(np.clip(here + LENGTHS[:, None] * way, 0.0, 1.0))
+        if search.best().miss_bar(search.target) >= best.miss_bar(search.target):
+            return
+        best = search.best()
+        yield best
+
+
+MEMBER = PhysicsOptions

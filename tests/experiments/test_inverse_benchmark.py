@@ -1,0 +1,168 @@
+"""The benchmark of inverse design on two targets of coarse jumps, and its table."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from small_datasets import CONFIG, generated, small
+
+from experiments.compositions import described
+from experiments.inverse_benchmark.figure import draw_benchmark
+from experiments.inverse_benchmark.methods import METHODS, PAPER, SOLVED_MM
+from experiments.inverse_benchmark.problems import make_problems
+from experiments.inverse_benchmark.study import InverseBenchmark, chosen, stretches
+from experiments.inverse_benchmark.table import readme_block, summary_row, unsolved
+from snapjump.checks import ParameterError
+from snapjump.dataset.read import open_dataset
+from snapjump.files.result_folder import ResultFolder
+from snapjump.learning.data import JumpData
+from snapjump.learning.learn import learn
+from snapjump.learning.training import Training
+from snapjump.members import member_class, member_names
+from snapjump.simulation import build
+
+RANGES = ((0.01, 0.19), (0.1, 0.3), (0.3, 2.0), (0.1, 0.6))
+
+
+@pytest.fixture(scope="module")
+def checkpoint(tmp_path_factory: Any) -> Path:
+    """An interpolation between 250 coarse jumps."""
+    path: Path = tmp_path_factory.mktemp("coarse")
+    generated(path / "jumps", small(250, 250))
+    data = JumpData(open_dataset(path / "jumps"), Training(), 0)
+    options = member_class("surrogate", "rbf")()
+    return learn(data, options, lambda share, text: None, place=path).file
+
+
+def configured(**task: Any) -> dict[str, Any]:
+    given = {"problems": 2, "environments": 0, "methods": ["gauss_newton", "physics"]}
+    return {
+        **described(build(CONFIG)),
+        "task": {"name": "inverse_benchmark", "checkpoint": None, **given, **task},
+        "effort": "quick",
+        "figures": True,
+        "seed": 0,
+    }
+
+
+def rows(*misses: float | None, **changes: Any) -> list[dict[str, Any]]:
+    return [
+        {
+            "problem": k,
+            "miss_own_mm": miss,
+            "miss_standard_mm": miss,
+            "miss_reference_mm": None if miss is None else 2.0 * miss,
+            "finished_at": "own",
+            "seconds": 0.5,
+            "simulations": 24,
+            **dict.fromkeys(("target_x_bar", "target_y_bar", "mass_bar", "mu", "epsilon"), 1.0),
+            **dict.fromkeys(("hidden_delta_alpha_rad", "hidden_epsilon", "delta_alpha_rad"), 0.1),
+            **changes,
+        }
+        for k, miss in enumerate(misses)
+    ]
+
+
+def test_problems_are_the_same_whichever_are_asked_for() -> None:
+    base = build(CONFIG)
+    both, second = (make_problems(base, RANGES, 3, first, 2) for first in (0, 1))
+    assert np.array_equal(both.hidden[1:], second.hidden)
+    assert np.array_equal(both.targets[1:], second.targets)
+    low, high = np.array(RANGES).T
+    assert ((both.hidden >= low) & (both.hidden <= high)).all()
+    other = make_problems(base, RANGES, 4, 0, 1)
+    assert not np.array_equal(other.hidden, both.hidden[:1])
+
+
+def test_physics_hits_what_the_forward_model_misses(
+    checkpoint: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    study = InverseBenchmark()
+    study.prepare(configured(checkpoint=str(checkpoint)))
+    assert [cell.name for cell in study.cells] == [
+        "gauss_newton: targets 0 to 1",
+        "physics: targets 0 to 1",
+    ]
+    found = {cell.inputs["method"]: study.compute(cell) for cell in study.cells}
+    for row in found["physics"]:
+        reached = [row["delta_alpha_rad"], row["epsilon"]]
+        assert 0.01 <= reached[0] <= 0.19
+        assert 0.1 <= reached[1] <= 0.3
+        assert row["simulations"] >= 8
+    assert all(row["simulations"] == 0 for row in found["gauss_newton"])
+    own = {name: np.mean([row["miss_own_mm"] for row in all_]) for name, all_ in found.items()}
+    assert own["physics"] < SOLVED_MM
+    assert own["physics"] < 0.1 * own["gauss_newton"]
+
+
+def test_the_study_concludes_and_replaces_readme_s_table(
+    checkpoint: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    study = InverseBenchmark()
+    study.prepare(configured(checkpoint=str(checkpoint), methods=["gauss_newton"], problems=1))
+    (tmp_path / "run").mkdir()
+    outcome = study.run(ResultFolder(tmp_path / "run"), lambda done, text: None)
+    assert outcome.status == "ok"
+    assert (tmp_path / "run" / "misses.png").stat().st_size > 10_000
+    assert "`gauss_newton`" in (tmp_path / "run" / "inverse.block.md").read_text()
+
+
+def test_a_summary_is_of_the_misses_that_are_known() -> None:
+    row = summary_row("physics", rows(0.01, 0.03, None, 0.5))
+    assert row["mean_mm_standard"] == pytest.approx(0.18)
+    assert row["max_mm_reference"] == pytest.approx(1.0)
+    assert row["failed_standard"] == 1
+    assert row["solved"] == 2
+    assert row["simulations_mean"] == 24.0
+
+
+def test_solved_is_judged_where_the_method_finished() -> None:
+    assert summary_row("physics", rows(0.06))["solved"] == 1
+    assert summary_row("physics", rows(0.06, finished_at="reference"))["solved"] == 0
+
+
+def test_every_miss_of_a_method_with_a_simulator_is_listed() -> None:
+    missed = unsolved({"physics": rows(0.01, None, 0.2), "adam": rows(5.0)})
+    assert [row["problem"] for row in missed] == [1, 2]
+
+
+def test_the_block_has_every_method_and_the_paper_s_numbers() -> None:
+    table = [summary_row(name, rows(0.01, 0.02)) for name in METHODS]
+    text = readme_block(table, 2)
+    assert "`physics`, finishing at reference" in text
+    for row in PAPER:
+        assert str(row["mean_mm"]) in text
+
+
+def test_every_member_is_compared() -> None:
+    assert {group["name"] for group in METHODS.values()} == set(member_names("inverse"))
+    assert chosen(None).keys() == METHODS.keys()
+
+
+def test_the_figure_is_drawn_with_misses_that_are_unknown(tmp_path: Path) -> None:
+    draw_benchmark({"adam": rows(1.0, None), "physics": rows(0.01, 0.02)}, tmp_path / "m.png")
+    assert (tmp_path / "m.png").stat().st_size > 10_000
+
+
+def test_stretches_cover_everything_once() -> None:
+    assert stretches(25, 10) == [(0, 10), (10, 20), (20, 25)]
+    assert stretches(0, 10) == []
+
+
+@pytest.mark.parametrize(
+    ("changes", "key"),
+    [
+        ({"problems": 0}, "task.problems"),
+        ({"environments": -1}, "task.environments"),
+        ({"methods": ["magic"]}, "task.methods"),
+        ({"methods": []}, "task.methods"),
+        ({"checkpoint": "nowhere.safetensors"}, "checkpoint"),
+    ],
+)
+def test_bad_input_is_named(changes: dict[str, Any], key: str) -> None:
+    with pytest.raises(ParameterError) as caught:
+        InverseBenchmark().prepare(configured(**changes))
+    assert caught.value.key == key

@@ -1,0 +1,132 @@
+"""The study of forward models on a small smooth dataset, its floor, and where errors sit."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from small_datasets import CONFIG, small, smooth_dataset
+
+from experiments.surrogates import study as module
+from experiments.surrogates.floor import INTERVALS, floor_rows, left_out
+from experiments.surrogates.places import BINS, by_input, concentration
+from experiments.surrogates.study import CompareSurrogates, training_of
+from snapjump.checks import ParameterError
+from snapjump.files.result_folder import ResultFolder
+from snapjump.learning.training import Training
+from snapjump.plan.base import AXES
+from snapjump.simulation import build
+
+RANGES = ((0.01, 0.19), (0.1, 0.3), (0.3, 2.0), (0.1, 0.6))
+
+
+@pytest.fixture
+def datasets(tmp_path: Path) -> dict[str, Any]:
+    """Folders of one smooth law, as the study's keys."""
+    for name, specification in (
+        ("standard", small(300, 300)),
+        ("slopes", small(160, 160, True, friction={"name": "implicit",
+                                                    "velocity_threshold_m_s": 0.01})),
+    ):  # fmt: skip
+        smooth_dataset(tmp_path / name, specification)
+    return {
+        "standard": str(tmp_path / "standard"),
+        "paper": None,
+        "slopes": str(tmp_path / "slopes"),
+    }
+
+
+def configured(**task: Any) -> dict[str, Any]:
+    name = {"name": "compare_surrogates"}
+    return {"task": {**name, **task}, "effort": "quick", "figures": True, "seed": 0}
+
+
+def test_the_study_trains_judges_and_concludes(
+    datasets: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(module, "LONGEST", 3)
+    monkeypatch.setattr(module, "SIZES", ((100,), ()))
+    monkeypatch.setattr(module, "FLOOR_CELLS", (1, 1))
+    monkeypatch.setattr("experiments.surrogates.floor.JUMPS", 64)
+    study = CompareSurrogates()
+    study.prepare(configured(**datasets))
+    names = [cell.name for cell in study.cells]
+    assert "resnet, 100 jumps" in names
+    assert "resnet, 240 jumps" in names
+    assert "ensemble, 100 jumps" not in names
+    assert "gradient_mlp, 128 jumps, slopes left out" in names
+    (tmp_path / "run").mkdir()
+    outcome = study.run(ResultFolder(tmp_path / "run"), lambda done, text: None)
+    assert outcome.status == "ok", (tmp_path / "run" / "failures.txt").read_text()
+    # A cubic law is what an interpolation of 240 points knows best.
+    found = outcome.summary
+    assert found["mae_bar_rbf_240_jumps"] < found["mae_bar_rbf_100_jumps"]
+    assert found["mae_bar_rbf_240_jumps"] < 0.5 * found["mae_bar_mlp_240_jumps"]
+    for picture in ("curves.png", "places.png"):
+        assert (tmp_path / "run" / picture).stat().st_size > 10_000
+
+
+def test_a_cubic_leaves_nothing_of_a_cubic_and_all_of_noise() -> None:
+    rng = np.random.default_rng(0)
+    points = rng.uniform(-1.0, 1.0, (128, 4))
+    a, b, c, d = points.T
+    cubic = np.stack([1.0 + a * b * c - d**3, a**2 * d - 0.5 * b], axis=1)
+    assert np.abs(left_out(points, cubic)).max() < 1e-10
+    noise = rng.standard_normal((128, 2))
+    # Left out in turn, a fit with 35 coefficients to 128 points errs by 1/(1 - 35/128) in variance.
+    assert (left_out(points, noise) ** 2).mean() == pytest.approx(
+        1.0 / (1.0 - 35.0 / 128.0), rel=0.2
+    )
+
+
+def test_the_floor_is_measured_in_cells_of_the_grid() -> None:
+    rows = floor_rows(build(CONFIG), RANGES, 2, 0)
+    low, high = np.array(RANGES).T
+    corners = np.array([[row[f"{name}_low"] for name in AXES] for row in rows])
+    places = (corners - low) / (high - low) * INTERVALS
+    assert places == pytest.approx(np.round(places), abs=1e-9)
+    assert all(row["jumps"] > 100 and 0.0 < row["x_bar"] < 5.0 for row in rows)
+
+
+def test_errors_are_where_they_are() -> None:
+    rng = np.random.default_rng(0)
+    low, high = np.array(RANGES).T
+    designs = low + (high - low) * rng.random((2000, 4))
+    errors = np.where(designs[:, 3:] > 0.5, [0.2, -0.1], [0.01, 0.01])
+    rows = by_input(designs, errors, RANGES)
+    assert len(rows) == 4 * BINS
+    worst = max(rows, key=lambda row: row["mae_x_bar"])
+    assert (worst["input"], worst["from"]) == ("mu", pytest.approx(0.5))
+    assert worst["mae_y_bar"] == pytest.approx(0.1)
+    assert sum(row["designs"] for row in rows if row["input"] == "mu") == 2000
+
+
+def test_a_concentrated_error_is_said_to_be_one() -> None:
+    errors = np.full((1000, 2), 0.001)
+    errors[:10] = 1.0
+    shares = concentration(errors)
+    assert shares["share_of_worst_1_percent"] == pytest.approx(10.0 / 10.99)
+    assert concentration(np.ones((1000, 2)))["share_of_worst_10_percent"] == pytest.approx(0.1)
+
+
+def test_fewer_jumps_are_given_more_epochs() -> None:
+    epochs = Training().epochs
+    assert training_of(None, 40_500).epochs == epochs
+    assert training_of(10_125, 40_500).epochs == 2 * epochs
+    assert training_of(500, 40_500).epochs == module.LONGEST
+
+
+@pytest.mark.parametrize(
+    ("changes", "key"),
+    [
+        ({"standard": None}, "task.standard"),
+        ({"standard": "nowhere"}, "task.standard"),
+        ({"paper": "nowhere"}, "task.paper"),
+        ({"slopes": 3}, "task.slopes"),
+    ],
+)
+def test_bad_input_is_named(datasets: dict[str, Any], changes: dict[str, Any], key: str) -> None:
+    with pytest.raises(ParameterError) as caught:
+        CompareSurrogates().prepare(configured(**{**datasets, **changes}))
+    assert caught.value.key == key
