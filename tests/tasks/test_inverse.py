@@ -24,6 +24,7 @@ from snapjump.tasks.names import register_resolvers
 CONF = Path(__file__).resolve().parents[2] / "conf"
 # The physical model that the checkpoint claims to know.
 MODEL = OVERRIDES[1:]
+METHOD = "inverse=gauss_newton"
 KEYS = (
     "reachable",
     "epsilon",
@@ -69,7 +70,8 @@ def run(checkpoint: Path, tmp_path: Path) -> Callable[..., tuple[Outcome, dict[s
 
 def prepared(checkpoint: Path, *overrides: str) -> tuple[InverseDesign, Any]:
     register_resolvers()
-    given = ["task=inverse", *MODEL, f"checkpoint={checkpoint}", *overrides]
+    method = () if any(text.startswith("inverse=") for text in overrides) else (METHOD,)
+    given = ["task=inverse", *MODEL, *method, f"checkpoint={checkpoint}", *overrides]
     with initialize_config_dir(str(CONF), version_base="1.3"):
         config = OmegaConf.to_container(compose("config", given), resolve=True)
     task = InverseDesign()
@@ -79,8 +81,9 @@ def prepared(checkpoint: Path, *overrides: str) -> tuple[InverseDesign, Any]:
 
 def test_the_command_line(command, checkpoint: Path, target: list[float], tmp_path: Path) -> None:
     done = command(
-        "task=inverse", *MODEL, f"checkpoint={checkpoint}", f"target={target}", "tracking=off"
-    )
+        "task=inverse", *MODEL, METHOD, f"checkpoint={checkpoint}", f"target={target}",
+        "tracking=off",
+    )  # fmt: skip
     assert done.returncode == 0, done.stderr
     (file,) = tmp_path.glob("outputs/*/*/result.json")
     result = json.loads(file.read_text())
