@@ -110,9 +110,10 @@ class JumpData(LightningDataModule):
 
 
 def read_rows(dataset: Dataset) -> Rows:
-    """All jumps that are ok, as float32; slopes are NaN where the dataset has none."""
+    """All jumps that are ok, as float32; slopes are NaN where the dataset has none, or where a
+    grazed contact makes them those of one side only."""
     slopes = list(SLOPES) if dataset.specification["sensitivities"] else []
-    frame = dataset.frame([*AXES, *APEXES, *slopes, "status"])
+    frame = dataset.frame([*AXES, *APEXES, *slopes, "differentiable", "status"])
     frame = frame[frame["status"] == "ok"]
 
     def tensor(columns: list[str]) -> torch.Tensor:
@@ -121,5 +122,6 @@ def read_rows(dataset: Dataset) -> Rows:
     designs, apexes = tensor(list(AXES)), tensor(list(APEXES))
     shape = (len(frame), len(APEXES), len(AXES))
     if slopes:
+        frame.loc[frame["differentiable"] != True, slopes] = np.nan  # noqa: E712  # null is none
         return Rows(designs, apexes, tensor(slopes).reshape(shape))
     return Rows(designs, apexes, torch.full((1, 1, 1), torch.nan).expand(shape))

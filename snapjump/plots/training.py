@@ -49,7 +49,7 @@ def draw_training(
             axes.set_xlabel(label)
             places.append(axes)
         for axes in places:
-            axes.set_ylim(0.0, 1.1 * most)
+            axes.set_ylim(0.0, 1.1 * most or 1.0)
         places[0].set_ylabel("mean absolute error (L)")
         places[0].legend(loc="upper right", ncols=2)
 

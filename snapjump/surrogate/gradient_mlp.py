@@ -31,16 +31,15 @@ class GradientMlp(MassScaled):
     """Sobolev training (Czarnecki et al., arXiv 1706.04859).
 
     The loss is the mean absolute error of the apexes and ``slope_weight`` times that of the
-    slopes, both in standard deviations of apexes and inputs; slopes that are NaN do not count.
+    slopes, both in standard deviations of the apexes and of the scaled inputs; slopes that are NaN
+    do not count.
     """
 
     needs_slopes = True
-    strides: Tensor  # standard deviations of the inputs
 
     def __init__(self, width: int, layers: int, slope_weight: float):
         super().__init__()
         self.slope_weight = slope_weight
-        self.register_buffer("strides", torch.ones(INPUTS))
         sizes = [INPUTS, *[width] * layers]
         parts: list[nn.Module] = []
         for here, there in zip(sizes[:-1], sizes[1:], strict=True):
@@ -49,10 +48,6 @@ class GradientMlp(MassScaled):
 
     def forward(self, designs: Tensor) -> Tensor:
         return self.apexes(self.body(self.scaled(designs)), designs)
-
-    def fit(self, rows: Rows) -> None:
-        super().fit(rows)
-        self.strides.copy_(rows.designs.std(dim=0))
 
     def loss(self, rows: Rows) -> Tensor:
         designs = rows.designs.clone().requires_grad_()
@@ -66,7 +61,10 @@ class GradientMlp(MassScaled):
             dim=1,
         )
         known = torch.isfinite(rows.slopes)
-        error = (slopes - rows.slopes) * self.strides / self.spread[:, None]
+        # What a standard deviation of a scaled input is in the design's own unit; d log(m) = dm/m.
+        strides = self.inputs.deviation.repeat(len(designs), 1)
+        strides[:, 2] *= rows.designs[:, 2]
+        error = (slopes - rows.slopes) * strides[:, None] / self.spread[:, None]
         return values + self.slope_weight * error[known].abs().sum() / known.sum().clamp(min=1)
 
 
