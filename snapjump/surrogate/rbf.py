@@ -5,26 +5,27 @@ from functools import cached_property
 from typing import Any
 
 import torch
+from numpy.linalg import LinAlgError
 from scipy.interpolate import RBFInterpolator
 from torch import Tensor
 
-from snapjump.checks import check_choice, check_integer, check_number
+from snapjump.checks import ParameterError, check_choice, check_integer, check_number
 from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, Rows
 
-KERNELS = ("linear", "thin_plate_spline", "cubic", "quintic")
+KERNELS = ("linear", "thin_plate_spline", "cubic")
 
 
 @dataclass(frozen=True)
 class RbfOptions:
     """Radial basis functions through the nearest jumps: no network."""
 
-    neighbours: int = 60
+    neighbours: int = 120
     kernel: str = "cubic"
     smoothing: float = 0.0
 
     def __post_init__(self) -> None:
-        # Quintic ones need a polynomial of degree 2, which has 15 coefficients in four inputs.
-        check_integer("surrogate.neighbours", self.neighbours, 15, 4096)
+        # A polynomial of degree 1 goes with the kernels: five coefficients in four inputs.
+        check_integer("surrogate.neighbours", self.neighbours, 5, 4096)
         check_choice("surrogate.kernel", self.kernel, KERNELS)
         check_number("surrogate.smoothing", self.smoothing, 0.0, 1e6)
 
@@ -63,7 +64,11 @@ class Rbf(MassScaled):
     def forward(self, designs: Tensor) -> Tensor:
         if not len(designs):
             return designs[:, :OUTPUTS]
-        learned = self.interpolator(self.scaled(designs).numpy())
+        try:
+            learned = self.interpolator(self.scaled(designs).numpy())
+        except LinAlgError:
+            allowed = "more, for the nearest jumps of some designs lie in one plane"
+            raise ParameterError("surrogate.neighbours", self.options.neighbours, allowed) from None
         return self.apexes(torch.from_numpy(learned).to(designs.dtype), designs)
 
     def fit(self, rows: Rows) -> None:

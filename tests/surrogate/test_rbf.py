@@ -1,8 +1,10 @@
 """Interpolation: through its points, and exact for what its polynomial holds."""
 
+import pytest
 import torch
 from forward_models import jumps
 
+from snapjump.checks import ParameterError
 from snapjump.surrogate.base import Rows
 from snapjump.surrogate.rbf import RbfOptions
 
@@ -24,6 +26,15 @@ def test_what_is_linear_in_its_inputs_is_exact_anywhere() -> None:
     network.fit(linear(jumps(300)))
     others = linear(jumps(50, 1))
     assert torch.allclose(network(others.designs), others.apexes, atol=1e-4)
+
+
+def test_neighbours_in_one_plane_are_told() -> None:
+    rows = jumps(100)
+    rows.designs[:, 3] = 0.3
+    network = RbfOptions(neighbours=20).network()
+    network.fit(rows)
+    with pytest.raises(ParameterError, match=r"surrogate\.neighbours = 20 .* one plane"):
+        network(rows.designs)
 
 
 def test_fewer_points_than_neighbours() -> None:

@@ -100,7 +100,7 @@ def test_its_slopes_are_those_of_its_values(name: str) -> None:
         ("gradient_mlp", "layers", 0),
         ("gradient_mlp", "slope_weight", -0.1),
         ("gradient_mlp", "slope_weight", math.nan),
-        ("rbf", "neighbours", 14),
+        ("rbf", "neighbours", 4),
         ("rbf", "kernel", "gaussian"),
         ("rbf", "smoothing", -1.0),
     ],
