@@ -13,9 +13,7 @@ from snapjump.scenes.sensitivities import SMALLEST_STICK_ZONE_M_S, check_differe
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 Array = NDArray[np.float64]
-LANES = 8
-# Up to so many jumps are sooner done one after the other.
-FEW = 2
+LANES = 8  # even for one jump, which takes a third longer so: every width is compiled anew
 RESOLVED_STICK_ZONE_M_S = 0.01
 EPSILON = 1
 # Of thresholds that a curve goes through; fewer serve where the compressions hardly differ.
@@ -50,8 +48,7 @@ class JumpSimulator:
     def apexes(self, designs: Array) -> Array:
         """Apexes (N, 2) in L of designs (N, 4), NaN unless the status is ok."""
         self._own += len(designs)
-        lanes = 1 if len(designs) <= FEW else LANES
-        batch = simulate_designs(self.base, designs, threads=1, lanes=lanes)
+        batch = simulate_designs(self.base, designs, threads=1, lanes=LANES)
         jumped = np.array(batch.status) == NAMES[OK]
         return np.where(jumped[:, None], np.stack([batch.x_bar, batch.y_bar], axis=1), np.nan)
 
@@ -70,9 +67,8 @@ class JumpSimulator:
         curve = ThresholdCurve.through(
             base.robot, base.discretization, low / margin, min(high * margin, 0.4), nodes
         )
-        lanes = 1 if len(designs) <= FEW else LANES
         batch = simulate_designs(
-            base, designs, curve=curve, threads=1, lanes=lanes, sensitivities=True
+            base, designs, curve=curve, threads=1, lanes=LANES, sensitivities=True
         )
         assert batch.sensitivities is not None
         found = np.stack([batch.sensitivities.dx_bar, batch.sensitivities.dy_bar], axis=1)

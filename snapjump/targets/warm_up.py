@@ -6,7 +6,7 @@ from snapjump.composition import Simulation
 from snapjump.inverse.base import ForwardModel, InverseMethod, Problem
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
 from snapjump.targets.answer import answer
-from snapjump.targets.simulator import LANES, JumpSimulator
+from snapjump.targets.simulator import JumpSimulator
 
 
 def warm_up(base: Simulation, forward: ForwardModel, method: InverseMethod) -> None:
@@ -19,6 +19,5 @@ def warm_up(base: Simulation, forward: ForwardModel, method: InverseMethod) -> N
     if method.needs_forward:
         return
     simulator.apexes(middle)
-    simulator.apexes(np.repeat(middle, LANES, axis=0))
     if method.needs_slopes:
         simulator.slopes(middle)
