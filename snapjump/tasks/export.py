@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
 from snapjump.tasks.base import OK, Outcome, Progress
 from snapjump.terminal.block import number
@@ -26,13 +25,12 @@ class Export:
         """Read the checkpoint, which checks it."""
         from snapjump.learning.export import check_exportable
         from snapjump.learning.forward_model import open_forward_model
+        from snapjump.targets.request import checkpoint_path
 
-        path = config.get("checkpoint")
-        if not isinstance(path, str) or not path:
-            raise ParameterError("checkpoint", path, "the path of a forward_model.safetensors")
-        self._path, self._seed = path, config["seed"]
-        self._model = open_forward_model(path)
-        check_exportable(self._model, path)
+        self._path = str(checkpoint_path(config.get("checkpoint")))
+        self._seed = config["seed"]
+        self._model = open_forward_model(self._path)
+        check_exportable(self._model, self._path)
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         """Write the file, once it has been compared."""

@@ -27,7 +27,7 @@ def test_a_forward_model_becomes_onnx(command, tmp_path: Path) -> None:
     assert "us with onnxruntime" in done.stdout and "forward_model.onnx" in done.stdout
 
 
-@pytest.mark.parametrize("value", [None, "", 3, "none.safetensors", "text.safetensors"])
+@pytest.mark.parametrize("value", ["", 3, "none.safetensors", "text.safetensors"])
 def test_checkpoints_that_are_none(
     value: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
