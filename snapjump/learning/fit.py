@@ -36,7 +36,8 @@ def descend(network: Surrogate, data: JumpData, folder: Path, progress: Progress
     """
     training = data.training
     keeper = Keeper(folder / STATE, progress)
-    early = EarlyStopping(VALIDATION, patience=training.patience)
+    # At the end of the validation, so that the keeper saves what has come of it.
+    early = EarlyStopping(VALIDATION, patience=training.patience, check_on_train_epoch_end=False)
     with quiet(), torch_threads(training.threads):
         trainer = Trainer(
             accelerator="cpu",

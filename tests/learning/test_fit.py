@@ -107,15 +107,31 @@ def test_a_training_that_was_killed_goes_on_to_the_same_bits(
 def test_a_training_that_had_ended_is_not_gone_on_with(
     data: Data, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    found = data(epochs=50, patience=2)
-    monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 0.0)
-    for _ in range(2):
-        _, fit = fitted(found, tmp_path)
-        assert len(fit.curves) == 3
     complete = data()
     for _ in range(2):
         _, fit = fitted(complete, tmp_path / "complete")
         assert len(fit.curves) == 6
+    found = data(epochs=50, patience=2)
+    monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 0.0)
+    _, first = fitted(found, tmp_path / "stopped")
+    _, again = fitted(found, tmp_path / "stopped")
+    assert len(first.curves) == 3 and again == first
+
+
+def test_patience_goes_on_where_it_was(
+    data: Data, tmp_path: Path, every_epoch: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = data(epochs=50, patience=3)
+    monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 0.0)
+
+    def dies(share: float, text: str) -> None:
+        if text.startswith("epoch 3"):
+            raise Killed
+
+    with pytest.raises(Killed):
+        fitted(found, tmp_path, dies)
+    _, fit = fitted(found, tmp_path)
+    assert len(fit.curves) == 4
 
 
 def test_a_state_that_is_damaged_is_begun_anew(data: Data, tmp_path: Path) -> None:
