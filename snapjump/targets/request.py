@@ -3,14 +3,18 @@
 from collections.abc import Sequence
 from dataclasses import fields
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from snapjump import learning
 from snapjump.checks import ParameterError, check_group, is_finite_number
-from snapjump.inverse.base import Array, ForwardModel, InverseMethod
+from snapjump.composition import Simulation
+from snapjump.inverse.base import Array, InverseMethod
 from snapjump.targets.robust import Tolerance
+
+if TYPE_CHECKING:
+    from snapjump.learning.forward_model import ForwardModel
 
 SHIPPED = Path(learning.__file__).parent / "trained" / "standard.safetensors"
 ENVIRONMENT = ("mass_bar", "mu")
@@ -47,10 +51,14 @@ def checkpoint_path(value: Any) -> Path:
     return Path(value) if value else SHIPPED
 
 
-def outside(environment: Any, forward: ForwardModel) -> ParameterError | None:
-    """The first parameter of an environment that the forward model was not trained with."""
+def outside(base: Simulation, forward: "ForwardModel") -> ParameterError | None:
+    """The first parameter of physical model or environment that it was not trained with."""
+    try:
+        forward.check_model(base)
+    except ParameterError as error:
+        return error
     for name, (low, high) in zip(ENVIRONMENT, forward.ranges[2:], strict=True):
-        value = getattr(environment, name)
+        value = getattr(base.environment, name)
         if not low <= value <= high:
             allowed = f"a number in [{low:g}, {high:g}], where the forward model was trained"
             return ParameterError(f"environment.{name}", value, allowed)
@@ -58,16 +66,16 @@ def outside(environment: Any, forward: ForwardModel) -> ParameterError | None:
 
 
 def usable_forward(
-    environment: Any, forward: ForwardModel, method: InverseMethod
-) -> tuple[ForwardModel | None, str]:
+    base: Simulation, forward: "ForwardModel", method: InverseMethod
+) -> tuple["ForwardModel | None", str]:
     """The forward model, or None and a warning for a method that can do without it there.
 
     Raises ParameterError where it cannot: a forward model never extrapolates.
     """
-    wrong = outside(environment, forward)
+    wrong = outside(base, forward)
     if wrong is None:
         return forward, ""
     if method.needs_forward or method.robust:
         without = " (inverse=physics goes on without it, if inverse.robust is false)"
         raise ParameterError(wrong.key, wrong.value, wrong.allowed + without)
-    return None, f"{wrong.key} = {wrong.value:g} is not {wrong.allowed}; the search does without it"
+    return None, f"{wrong}; the search goes on without it"

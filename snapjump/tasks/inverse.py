@@ -59,11 +59,9 @@ class InverseDesign:
         check_scene(self._base)
         if self._method.needs_slopes:
             differentiable(self._base)
-        trained = open_forward_model(path)
-        trained.check_model(self._base)
-        self._trained = trained
+        self._trained = open_forward_model(path)
         self._forward, self._warning = request.usable_forward(
-            self._base.environment, trained, self._method
+            self._base, self._trained, self._method
         )
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:

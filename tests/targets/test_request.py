@@ -82,16 +82,29 @@ def test_bad_checkpoints(value: Any) -> None:
     ],
 )
 def test_environments_outside_the_training_range(values: Any, key: str) -> None:
-    environment, model = SimpleNamespace(**values), MadeUpModel()
+    base, model = SimpleNamespace(environment=SimpleNamespace(**values)), MadeUpModel()
     for method in (GaussNewtonOptions(), BayesianOptions(robust=True)):
         with pytest.raises(ParameterError) as caught:
-            usable_forward(environment, model, method)
+            usable_forward(base, model, method)
         assert caught.value.key == key and "[0." in str(caught.value)
-    forward, warning = usable_forward(environment, model, BayesianOptions())
+    forward, warning = usable_forward(base, model, BayesianOptions())
     assert forward is None and key in warning and "\n" not in warning
 
 
 @pytest.mark.parametrize("method", [GaussNewtonOptions(), BayesianOptions()])
 def test_environments_on_its_edge(method: Any) -> None:
     model = MadeUpModel()
-    assert usable_forward(SimpleNamespace(mu=0.6, mass_bar=0.3), model, method) == (model, "")
+    base = SimpleNamespace(environment=SimpleNamespace(mu=0.6, mass_bar=0.3))
+    assert usable_forward(base, model, method) == (model, "")
+
+
+def test_another_physical_model() -> None:
+    class Other(MadeUpModel):
+        def check_model(self, simulation: Any) -> None:
+            raise ParameterError("damping.name", "none", "'kelvin_voigt'")
+
+    base = SimpleNamespace(environment=SimpleNamespace(mu=0.3, mass_bar=1.0))
+    with pytest.raises(ParameterError, match="damping.name"):
+        usable_forward(base, Other(), GaussNewtonOptions())
+    forward, warning = usable_forward(base, Other(), BayesianOptions())
+    assert forward is None and "damping.name" in warning
