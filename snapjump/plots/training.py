@@ -36,15 +36,17 @@ def draw_training(
     """Curves by epoch (none for what has no epochs); of the test set, ``designs`` (N, 4), simulated
     ``apexes`` (N, 2) and ``errors`` (N, 2) of the prediction, in L."""
     with picture(path, (14.0, 8.4), title) as figure:
-        _descent(figure.add_axes((0.055, 0.535, 0.25, 0.36)), curves)
+        _descent(figure.add_axes((0.055, 0.52, 0.225, 0.36)), curves)
         for i in (0, 1):
-            axes = figure.add_axes((0.375 + 0.205 * i, 0.535, 0.165, 0.36))
+            axes = figure.add_axes((0.37 + 0.217 * i, 0.52, 0.165, 0.36))
             _parity(axes, apexes[:, i], apexes[:, i] + errors[:, i], i)
-        _histogram(figure.add_axes((0.81, 0.535, 0.17, 0.36)), errors)
+        _histogram(figure.add_axes((0.815, 0.52, 0.165, 0.36)), errors)
         most = 0.0
         places = []
+        heading = "Where the error sits: its mean over each value, or range of values, of an input"
+        figure.text(0.013, 0.425, heading, fontsize=11.5, color=palette.QUIET, va="center")
         for axis, label in enumerate(INPUTS):
-            axes = figure.add_axes((0.055 + 0.24 * axis, 0.085, 0.2, 0.315))
+            axes = figure.add_axes((0.055 + 0.24 * axis, 0.075, 0.2, 0.315))
             most = max(most, _by_input(axes, designs[:, axis], np.abs(errors)))
             axes.set_xlabel(label)
             places.append(axes)
@@ -70,27 +72,27 @@ def _descent(axes: Any, curves: Sequence[Mapping[str, float]]) -> None:
     axes.set_yscale("log")
     axes.set_xlabel("epoch")
     axes.grid(True)
-    axes.legend(loc="upper right")
     rate = axes.twinx()
     rates = [row["learning_rate"] for row in curves]
+    axes.plot([], [], color=palette.CLAMP, lw=1.0, ls="--", label="learning rate, right")
     rate.plot(epochs, rates, color=palette.CLAMP, lw=1.0, ls="--")
     rate.set_ylim(0.0, 3.0 * max(rates))
     rate.set_yticks([0.0, max(rates)], ["0", f"{max(rates):.0e}"])
     rate.tick_params(colors=palette.CLAMP, labelcolor=palette.CLAMP)
     rate.spines["right"].set_visible(True)
-    rate.set_ylabel("learning rate", color=palette.CLAMP, y=0.17)
+    axes.legend(loc="upper right")
 
 
 def _parity(axes: Any, simulated: Array, predicted: Array, i: int) -> None:
     """Predicted against simulated; a perfect model lies on the diagonal."""
     some = slice(None, None, -(-len(simulated) // SHOWN))
-    axes.plot(simulated[some], predicted[some], ".", ms=2.0, color=COLOURS[i], alpha=0.5)
     ends = [float(simulated.min()), float(simulated.max())]
-    axes.plot(ends, ends, color=palette.INK, lw=0.8)
+    axes.plot(ends, ends, color=palette.PALE, lw=6.0)
+    axes.plot(simulated[some], predicted[some], ".", ms=2.5, color=COLOURS[i])
     residual = ((predicted - simulated) ** 2).sum() / ((simulated - simulated.mean()) ** 2).sum()
     axes.set_title(f"{NAMES[i]}:  $1 - R^2$ = {residual:.1e}")
     axes.set_xlabel(f"simulated ${NAMES[i]} / L$")
-    axes.set_ylabel(f"predicted ${NAMES[i]} / L$", labelpad=1)
+    axes.set_ylabel(f"predicted ${NAMES[i]} / L$")
     axes.grid(True)
 
 
@@ -103,7 +105,8 @@ def _histogram(axes: Any, errors: Array) -> None:
         axes.stairs(100.0 * counts / len(errors), edges, color=COLOURS[i], label=NAMES[i], lw=1.4)
     axes.set_title(f"errors; largest {np.abs(errors).max():.2g} L")
     axes.set_xlabel("predicted less simulated (L)")
-    axes.set_ylabel("share of jumps (%)", labelpad=1)
+    axes.locator_params(axis="x", nbins=4)
+    axes.set_ylabel("share of jumps (%)")
     axes.grid(True)
     axes.legend(loc="upper right")
 

@@ -45,3 +45,20 @@ def test_slopes_that_are_not_known_do_not_count() -> None:
     assert torch.allclose(loss, expected, rtol=1e-4)
     none = rows._replace(slopes=torch.full_like(some, torch.nan))
     assert torch.allclose(made.loss(none), of_values(rows))
+
+
+def test_where_the_law_is_smooth_slopes_are_worth_many_jumps() -> None:
+    rows, others = jumps(40), jumps(500, 1)
+    errors = []
+    for weight in (0.0, 1.0):
+        torch.manual_seed(0)
+        made = GradientMlp(width=32, layers=2, slope_weight=weight)
+        made.fit(rows)
+        adam = torch.optim.Adam(made.parameters(), lr=0.01)
+        for _ in range(300):
+            adam.zero_grad()
+            made.loss(rows).backward()
+            adam.step()
+        with torch.no_grad():
+            errors.append(float((made(others.designs) - others.apexes).abs().mean()))
+    assert errors[1] < 0.6 * errors[0], errors
