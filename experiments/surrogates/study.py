@@ -23,7 +23,7 @@ CURVES = ("mlp", "resnet", "rbf")
 PAPER_MLP, PAPER_MAE_BAR = "mlp", 0.07
 FLOOR_CELLS = (48, 256)
 FLOOR = "floor at {}"
-LONGEST = 2000  # epochs
+LONGEST, SMALLEST_BATCH = 1200, 16  # epochs, and jumps
 COLUMNS = ("mae_bar", "mae_x_bar", "mae_y_bar", "p95_bar", "coverage", "parameters", "epochs",
            "train_seconds", "inference_us")  # fmt: skip
 
@@ -175,14 +175,21 @@ def completed(member: str, changes: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def training_of(rows: int | None, jumps: int) -> Any:
-    """The default training; on fewer jumps more epochs, so that descent has its steps."""
+    """The default training; on fewer jumps more epochs of smaller batches, so that descent has its
+    steps."""
     from snapjump.learning.training import Training
 
     standard = Training()
-    count = jumps if rows is None else rows
-    epochs = round(standard.epochs * max(1.0, (40_500 / count) ** 0.5))
-    epochs = min(LONGEST, epochs)
-    return Training(rows=rows, epochs=epochs, patience=max(standard.patience, epochs // 4))
+    factor = max(1.0, ((40_500 / (jumps if rows is None else rows)) ** 0.5))
+    epochs = min(LONGEST, round(factor * standard.epochs))
+    batch = max(SMALLEST_BATCH, 2 ** round(np.log2(standard.batch_first / factor)))
+    return Training(
+        rows=rows,
+        epochs=epochs,
+        patience=max(standard.patience, epochs // 4),
+        batch_first=batch,
+        batch_last=batch * standard.batch_last // standard.batch_first,
+    )
 
 
 def summary(name: str, done: Done) -> Row:

@@ -110,11 +110,14 @@ def test_a_concentrated_error_is_said_to_be_one() -> None:
     assert concentration(np.ones((1000, 2)))["share_of_worst_10_percent"] == pytest.approx(0.1)
 
 
-def test_fewer_jumps_are_given_more_epochs() -> None:
-    epochs = Training().epochs
-    assert training_of(None, 40_500).epochs == epochs
-    assert training_of(10_125, 40_500).epochs == 2 * epochs
-    assert training_of(500, 40_500).epochs == module.LONGEST
+def test_fewer_jumps_are_given_more_epochs_of_smaller_batches() -> None:
+    standard = Training()
+    assert training_of(None, 40_500) == standard
+    quarter = training_of(10_125, 40_500)
+    assert (quarter.epochs, quarter.batch_first) == (2 * standard.epochs, standard.batch_first // 2)
+    few = training_of(500, 40_500)
+    assert (few.epochs, few.batch_first) == (module.LONGEST, module.SMALLEST_BATCH)
+    assert training_of(None, 2000).epochs == training_of(2000, 40_500).epochs
 
 
 @pytest.mark.parametrize(
