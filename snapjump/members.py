@@ -33,16 +33,21 @@ def make_member(family: str, group: Any) -> Any:
     """Checked options from a group with a ``name`` and all fields. Raises ParameterError."""
     check_group(family, group)
     values = dict(group)
-    cls = member_class(family, values.pop("name", None))
+    return make_options(family, member_class(family, values.pop("name", None)), values)
+
+
+def make_options(key: str, cls: type, group: Any) -> Any:
+    """Options of a class from a group that has exactly its fields. Raises ParameterError."""
+    check_group(key, group)
     known = [field.name for field in fields(cls)]
-    for key, value in values.items():
-        if key not in known:
+    for name, value in group.items():
+        if name not in known:
             allowed = ", ".join(known) or "no keys at all"
-            raise ParameterError(f"{family}.{key}", value, f"this {family} has {allowed}")
-    for key in known:
-        if key not in values:
-            raise ParameterError(f"{family}.{key}", None, "a value, which cannot be left out")
-    return cls(**values)
+            raise ParameterError(f"{key}.{name}", value, f"this {key} has {allowed}")
+    for name in known:
+        if name not in group:
+            raise ParameterError(f"{key}.{name}", None, "a value, which cannot be left out")
+    return cls(**group)
 
 
 def member_group(family: str, options: Any) -> Mapping[str, Any]:

@@ -1,13 +1,14 @@
 """misses.png: how far from their targets the methods' designs really get, and what that costs."""
 
 from collections.abc import Mapping, Sequence
+from itertools import cycle
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from experiments.inverse_benchmark.methods import PAPER
-from experiments.inverse_benchmark.table import TIERS, column
+from experiments.inverse_benchmark.methods import PAPER, TIERS
+from experiments.inverse_benchmark.table import column
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
 from snapjump.studies.base import Row
@@ -41,7 +42,7 @@ def draw_benchmark(methods: Mapping[str, Sequence[Row]], path: Path) -> None:
 
 def _distributions(axes: Any, methods: Mapping[str, Sequence[Row]], tier: str) -> None:
     axes.set_title(f"judged at {tier}", loc="left")
-    for colour, (name, rows) in zip(COLOURS, methods.items(), strict=False):
+    for colour, (name, rows) in zip(cycle(COLOURS), methods.items(), strict=False):
         misses = column(rows, f"miss_{tier}_mm")
         misses = np.sort(misses[np.isfinite(misses)])
         share = 100.0 * np.arange(1, len(misses) + 1) / max(len(rows), 1)
@@ -60,7 +61,7 @@ def _distributions(axes: Any, methods: Mapping[str, Sequence[Row]], tier: str) -
 
 def _costs(axes: Any, methods: Mapping[str, Sequence[Row]]) -> None:
     axes.set_title("mean miss, judged at reference, against time", loc="left")
-    for colour, (name, rows) in zip(COLOURS, methods.items(), strict=False):
+    for colour, (name, rows) in zip(cycle(COLOURS), methods.items(), strict=False):
         misses = column(rows, "miss_reference_mm")
         seconds = float(np.median(column(rows, "seconds")))
         mean = float(np.nanmean(misses))

@@ -20,4 +20,5 @@ PAPER = (
     {"method": "the paper: Bayesian", "mean_mm": 3.5, "seconds": 513.0},
     {"method": "the paper: finite-difference descent", "mean_mm": 2.2, "seconds": 1129.0},
 )
+TIERS = ("standard", "reference")  # that designs are judged at, beside the run's own
 SOLVED_MM = 0.1  # a miss at the tier that a method finished at, below which a target counts as hit

@@ -24,7 +24,7 @@ TARGETS = 100  # in an environment
 
 @dataclass(frozen=True)
 class Simulated:
-    """A simulator in the place of a forward model that only predicts."""
+    """A simulator in the place of a forward model, as far as a region asks it."""
 
     simulator: JumpSimulator
     ranges: tuple[Range, Range, Range, Range]
@@ -35,10 +35,6 @@ class Simulated:
         if not np.isfinite(apexes).all():
             raise RuntimeError("a design of the region's grid did not jump")
         return apexes
-
-    def jacobian(self, designs: Array) -> Array:
-        """Exact derivatives (N, 2, 4)."""
-        return self.simulator.slopes(designs)
 
 
 def region_rows(inputs: Mapping[str, Any]) -> list[Row]:
@@ -58,7 +54,8 @@ def one_environment(forward: Any, base: Simulation, seed: int, k: int) -> Row:
     rng = np.random.default_rng([seed, k, 1])
     hidden = stretched(rng.random((1, 4)), forward.ranges)[0]
     problem = make_problem(np.zeros(2), hidden, forward, base, k)
-    truth = AchievableRegion.of(problem, Simulated(JumpSimulator(base), forward.ranges), POINTS)
+    simulated: Any = Simulated(JumpSimulator(base), forward.ranges)
+    truth = AchievableRegion.of(problem, simulated, POINTS)
     learned = AchievableRegion.of(problem, forward)
     low, high = truth.apexes.min(axis=(0, 1)), truth.apexes.max(axis=(0, 1))
     targets = low + (high - low) * ((1.0 + 2.0 * MARGIN) * rng.random((TARGETS, 2)) - MARGIN)

@@ -4,11 +4,9 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from experiments.inverse_benchmark.methods import PAPER, SOLVED_MM
+from experiments.inverse_benchmark.methods import PAPER, SOLVED_MM, TIERS
 from snapjump.studies.base import Row
 from snapjump.terminal.block import markdown_table
-
-TIERS = ("standard", "reference")
 
 
 def summary_row(method: str, rows: Sequence[Row]) -> Row:
@@ -17,16 +15,20 @@ def summary_row(method: str, rows: Sequence[Row]) -> Row:
     for tier in TIERS:
         misses = column(rows, f"miss_{tier}_mm")
         known = misses[np.isfinite(misses)]
+        found[f"failed_{tier}"] = len(misses) - len(known)
+        known = known if len(known) else np.array([np.nan])
         found[f"mean_mm_{tier}"] = float(known.mean())
         found[f"std_mm_{tier}"] = float(known.std())
         found[f"median_mm_{tier}"] = float(np.median(known))
         found[f"p95_mm_{tier}"] = float(np.quantile(known, 0.95))
         found[f"max_mm_{tier}"] = float(known.max())
-        found[f"failed_{tier}"] = len(misses) - len(known)
     found["solved"] = sum(solved(row) for row in rows)
+    found["called_unreachable"] = sum(not row["reachable"] for row in rows)
     seconds = column(rows, "seconds")
+    found["seconds_mean"] = float(seconds.mean())
     found["seconds_median"] = float(np.median(seconds))
     found["seconds_p95"] = float(np.quantile(seconds, 0.95))
+    found["seconds_max"] = float(seconds.max())
     found["simulations_mean"] = float(column(rows, "simulations").mean())
     return found
 
@@ -34,7 +36,7 @@ def summary_row(method: str, rows: Sequence[Row]) -> Row:
 def solved(row: Row) -> bool:
     """Whether a target was hit, judged at the tier that the method finished at."""
     miss = row[f"miss_{row['finished_at']}_mm"]
-    return miss is not None and miss < SOLVED_MM
+    return bool(row["reachable"]) and miss is not None and miss < SOLVED_MM
 
 
 def column(rows: Sequence[Row], key: str) -> np.ndarray:
@@ -46,21 +48,24 @@ def readme_block(table: Sequence[Row], problems: int) -> str:
     """The table for people, beside the paper's."""
     header = [
         "method",
-        "judged at `standard`: mean, 95 %, max (mm)",
+        "judged at `standard`: mean ± std, 95 %, max (mm)",
         "judged at `reference` (mm)",
         "solved",
-        "time (s)",
+        "time: median, 95 % (s)",
         "simulations",
     ]
     lines = []
     for row in table:
         member, comma, how = row["method"].partition(",")
         misses = [
-            ", ".join(f"{row[f'{key}_mm_{tier}']:.2g}" for key in ("mean", "p95", "max"))
+            f"{row[f'mean_mm_{tier}']:.2g} ± {row[f'std_mm_{tier}']:.2g}, "
+            f"{row[f'p95_mm_{tier}']:.2g}, {row[f'max_mm_{tier}']:.2g}"
+            + (f" ({row[f'failed_{tier}']} failed)" if row[f"failed_{tier}"] else "")
             for tier in TIERS
         ]
         tally = f"{row['solved']} of {row['problems']}"
-        cost = [f"{row['seconds_median']:.2g}", f"{row['simulations_mean']:.3g}"]
+        times = f"{row['seconds_median']:.2g}, {row['seconds_p95']:.2g}"
+        cost = [times, f"{row['simulations_mean']:.3g}"]
         lines.append([f"`{member}`{comma}{how}", *misses, tally, *cost])
     for row in PAPER:
         spread = f" ± {row['std_mm']}" if "std_mm" in row else ""
@@ -70,18 +75,25 @@ def readme_block(table: Sequence[Row], problems: int) -> str:
     return told + (
         f"\n\n{problems} random environments, each with a target that a hidden design reaches\n"
         "at `standard`. Misses are simulated, in mm at L = 20 mm; solved: below "
-        f"{SOLVED_MM} mm at the tier that\nthe method finished at. Times are medians on one core.\n"
+        f"{SOLVED_MM} mm at the tier that\nthe method finished at. Times are of one core.\n"
         "`python run.py task=inverse_benchmark publish=docs/studies` makes this table."
     )
 
 
 def unsolved(methods: Mapping[str, Sequence[Row]]) -> list[Row]:
-    """Every target that a method with the simulator in it did not hit."""
-    keys = ("problem", "target_x_bar", "target_y_bar", "mass_bar", "mu", "hidden_delta_alpha_rad",
-            "hidden_epsilon", "delta_alpha_rad", "epsilon", "miss_standard_mm",
-            "miss_reference_mm", "simulations")  # fmt: skip
+    """Every target that ``physics`` did not hit, with what was found when looking about its answer.
+
+    Where even the nearest of those designs misses, the map jumps over the target.
+    """
+    keys = ("problem", "reachable", "target_x_bar", "target_y_bar", "mass_bar", "mu",
+            "hidden_delta_alpha_rad", "hidden_epsilon", "delta_alpha_rad", "epsilon",
+            "miss_own_mm", "miss_standard_mm", "miss_reference_mm", "simulations")  # fmt: skip
     return [
-        {"method": name, **{key: row[key] for key in keys}}
+        {
+            "method": name,
+            **{key: row[key] for key in keys},
+            "nearest_around_mm": row.get("nearest_around_mm"),
+        }
         for name, rows in methods.items()
         if name.startswith("physics")
         for row in rows

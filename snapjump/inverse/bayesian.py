@@ -43,18 +43,20 @@ class BayesianOptions(InverseOptions):
             search.register(suggested, -miss_bar(problem, apex[0]))
             shares, apexes = np.vstack([shares, share]), np.vstack([apexes, apex])
         best = int(np.argmin([miss_bar(problem, apex) for apex in apexes]))
-        return [Solution(problem.unscaled(shares[best]), apexes[best], True)]
+        apex = apexes[best] if np.isfinite(apexes[best]).all() else np.full(2, np.inf)
+        return [Solution(problem.unscaled(shares[best]), apex, True)]
 
 
 MEMBER = BayesianOptions
 
 
 def simulated(problem: Problem, shares: Array) -> Array:
-    """Apexes (N, 2) of shares (N, 2); a robot that does not jump stays where it is."""
-    designs = problem.designs(problem.unscaled(shares))
-    return np.nan_to_num(problem.simulator.apexes(designs), nan=0.0)
+    """Apexes (N, 2) of shares (N, 2)."""
+    return problem.simulator.apexes(problem.designs(problem.unscaled(shares)))
 
 
 def miss_bar(problem: Problem, apex: Array) -> float:
-    """Distance of an apex (2,) from the target, in L."""
+    """Distance of an apex (2,) from the target, in L; without a jump more than from the start."""
+    if not np.isfinite(apex).all():
+        return 1.0 + float(np.hypot(*problem.target))
     return float(np.hypot(*(apex - problem.target)))

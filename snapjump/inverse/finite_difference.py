@@ -19,7 +19,7 @@ class BudgetSpentError(Exception):
 
 @dataclass(frozen=True)
 class FiniteDifferenceOptions(InverseOptions):
-    """Gradient descent on the simulated miss by finite differences."""
+    """Quasi-Newton descent (L-BFGS-B) on the simulated miss by finite differences."""
 
     simulations: int = 200
     step: float = 0.01
@@ -65,12 +65,12 @@ class Descent:
         if len(self.shares) + len(shares) > self.simulations:
             raise BudgetSpentError
         designs = self.problem.designs(self.problem.unscaled(shares))
-        # A robot that does not jump stays where it is.
-        apexes = np.nan_to_num(self.problem.simulator.apexes(designs), nan=0.0)
+        apexes = self.problem.simulator.apexes(designs)
         self.shares = np.vstack([self.shares, shares])
         self.apexes = np.vstack([self.apexes, apexes])
         squares: Array = np.sum((apexes - self.problem.target) ** 2, axis=1)
-        return squares
+        # What does not jump is farther away than the start.
+        return np.nan_to_num(squares, nan=1.0 + float(np.sum(self.problem.target**2)))
 
     def __call__(self, share: Array) -> tuple[float, Array]:
         """Value and gradient; differences are one-sided where the range ends."""
@@ -82,5 +82,6 @@ class Descent:
     def best(self) -> Solution:
         """The simulated design with the least miss."""
         misses = np.hypot(*(self.apexes - self.problem.target).T)
-        k = int(np.argmin(misses))
-        return Solution(self.problem.unscaled(self.shares[k]), self.apexes[k], True)
+        k = int(np.argmin(np.nan_to_num(misses, nan=np.inf)))
+        apex = self.apexes[k] if np.isfinite(misses[k]) else np.full(2, np.inf)
+        return Solution(self.problem.unscaled(self.shares[k]), apex, True)

@@ -59,15 +59,15 @@ class PhysicsOptions(InverseOptions):
         return self.slopes == "exact"
 
     def solve(self, problem: Problem) -> list[Solution]:
-        """The refined solutions, as many as it takes to reach the target; then the others."""
+        """The best refined solution, then those of the forward model that were not needed."""
         search = Search(problem, problem.simulator)
         starts = first_guesses(search)
         refined: list[Solution] = []
         while starts and not any(self._reaches(problem, one) for one in refined):
             refined.append(self._refined(search, starts.pop(0)))
             search = Search(problem, problem.simulator)
-        refined.sort(key=lambda solution: solution.miss_bar(problem.target))
-        return [*refined, *starts]
+        # Starts that led nowhere are no solutions; those that were not tried may be.
+        return [min(refined, key=lambda one: one.miss_bar(problem.target)), *starts]
 
     def _reaches(self, problem: Problem, solution: Solution) -> bool:
         return solution.miss_bar(problem.target) <= self.tolerance_bar
@@ -148,7 +148,7 @@ def fitted_rounds(search: Search, start: Solution) -> Iterator[Solution]:
     forward, target = search.problem.forward, search.target
     here = search.problem.scaled(start.controls)
     believed = start.apex if np.isfinite(start.apex).all() else target
-    drawn_to = np.eye(2) * float(np.abs(target).max())
+    drawn_to = np.eye(2) * max(1.0, float(np.abs(target).max()))
     if forward is not None:
         drawn_to = search.by_shares(forward.jacobian(search.designs(here[None])))
     slopes = drawn_to

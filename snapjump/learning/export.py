@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import json
 import logging
 import warnings
 from pathlib import Path
@@ -22,6 +23,7 @@ Array = NDArray[np.float64]
 INPUT, OUTPUT = "designs", "apexes"
 TOLERANCE = 1e-5  # of the difference to torch, relative to the standard deviation of the apexes
 EXAMPLES = 1000
+ROUNDING = 1e-6  # of a range: float32 cannot hold its ends exactly
 
 
 class Exported(NamedTuple):
@@ -77,6 +79,26 @@ def one_core(content: bytes) -> Any:
     return onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"])
 
 
+class Guarded(torch.nn.Module):
+    """A network that answers NaN outside of the box (4, 2) it was trained in."""
+
+    low: torch.Tensor
+    high: torch.Tensor
+
+    def __init__(self, network: torch.nn.Module, ranges: Any):
+        super().__init__()
+        self.network = network
+        low, high = torch.tensor(ranges, dtype=torch.float64).T
+        slack = ROUNDING * (high - low)
+        self.register_buffer("low", (low - slack).float())
+        self.register_buffer("high", (high + slack).float())
+
+    def forward(self, designs: torch.Tensor) -> torch.Tensor:
+        """Apexes (N, 2) of designs (N, 4)."""
+        inside = ((designs >= self.low) & (designs <= self.high)).all(dim=1, keepdim=True)
+        return torch.where(inside, self.network(designs), torch.nan)
+
+
 def _onnx(model: ForwardModel) -> bytes:
     # Of two designs: torch takes an axis of length one for a constant.
     example = torch.tensor(model.ranges).T.contiguous()
@@ -86,7 +108,7 @@ def _onnx(model: ForwardModel) -> bytes:
         with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of torch about torch
             program = torch.onnx.export(
-                model.network,
+                Guarded(model.network, model.ranges),
                 (example,),
                 input_names=[INPUT],
                 output_names=[OUTPUT],
@@ -97,5 +119,14 @@ def _onnx(model: ForwardModel) -> bytes:
     finally:
         logger.level = before
     assert program is not None
-    content: bytes = program.model_proto.SerializeToString()
+    proto = program.model_proto
+    told = {
+        "inputs": ", ".join(AXES),
+        "outputs": "x_bar, y_bar (L); NaN outside of the ranges",
+        "ranges": json.dumps(model.ranges),
+        "dataset_sha256": model.about["dataset"]["sha256"],
+    }
+    for key, value in told.items():
+        proto.metadata_props.add(key=key, value=value)
+    content: bytes = proto.SerializeToString()
     return content

@@ -16,7 +16,7 @@ from snapjump.inverse.gauss_newton import descend
 from snapjump.targets.region import AchievableRegion
 
 # How far beyond the region's boundary (L) a method may still try: what the forward model's error
-# makes of a boundary. Without a forward model: the largest miss that counts as reached.
+# makes of a boundary. The largest miss that counts as reached, too.
 BOUNDARY_BAR = 0.03
 ITERATIONS = 30
 
@@ -25,6 +25,7 @@ ITERATIONS = 30
 class Answer:
     """``solutions``: the best first; of a target out of reach the design of the nearest apex alone.
 
+    ``reachable``: whether the best one gets as near to the target as 0.03 L, by what it believes.
     ``seconds``: of the decision and the search; ``simulations``: that they took.
     """
 
@@ -37,16 +38,12 @@ class Answer:
 def answer(problem: Problem, method: InverseMethod) -> Answer:
     """Decide whether the target is in the achievable region, and let a method search if it is.
 
-    Without a forward model the method decides: reached is what it misses by at most 0.03 L.
+    Without a forward model the method alone decides.
     """
     begun, before = time.perf_counter(), problem.simulator.simulations
-    if problem.forward is None:
-        solutions = method.solve(problem)
-        reachable = solutions[0].miss_bar(problem.target) <= BOUNDARY_BAR
-    else:
-        nearest = out_of_reach(problem, problem.forward)
-        reachable = nearest is None
-        solutions = method.solve(problem) if nearest is None else [nearest]
+    nearest = None if problem.forward is None else out_of_reach(problem, problem.forward)
+    solutions = method.solve(problem) if nearest is None else [nearest]
+    reachable = nearest is None and solutions[0].miss_bar(problem.target) <= BOUNDARY_BAR
     seconds = time.perf_counter() - begun
     return Answer(reachable, solutions, seconds, problem.simulator.simulations - before)
 

@@ -1,5 +1,6 @@
 """All that is known of a designed jump, and the flat numbers of its ``result.json``."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,7 +17,8 @@ PARAMETERS = ("delta_alpha", "epsilon", "mass_bar", "mu")
 @dataclass(frozen=True)
 class Designed:
     """``chosen``: the design; ``costs_bar`` (4,): what 1 % of each parameter moves its apex by;
-    ``jump``: its simulation; ``robust``: where a robust design was asked for."""
+    ``jump``: its simulation; ``robust``: where a robust design was asked for; ``trained``: what the
+    forward model says of itself; ``warning``: why it was not asked."""
 
     problem: Problem
     answer: Answer
@@ -24,6 +26,8 @@ class Designed:
     costs_bar: Array
     jump: Result
     robust: Comparison | None
+    trained: Mapping[str, Any]
+    warning: str
 
     @property
     def predicted(self) -> Array | None:
@@ -65,6 +69,14 @@ class Designed:
         }
         for k, other in enumerate(self.answer.solutions[1:], start=2):
             found |= controls(f"solution_{k}_", other)
+            found[f"solution_{k}_simulated"] = other.simulated
+        dataset = self.trained["dataset"]
+        found |= {
+            "forward_model": self.trained["surrogate"]["name"],
+            "forward_model_dataset_sha256": dataset["sha256"],
+            "forward_model_accuracy": dataset["specification"]["configuration"]["accuracy"]["name"],
+            **({"warning": self.warning} if self.warning else {}),
+        }
         for name, cost in zip(PARAMETERS, self.costs_bar.tolist(), strict=True):
             known = np.isfinite(cost)
             found[f"one_percent_{name}_bar"] = cost if known else None

@@ -15,7 +15,8 @@ def warm_up(base: Simulation, forward: ForwardModel, method: InverseMethod) -> N
     simulator = JumpSimulator(base)
     low, high = np.array(forward.ranges[:2]).T
     target, (mass_bar, mu) = forward.predict(middle)[0], middle[0, 2:].tolist()
-    answer(Problem(target, mass_bar, mu, low, high, forward, simulator), GaussNewtonOptions())
+    problem = Problem(target, mass_bar, mu, low, high, forward, simulator)
+    answer(problem, method if method.needs_forward else GaussNewtonOptions())
     if method.needs_forward:
         return
     simulator.apexes(middle)

@@ -16,7 +16,8 @@ INTERRUPTED = "interrupted"
 NOT_FINITE = "not_finite"
 UNREACHABLE = "unreachable"
 ERROR = "error"
-FINISHED = frozenset({OK, NO_JUMP})
+# An unreachable target is an answer: no restart of a sweep would find another.
+FINISHED = frozenset({OK, NO_JUMP, UNREACHABLE})
 
 
 @dataclass

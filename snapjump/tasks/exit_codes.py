@@ -21,7 +21,7 @@ def exit_code(status: str) -> int:
         INTERRUPTED: EXIT_INTERRUPTED,
         UNREACHABLE: EXIT_UNREACHABLE,
     }
-    return EXIT_OK if status in FINISHED else special.get(status, EXIT_FAILED)
+    return special.get(status, EXIT_OK if status in FINISHED else EXIT_FAILED)
 
 
 def sweep_exit_code(statuses: Sequence[str]) -> int:

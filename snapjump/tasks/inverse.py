@@ -1,12 +1,11 @@
 """``task=inverse``: the design that reaches a target apex, and what is to be expected of it."""
 
+import math
 import sys
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
@@ -15,7 +14,8 @@ from snapjump.tasks.simulate import check_complete
 
 if TYPE_CHECKING:
     from snapjump.composition import Simulation
-    from snapjump.inverse.base import ForwardModel, InverseMethod, Problem, Solution
+    from snapjump.inverse.base import InverseMethod, Solution
+    from snapjump.learning.forward_model import ForwardModel
     from snapjump.results import Result
     from snapjump.targets.designed import Designed
     from snapjump.targets.robust import Tolerance
@@ -41,15 +41,16 @@ class InverseDesign:
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Check every value, the forward model, and that it is one of this physical model."""
         from snapjump.learning.forward_model import open_forward_model
-        from snapjump.members import make_member
+        from snapjump.members import make_member, make_options
         from snapjump.simulation import build, check_scene
         from snapjump.targets import request
+        from snapjump.targets.robust import Tolerance
         from snapjump.targets.simulator import differentiable
 
         self._config = config
         self._target = request.checked_target(config.get("target"))
         self._method = make_member("inverse", config.get("inverse"))
-        self._tolerance = request.checked_tolerance(config.get("tolerance"))
+        self._tolerance = make_options("tolerance", Tolerance, config.get("tolerance"))
         path = request.checkpoint_path(config.get("checkpoint"))
         scene = config["sim"].get("name")
         if scene != "jump":
@@ -67,6 +68,7 @@ class InverseDesign:
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         """Search, simulate the design at the configured tier, and draw."""
         from snapjump.targets.answer import answer
+        from snapjump.targets.design import problem_of
         from snapjump.targets.designed import Designed
         from snapjump.targets.manufacturing import one_percent_costs_bar
         from snapjump.targets.robust import compare
@@ -74,18 +76,22 @@ class InverseDesign:
 
         if self._warning:
             print(f"warning: {self._warning}", file=sys.stderr)
-        problem = self._problem()
+        problem = problem_of(
+            self._base, self._target, self._trained, self._forward, self._config["seed"]
+        )
         progress(0.0, "getting ready")
         warm_up(self._base, self._trained, self._method)
         progress(SEARCH, "searching")
         found = answer(problem, self._method)
         chosen, robust = found.solutions[0], None
-        if self._method.robust and self._forward is not None:
+        if self._method.robust and self._forward is not None and found.reachable:
             robust = compare(problem, self._forward, self._tolerance, found.solutions)
             chosen = robust.robust
         costs_bar = one_percent_costs_bar(problem, chosen)
         jump = self._simulated(chosen, progress)
-        designed = Designed(problem, found, chosen, costs_bar, jump, robust)
+        designed = Designed(
+            problem, found, chosen, costs_bar, jump, robust, self._trained.about, self._warning
+        )
         if self._config["figures"]:
             progress(DRAWING, "drawing")
             self._draw(folder, designed)
@@ -96,22 +102,6 @@ class InverseDesign:
         from snapjump.terminal.inverse_report import inverse_report
 
         return inverse_report(self._config, outcome.summary)
-
-    def _problem(self) -> "Problem":
-        from snapjump.inverse.base import Problem
-        from snapjump.targets.simulator import JumpSimulator
-
-        low, high = np.array(self._trained.ranges[:2]).T
-        return Problem(
-            target=self._target,
-            mass_bar=self._base.environment.mass_bar,
-            mu=self._base.environment.mu,
-            low=low,
-            high=high,
-            forward=self._forward,
-            simulator=JumpSimulator(self._base),
-            seed=self._config["seed"],
-        )
 
     def _simulated(self, chosen: "Solution", progress: Progress) -> "Result":
         """The jump of a design with its trajectory, by the program for one robot."""
@@ -144,12 +134,14 @@ class InverseDesign:
 def outcome_of(designed: "Designed") -> Outcome:
     """What to tell the shell of it."""
     summary, jump = designed.summary(), designed.jump
-    if jump.status != OK:
-        return Outcome(jump.status, f"the design that was found: {jump.message}", summary)
     if designed.answer.reachable:
+        if jump.status != OK:
+            return Outcome(jump.status, f"the design that was found: {jump.message}", summary)
         return Outcome(OK, "", summary)
     nearest = designed.answer.solutions[0]
     x, y = nearest.apex.tolist()
+    if not math.isfinite(x):
+        return Outcome(UNREACHABLE, "no design was found that jumps at all", summary)
     told = "no design reaches the target; the nearest predicted apex is"
     if nearest.simulated:
         told = "no design was found that reaches the target; the nearest simulated apex is"

@@ -19,7 +19,12 @@ DATASETS = "datasets.json"
 CURVES = "curves.csv"
 # What is for the records alone, and no result.
 OWN = (MARK, CHILDREN, DATASETS)
-STATES: dict[str, State] = {"ok": "FINISHED", "no_jump": "FINISHED", "interrupted": "KILLED"}
+STATES: dict[str, State] = {
+    "ok": "FINISHED",
+    "no_jump": "FINISHED",
+    "unreachable": "FINISHED",
+    "interrupted": "KILLED",
+}
 
 
 def record_folder(tracker: Tracker, folder: ResultFolder, name: str, parent_id: str | None) -> str:

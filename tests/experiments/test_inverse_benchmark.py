@@ -8,6 +8,7 @@ import pytest
 from small_datasets import CONFIG, generated, small
 
 from experiments.compositions import described
+from experiments.inverse_benchmark import region
 from experiments.inverse_benchmark.figure import draw_benchmark
 from experiments.inverse_benchmark.methods import METHODS, PAPER, SOLVED_MM
 from experiments.inverse_benchmark.problems import make_problems
@@ -54,6 +55,7 @@ def rows(*misses: float | None, **changes: Any) -> list[dict[str, Any]]:
             "miss_standard_mm": miss,
             "miss_reference_mm": None if miss is None else 2.0 * miss,
             "finished_at": "own",
+            "reachable": True,
             "seconds": 0.5,
             "simulations": 24,
             **dict.fromkeys(("target_x_bar", "target_y_bar", "mass_bar", "mu", "epsilon"), 1.0),
@@ -110,6 +112,20 @@ def test_the_study_concludes_and_replaces_readme_s_table(
     assert "`gauss_newton`" in (tmp_path / "run" / "inverse.block.md").read_text()
 
 
+def test_the_region_is_held_against_simulation(
+    checkpoint: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(region, "POINTS", 9)
+    inputs = {"checkpoint": str(checkpoint), "groups": described(build(CONFIG)), "seed": 0}
+    (row,) = region.region_rows({**inputs, "first": 0, "last": 1})
+    assert 20 <= row["reachable"] <= 80
+    assert row["false_accepts"] + row["false_rejects"] <= 10
+    assert row["false_rejects"] <= row["false_rejects_of_grid"]  # there is a margin
+    monkeypatch.setattr(region, "out_of_reach", lambda problem, forward: None)
+    (row,) = region.region_rows({**inputs, "first": 0, "last": 1})
+    assert row["false_accepts"] == 100 - row["reachable"]
+
+
 def test_a_summary_is_of_the_misses_that_are_known() -> None:
     row = summary_row("physics", rows(0.01, 0.03, None, 0.5))
     assert row["mean_mm_standard"] == pytest.approx(0.18)
@@ -122,6 +138,16 @@ def test_a_summary_is_of_the_misses_that_are_known() -> None:
 def test_solved_is_judged_where_the_method_finished() -> None:
     assert summary_row("physics", rows(0.06))["solved"] == 1
     assert summary_row("physics", rows(0.06, finished_at="reference"))["solved"] == 0
+
+
+def test_what_is_called_unreachable_is_not_solved() -> None:
+    row = summary_row("physics", rows(0.01, 0.02, reachable=False))
+    assert (row["solved"], row["called_unreachable"]) == (0, 2)
+
+
+def test_a_method_whose_every_design_failed_has_no_mean() -> None:
+    row = summary_row("bayesian", rows(None, None))
+    assert np.isnan(row["mean_mm_standard"]) and row["failed_standard"] == 2
 
 
 def test_every_miss_of_a_method_with_a_simulator_is_listed() -> None:
@@ -159,6 +185,7 @@ def test_stretches_cover_everything_once() -> None:
         ({"environments": -1}, "task.environments"),
         ({"methods": ["magic"]}, "task.methods"),
         ({"methods": []}, "task.methods"),
+        ({"methods": [["adam"]]}, "task.methods"),
         ({"checkpoint": "nowhere.safetensors"}, "checkpoint"),
     ],
 )

@@ -1,0 +1,67 @@
+"""Inverse design from Python: the library's front door to what ``task=inverse`` does."""
+
+import warnings
+from collections.abc import Sequence
+
+import numpy as np
+
+from snapjump.accuracy import TIERS
+from snapjump.checks import check_choice
+from snapjump.composition import Simulation, with_tier
+from snapjump.inverse.base import Array, ForwardModel, InverseMethod, Problem
+from snapjump.inverse.physics import PhysicsOptions
+from snapjump.learning.forward_model import open_forward_model
+from snapjump.parameters.environment import Environment
+from snapjump.targets.answer import Answer, answer
+from snapjump.targets.request import checked_target, checkpoint_path, usable_forward
+from snapjump.targets.simulator import JumpSimulator
+
+
+def problem_of(
+    base: Simulation,
+    target: Array,
+    trained: ForwardModel,
+    forward: ForwardModel | None,
+    seed: int,
+) -> Problem:
+    """The problem of a target (2,) in L in the environment of a simulation.
+
+    The controls are bounded by the ranges of ``trained``; ``forward`` is what may be asked: the
+    same, or None.
+    """
+    low, high = np.array(trained.ranges[:2]).T
+    return Problem(
+        target=target,
+        mass_bar=base.environment.mass_bar,
+        mu=base.environment.mu,
+        low=low,
+        high=high,
+        forward=forward,
+        simulator=JumpSimulator(base),
+        seed=seed,
+    )
+
+
+def design_for(
+    target: Sequence[float],
+    environment: Environment | None = None,
+    accuracy: str = "standard",
+    method: InverseMethod | None = None,
+    checkpoint: str | None = None,
+    seed: int = 0,
+) -> Answer:
+    """Designs that throw the robot to a target apex x, y in L; by default as found by ``physics``.
+
+    ``checkpoint``: a forward model that task=train left, None for the one that comes along. An
+    environment that it was not trained for is a warning, or refused where the method needs it.
+    Raises ParameterError for bad input.
+    """
+    check_choice("accuracy", accuracy, tuple(TIERS))
+    place = checked_target(target)
+    base = with_tier(accuracy, environment=environment or Environment())
+    way = method or PhysicsOptions()
+    trained = open_forward_model(checkpoint_path(checkpoint))
+    forward, warning = usable_forward(base, trained, way)
+    if warning:
+        warnings.warn(warning, stacklevel=2)
+    return answer(problem_of(base, place, trained, forward, seed), way)

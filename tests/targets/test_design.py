@@ -1,0 +1,62 @@
+"""The front door of inverse design, against jumps on their own."""
+
+import numpy as np
+import pytest
+
+from snapjump.checks import ParameterError
+from snapjump.inverse.gauss_newton import GaussNewtonOptions
+from snapjump.parameters.design import Design
+from snapjump.parameters.environment import Environment
+from snapjump.simulation import simulate_jump
+from snapjump.targets.design import design_for
+
+ENVIRONMENT = Environment(mu=0.25, mass_bar=0.9)
+
+
+def test_a_design_reaches_its_target_when_it_is_simulated_alone() -> None:
+    found = design_for((3.0, 12.0), ENVIRONMENT)
+    assert found.reachable
+    best = found.solutions[0]
+    delta_alpha, epsilon = best.controls.tolist()
+    jump = simulate_jump(design=Design(epsilon, delta_alpha), environment=ENVIRONMENT)
+    assert best.apex == pytest.approx([jump.x_bar, jump.y_bar], abs=1e-12)
+    assert np.hypot(jump.x_bar - 3.0, jump.y_bar - 12.0) < 3e-4
+
+
+def test_the_model_that_comes_along_is_as_good_as_it_says() -> None:
+    found = design_for((3.0, 12.0), ENVIRONMENT, method=GaussNewtonOptions())
+    delta_alpha, epsilon = found.solutions[0].controls.tolist()
+    jump = simulate_jump(design=Design(epsilon, delta_alpha), environment=ENVIRONMENT)
+    # Ten times the mean error that it was measured to have.
+    assert np.hypot(jump.x_bar - 3.0, jump.y_bar - 12.0) < 0.12
+    assert found.simulations == 0
+
+
+def test_out_of_reach() -> None:
+    found = design_for((30.0, 2.0), ENVIRONMENT)
+    assert not found.reachable
+    assert found.simulations == 0
+
+
+def test_outside_of_the_training_range() -> None:
+    heavy = Environment(mu=0.25, mass_bar=2.5)
+    with pytest.raises(ParameterError, match="mass_bar"):
+        design_for((1.0, 5.0), heavy, method=GaussNewtonOptions())
+    with pytest.warns(UserWarning, match="goes on without it"):
+        found = design_for((1.0, 5.0), heavy, "draft")
+    assert found.reachable
+    assert found.solutions[0].miss_bar(np.array([1.0, 5.0])) < 3e-4
+
+
+@pytest.mark.parametrize(
+    ("target", "options", "key"),
+    [
+        ((3.0, -1.0), {}, "target"),
+        ((3.0, 12.0), {"accuracy": "perfect"}, "accuracy"),
+        ((3.0, 12.0), {"checkpoint": "nowhere"}, "checkpoint"),
+    ],
+)
+def test_bad_input_is_named(target: tuple[float, float], options: dict, key: str) -> None:
+    with pytest.raises(ParameterError) as caught:
+        design_for(target, **options)
+    assert caught.value.key == key
