@@ -41,8 +41,8 @@ def trained_rows(inputs: Mapping[str, Any]) -> list[Row]:
         "inference_us": microseconds(lambda: forward.predict(one)),
         **{f"own_{key}": value for key, value in about["measures"].items()},
     }
-    # Training draws on other jumps than these whatever its dataset is: a judge of the same plan and
-    # seed has the same test set, one of another plan has no jump in common.
+    # A dataset of the judge's plan is split alike (the study checks it), one of another plan has no
+    # design in common: nothing here was learned from.
     judge = JumpData(opened(inputs["judge"]), Training(), inputs["seed"])
     found |= measures(learned.network, judge.test)
     rows = [found]

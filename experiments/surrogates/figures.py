@@ -53,7 +53,9 @@ def draw_curves(table: Sequence[Row], floors: Sequence[Row], paper: float, path:
 
 def _lines(axes: Any, table: Sequence[Row], key: str) -> None:
     """Members as lines over their sizes, and the special trainings as marks of their own."""
-    for member, colour in COLOURS.items():
+    members = dict.fromkeys(row["surrogate"].split(",")[0] for row in table)
+    for member in members:
+        colour = COLOURS.get(member, palette.SKY)
         rows = [row for row in table if row["surrogate"].split(",")[0] == member]
         plain = sorted(
             (row for row in rows if not any(words in row["surrogate"] for words in MARKS)),

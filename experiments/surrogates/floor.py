@@ -1,4 +1,4 @@
-"""The floor: what the map does within a cell of the paper's grid that no smooth model can follow.
+"""The floor: what the map does within a cell of the paper's grid that a cubic does not follow.
 
 Random cells of the 15^4 grid are filled with as many jumps as a cubic polynomial needs several
 times over. What that leaves unexplained, each jump left out in turn, is structure of the map (and
@@ -19,7 +19,7 @@ from snapjump.studies.base import Row
 
 Array = NDArray[np.float64]
 INTERVALS = 14  # of the paper's grid along each input
-JUMPS = 128  # in a cell; a cubic of four variables has 35 coefficients
+JUMPS, FEWEST = 128, 60  # in a cell; a cubic of four variables has 35 coefficients
 DEGREE = 3
 
 
@@ -40,7 +40,9 @@ def floor_rows(
     rows = []
     for corner, points, found in zip(corners, unit, apexes, strict=True):
         known = np.isfinite(found).all(axis=1)
-        errors = np.abs(left_out(2.0 * points[known] - 1.0, found[known])).mean(axis=0)
+        errors = np.full(2, np.nan)
+        if known.sum() >= FEWEST:
+            errors = np.abs(left_out(2.0 * points[known] - 1.0, found[known])).mean(axis=0)
         place = {f"{name}_low": float(value) for name, value in zip(AXES, corner, strict=True)}
         rows.append(
             {

@@ -7,14 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import described
 from experiments.surrogates.figures import draw_curves, draw_places
+from experiments.surrogates.table import findings, floor_summary, readme_block, summary
 from snapjump.checks import ParameterError
-from snapjump.composition import with_tier
 from snapjump.members import make_member, member_class, member_group, member_names
+from snapjump.plan.base import AXES
 from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
-from snapjump.terminal.block import markdown_table
 
 # Jumps to learn from, (quick, full); beside them as many as there are.
 SIZES = ((500, 2000, 8000), (500, 1000, 2000, 4000, 8000, 16000))
@@ -24,8 +23,6 @@ PAPER_MLP, PAPER_MAE_BAR = "mlp", 0.07
 FLOOR_CELLS = (48, 256)
 FLOOR = "floor at {}"
 LONGEST, SMALLEST_BATCH = 1200, 16  # epochs, and jumps
-COLUMNS = ("mae_bar", "mae_x_bar", "mae_y_bar", "p95_bar", "coverage", "parameters", "epochs",
-           "train_seconds", "inference_us")  # fmt: skip
 
 
 class CompareSurrogates(Study):
@@ -40,9 +37,8 @@ class CompareSurrogates(Study):
         from snapjump.learning.training import Training
 
         datasets = {key: opened(key, config["task"][key]) for key in self.options}
+        check_datasets(datasets)
         standard = datasets["standard"]
-        if standard is None:
-            raise ParameterError("task.standard", None, "the folder of a dataset at standard")
         seed = config["seed"]
         jumps = {
             key: len(data.train.designs) + len(data.validation.designs)
@@ -82,19 +78,19 @@ class CompareSurrogates(Study):
             for member in filter(needs_slopes, member_names("surrogate")):
                 name = f"{member}, {jumps['slopes']} jumps with slopes"
                 cells.append(cell(name, member, "slopes", None))
-                name = f"{member}, {jumps['slopes']} jumps, slopes left out"
-                cells.append(cell(name, member, "slopes", None, slope_weight=0.0))
-        self.tiers = ["standard"] + ["paper"] * (datasets["paper"] is not None)
-        plan = standard.specification["plan"]
-        ranges = [plan[axis] for axis in ("delta_alpha_rad", "epsilon", "mass_bar", "mu")]
-        for tier in self.tiers:
-            groups = {
-                "groups": described(with_tier(tier)),
-                "ranges": ranges,
+                if "slope_weight" in completed(member, {}):
+                    name = f"{member}, {jumps['slopes']} jumps, slopes left out"
+                    cells.append(cell(name, member, "slopes", None, slope_weight=0.0))
+        self.floors = [key for key in ("standard", "paper") if datasets[key] is not None]
+        for key in self.floors:
+            specification = datasets[key].specification
+            inputs = {
+                "groups": specification["configuration"],
+                "ranges": [specification["plan"][axis] for axis in AXES],
                 "cells": FLOOR_CELLS[self.full],
                 "seed": seed,
             }
-            cells.append(Cell(FLOOR.format(tier), groups))
+            cells.append(Cell(FLOOR.format(key), inputs))
         return cells
 
     def compute(self, cell: Cell) -> list[Row]:
@@ -111,8 +107,11 @@ class CompareSurrogates(Study):
             if "surrogate" in one.cell.inputs and one.status == OK
         }
         table = [summary(name, one) for name, one in trained.items()]
-        floors = [floor_summary(tier, done[FLOOR.format(tier)]) for tier in self.tiers]
+        looked = {key: done[FLOOR.format(key)] for key in self.floors}
+        floors = [floor_summary(key, one) for key, one in looked.items() if one.status == OK]
         whole = {name: one for name, one in trained.items() if one.cell.inputs["places"]}
+        if not whole:
+            raise RuntimeError("no surrogate was trained on all jumps: see failures.txt")
         best = min(whole, key=lambda name: whole[name].rows[0]["mae_bar"])
         places = [row for row in whole[best].rows if row["kind"] == "place"]
         return Conclusion(
@@ -146,6 +145,21 @@ class CompareSurrogates(Study):
             | {f"floor_bar_{row['tier']}": row["mean_bar"] for row in floors},
             blocks={"surrogates": readme_block(table, floors)},
         )
+
+
+def check_datasets(datasets: Mapping[str, Any]) -> None:
+    """Raise ParameterError unless they can be compared: the same plan and split, and slopes."""
+    standard, paper, slopes = (datasets[key] for key in ("standard", "paper", "slopes"))
+    if standard is None:
+        raise ParameterError("task.standard", None, "the folder of a dataset at standard")
+    if paper is not None:
+        same = paper.specification["plan"] == standard.specification["plan"]
+        if not same or paper.statuses != standard.statuses:
+            allowed = "null, or a dataset of task.standard's plan with as many jumps that are ok"
+            raise ParameterError("task.paper", str(paper.folder.path), allowed)
+    if slopes is not None and not slopes.specification["sensitivities"]:
+        allowed = "null, or a dataset made with dataset.sensitivities=true"
+        raise ParameterError("task.slopes", str(slopes.folder.path), allowed)
 
 
 def opened(key: str, path: Any) -> Any:
@@ -190,72 +204,3 @@ def training_of(rows: int | None, jumps: int) -> Any:
         batch_first=batch,
         batch_last=batch * standard.batch_last // standard.batch_first,
     )
-
-
-def summary(name: str, done: Done) -> Row:
-    """One line of the table."""
-    row = done.rows[0]
-    return {
-        "surrogate": name,
-        "jumps": row["jumps"],
-        **{key: row.get(key) for key in COLUMNS},
-        "own_mae_bar": row["own_mae_bar"],
-    }
-
-
-def floor_summary(tier: str, done: Done) -> Row:
-    """Both outputs averaged, over the cells."""
-    x, y = done.column("x_bar"), done.column("y_bar")
-    both = 0.5 * (x + y)
-    return {
-        "tier": tier,
-        "cells": len(both),
-        "mean_bar": float(np.mean(both)),
-        "median_bar": float(np.median(both)),
-        "p95_bar": float(np.quantile(both, 0.95)),
-        "mean_x_bar": float(np.mean(x)),
-        "mean_y_bar": float(np.mean(y)),
-    }
-
-
-def readme_block(table: list[Row], floors: list[Row]) -> str:
-    """The table for people: what was trained on most jumps, and on few."""
-    header = ["trained on", "error (L)", "of x, y", "training (s)", "a design (us)"]
-    lines = [
-        [
-            f"`{row['surrogate'].split(',')[0]}`,{row['surrogate'].partition(',')[2]}",
-            f"{row['mae_bar']:.2g}",
-            f"{row['mae_x_bar']:.2g}, {row['mae_y_bar']:.2g}",
-            f"{row['train_seconds']:.0f}",
-            f"{row['inference_us']:.0f}",
-        ]
-        for row in sorted(table, key=lambda row: float(row["mae_bar"]))
-    ]
-    below = "; ".join(f"{row['mean_bar']:.2g} L at `{row['tier']}`" for row in floors)
-    return markdown_table(header, lines) + (
-        "\n\nError: mean absolute, x and y averaged, on the held-out 20 % of the `standard` grid\n"
-        "(the paper: 0.07 on its own data). What a cubic through 128 more jumps within a cell\n"
-        f"of the grid still leaves, in the mean: {below}.\n"
-        "`python run.py task=compare_surrogates publish=docs/studies` makes this table."
-    )
-
-
-def findings(table: list[Row], floors: list[Row], best: str, worst: Row) -> list[str]:
-    """Sentences."""
-    told = [
-        f"{row['surrogate']}: MAE {row['mae_bar']:.3g} L"
-        + (f", 90 % intervals hold {100 * row['coverage']:.3g} %" if row["coverage"] else "")
-        + f"; {row['train_seconds']:.3g} s of training, {row['inference_us']:.3g} us a design."
-        for row in table
-    ]
-    for row in floors:
-        told.append(
-            f"Floor at {row['tier']}: a cubic through 128 jumps in a cell of the grid leaves "
-            f"{row['mean_bar']:.2g} L in the mean over {row['cells']} cells, "
-            f"{row['median_bar']:.2g} in the median, {row['p95_bar']:.2g} at 95 %."
-        )
-    shares = {k: v for k, v in worst.items() if k.startswith("share_of_worst_")}
-    words = [f"{key.split('_')[3]} % of the designs have {100 * value:.0f} %"
-             for key, value in shares.items()]  # fmt: skip
-    told.append(f"The error of {best} sits in few places: the worst {', '.join(words)} of it.")
-    return told

@@ -127,9 +127,12 @@ def test_fewer_jumps_are_given_more_epochs_of_smaller_batches() -> None:
         ({"standard": "nowhere"}, "task.standard"),
         ({"paper": "nowhere"}, "task.paper"),
         ({"slopes": 3}, "task.slopes"),
+        ({"paper": "slopes"}, "task.paper"),
+        ({"slopes": "standard"}, "task.slopes"),
     ],
 )
 def test_bad_input_is_named(datasets: dict[str, Any], changes: dict[str, Any], key: str) -> None:
+    named = {key: datasets.get(value, value) for key, value in changes.items()}
     with pytest.raises(ParameterError) as caught:
-        CompareSurrogates().prepare(configured(**{**datasets, **changes}))
+        CompareSurrogates().prepare(configured(**{**datasets, **named}))
     assert caught.value.key == key

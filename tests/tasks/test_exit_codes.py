@@ -24,6 +24,7 @@ def test_of_one_job(status: str, code: int) -> None:
     ("statuses", "code"),
     [
         (["ok", "no_jump"], 0),
+        (["ok", "unreachable"], 0),
         (["ok", "bad_input"], 2),
         (["ok", "bad_input", "not_converged"], 3),
         (["ok", "not_started"], 3),
