@@ -60,23 +60,26 @@ def _distributions(axes: Any, methods: Mapping[str, Sequence[Row]], tier: str) -
 
 
 def _costs(axes: Any, methods: Mapping[str, Sequence[Row]]) -> None:
-    axes.set_title("mean miss, judged at reference, against time", loc="left")
-    for colour, (name, rows) in zip(cycle(COLOURS), methods.items(), strict=False):
+    axes.set_title("mean, judged at reference; squares: the paper", loc="left")
+    # Labels above and below in turn, since methods of one kind lie side by side.
+    sides = cycle(((0, 8), (0, -17)))
+    for colour, side, (name, rows) in zip(cycle(COLOURS), sides, methods.items(), strict=False):
         misses = column(rows, "miss_reference_mm")
         seconds = float(np.median(column(rows, "seconds")))
         mean = float(np.nanmean(misses))
         axes.plot(seconds, mean, "o", ms=9, color=colour)
-        axes.annotate(name.replace("physics, ", ""), (seconds, mean), (7, 5), color=colour,
-                      textcoords="offset points")  # fmt: skip
+        axes.annotate(name.replace("physics, ", ""), (seconds, mean), side, color=colour,
+                      ha="center", textcoords="offset points")  # fmt: skip
     for row in PAPER:
         place = float(str(row["seconds"])), float(str(row["mean_mm"]))
         axes.plot(*place, "s", ms=7, mfc="none", color=palette.INK)
         words = str(row["method"]).removeprefix("the paper: ")
-        axes.annotate(words, place, (-6, 8), color=palette.INK, ha="right",
+        axes.annotate(words, place, (-8, -4), color=palette.INK, ha="right",
                       textcoords="offset points")  # fmt: skip
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.set_xlim(2e-3, 3e3)
-    axes.set_xlabel("time for one target (s); squares: the paper, its machine and program")
+    axes.set_xlim(1e-3, 4e3)
+    axes.set_ylim(top=8.0)
+    axes.set_xlabel("time for one target (s)")
     axes.set_ylabel("mm")
     axes.grid(True)
