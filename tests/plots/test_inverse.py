@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from forward_models import about
 from made_up_maps import MadeUpModel, folded, problem
 from PIL import Image
 
@@ -42,7 +43,7 @@ def has(picture: np.ndarray, colour: str, least: int = 40) -> bool:
 def test_region_solutions_and_flight(flight: Any, tmp_path: Path, target: Any) -> None:
     given = problem(target, MODEL)
     found = answer(given, GaussNewtonOptions())
-    designed = Designed(given, found, found.solutions[0], np.zeros(4), flight, None)
+    designed = Designed(given, found, found.solutions[0], np.zeros(4), flight, None, about(), "")
     picture = drawn(designed, AchievableRegion.of(given, MODEL), tmp_path)
     for colour in (palette.BEAM, palette.PLUM, palette.CENTRE, palette.FORCE, palette.INK):
         assert has(picture, colour)
@@ -53,7 +54,7 @@ def test_a_robust_design_has_clouds(flight: Any, tmp_path: Path) -> None:
     given = problem(TARGET, MODEL)
     found = answer(given, GaussNewtonOptions())
     robust = compare(given, MODEL, Tolerance(), found.solutions)
-    designed = Designed(given, found, robust.robust, np.zeros(4), flight, robust)
+    designed = Designed(given, found, robust.robust, np.zeros(4), flight, robust, about(), "")
     picture = drawn(designed, AchievableRegion.of(given, MODEL), tmp_path)
     assert has(picture, palette.CLAMP)
     assert picture.shape[0] > 1000
@@ -61,7 +62,9 @@ def test_a_robust_design_has_clouds(flight: Any, tmp_path: Path) -> None:
 
 def test_without_a_forward_model(flight: Any, tmp_path: Path) -> None:
     found = Answer(True, [Solution(np.array([0.1, 0.2]), TARGET, True)], 1.0, 60)
-    designed = Designed(problem(TARGET), found, found.solutions[0], np.zeros(4), flight, None)
+    designed = Designed(
+        problem(TARGET), found, found.solutions[0], np.zeros(4), flight, None, about(), ""
+    )
     picture = drawn(designed, None, tmp_path)
     assert has(picture, palette.CENTRE) and not has(picture, palette.PLUM)
 
