@@ -25,6 +25,8 @@ MARKS = {"of the paper's tier": "s", "with slopes": "^", "slopes left out": "v"}
 
 def draw_curves(table: Sequence[Row], floors: Sequence[Row], paper: float, path: Path) -> None:
     """MAE against jumps and against seconds of training; the floors as lines."""
+    from matplotlib.ticker import NullFormatter
+
     with picture(
         path, (13.0, 5.6), "Forward models: error on the held-out standard grid"
     ) as figure:
@@ -43,15 +45,18 @@ def draw_curves(table: Sequence[Row], floors: Sequence[Row], paper: float, path:
             axes.grid(True, which="both")
             if key == "train_seconds":
                 axes.set_xlim(left=FASTEST_S)
+                axes.xaxis.set_minor_formatter(NullFormatter())
             if k == 0:
                 axes.set_ylabel("mean absolute error, x and y averaged (L)")
         handles, labels = axes.get_legend_handles_labels()
         figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.855, 0.87))
-        words = [(paper, "the paper's MAE (dotted)", palette.INK)]
-        words += [(row["mean_bar"], f"floor at {row['tier']}", palette.CLAMP) for row in floors]
+        words = [(paper, "the paper's MAE", palette.INK)]
+        words += [
+            (row["mean_bar"], f"cubic in a cell, {row['tier']}", palette.CLAMP) for row in floors
+        ]
         for height, text, colour in words:
-            axes.text(1.02, height, text, transform=axes.get_yaxis_transform(), color=colour,
-                      va="center")  # fmt: skip
+            axes.text(0.015, 1.03 * height, text, transform=axes.get_yaxis_transform(),
+                      color=colour, va="bottom")  # fmt: skip
 
 
 def _lines(axes: Any, table: Sequence[Row], key: str) -> None:
