@@ -69,12 +69,23 @@ class Figure:
 
 
 @dataclass(frozen=True)
+class Section:
+    """A part of a long report under its own heading: paragraphs, then figures, then tables."""
+
+    title: str
+    paragraphs: Sequence[str]
+    figures: Mapping[str, Figure] = field(default_factory=dict)
+    tables: Mapping[str, Table] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
 class Conclusion:
     """What a study leaves.
 
     ``summary``: flat numbers for result.json; ``findings``: sentences; ``metrics``: further
     numbers of single cells, for their records; ``blocks``: Markdown that replaces what stands
-    between ``<!-- name:begin -->`` and ``<!-- name:end -->`` in README.md when it is published.
+    between ``<!-- name:begin -->`` and ``<!-- name:end -->`` in README.md when it is published;
+    ``sections``: what follows in the report, no name of a figure or table being used twice.
     """
 
     title: str
@@ -84,3 +95,4 @@ class Conclusion:
     summary: Mapping[str, Any] = field(default_factory=dict)
     metrics: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     blocks: Mapping[str, str] = field(default_factory=dict)
+    sections: Sequence[Section] = ()

@@ -1,4 +1,4 @@
-"""What a study leaves in its folder: each table as CSV and Markdown, figures, and report.md."""
+"""What a study leaves: each table as CSV and Markdown, figures, report.md and report.html."""
 
 import csv
 import io
@@ -8,31 +8,46 @@ from typing import Any
 
 from snapjump.files.atomic import write_text
 from snapjump.files.json_file import finite
+from snapjump.files.page import page
 from snapjump.files.result_folder import ResultFolder
-from snapjump.studies.base import Conclusion, Table
-from snapjump.tasks.publish import BLOCK_SUFFIX, REPORT
+from snapjump.studies.base import Conclusion, Section, Table
+from snapjump.tasks.publish import BLOCK_SUFFIX, PAGE, REPORT
 from snapjump.terminal.block import markdown_table, number
 
 
 def write_report(folder: ResultFolder, conclusion: Conclusion, draw: bool) -> None:
     """Write all of it; ``draw``: the figures as well."""
-    for name, table in conclusion.tables.items():
-        write_text(folder.path / f"{name}.csv", csv_text(table))
-        write_text(folder.path / f"{name}.md", markdown(table) + "\n")
+    top = Section(conclusion.title, conclusion.findings, conclusion.figures, conclusion.tables)
+    sections = [top, *conclusion.sections]
+    for section in sections:
+        for name, table in section.tables.items():
+            write_text(folder.path / f"{name}.csv", csv_text(table))
+            write_text(folder.path / f"{name}.md", markdown(table) + "\n")
     for name, text in conclusion.blocks.items():
         write_text(folder.path / f"{name}{BLOCK_SUFFIX}", text.strip() + "\n")
-    drawn = conclusion.figures if draw else {}
 
     def draw_all(path: Path) -> None:
-        for name, figure in drawn.items():
-            figure.draw(path / f"{name}.png")
+        for section in sections:
+            for name, figure in section.figures.items():
+                figure.draw(path / f"{name}.png")
 
-    folder.write_figures(draw_all)
-    parts = [f"# {conclusion.title}", *conclusion.findings]
-    parts += [f"![{figure.caption}]({name}.png)\n\n{figure.caption}"
-              for name, figure in drawn.items()]  # fmt: skip
-    parts += [f"**{table.caption}**\n\n{markdown(table)}" for table in conclusion.tables.values()]
-    write_text(folder.path / REPORT, "\n\n".join(parts) + "\n")
+    if draw:
+        folder.write_figures(draw_all)
+    parts = [part for k, section in enumerate(sections) for part in _told(section, k > 0, draw)]
+    text = "\n\n".join(parts) + "\n"
+    write_text(folder.path / REPORT, text)
+    write_text(folder.path / PAGE, page(conclusion.title, text))
+
+
+def _told(section: Section, below: bool, draw: bool) -> list[str]:
+    """The section's pieces of Markdown."""
+    told = [f"#{'#' * below} {section.title}", *section.paragraphs]
+    if draw:
+        told += [
+            f"![{figure.caption}]({name}.png)\n\n{figure.caption}"
+            for name, figure in section.figures.items()
+        ]
+    return told + [f"**{table.caption}**\n\n{markdown(table)}" for table in section.tables.values()]
 
 
 def markdown(table: Table) -> str:

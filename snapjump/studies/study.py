@@ -30,11 +30,13 @@ class Study(ABC):
 
     ``sources``: the modules that a cell's rows depend on, if not just the study's own; when one
     of them changes, or a module of the experiments that it imports, cells are done again.
-    ``options``: the keys of its ``conf/task/<name>.yaml`` beside ``name``.
+    ``options``: the keys of its ``conf/task/<name>.yaml`` beside ``name``; ``choices``: keys
+    of the configuration that only choose among cells: runs with others share what is finished.
     """
 
     sources: ClassVar[tuple[str, ...]] = ()
     options: ClassVar[tuple[str, ...]] = ()
+    choices: ClassVar[tuple[str, ...]] = ()
 
     def __init__(self) -> None:
         self.config: Mapping[str, Any] = {}
@@ -78,7 +80,9 @@ class Study(ABC):
         roots = self.sources or (type(self).__module__,)
         done: dict[str, Done] = {}
         failures: list[str] = []
-        with CellStore(STORE / f"{name}-{fingerprint(self.config, roots)}") as store:
+        determining = {k: value for k, value in self.config.items() if k not in self.choices}
+        place = f"{name}-{fingerprint(determining, roots)}"
+        with CellStore(STORE / place) as store:
             for k, cell in enumerate(self.cells):
                 progress(k / len(self.cells), cell.name)
                 kept = store.load(cell)

@@ -57,6 +57,7 @@ EXTRAS = (
     "inverse",
     "target",
     "tolerance",
+    "figure",
 )
 SWITCHES = ("figures", "seed", "effort", "publish")
 EFFORTS = ("quick", "full")

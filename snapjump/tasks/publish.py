@@ -1,4 +1,5 @@
-"""Filling the documentation from a run: ``publish=docs/studies`` writes ``<task>.md`` there."""
+"""Filling the documentation from a run: ``publish=docs/studies`` writes ``<task>.md`` and
+``<task>.html`` there."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -6,10 +7,11 @@ from typing import Any
 
 from snapjump.checks import ParameterError
 from snapjump.files.atomic import atomic_file, write_text
+from snapjump.files.page import page
 from snapjump.files.result_folder import ResultFolder
 from snapjump.tasks.registry import is_study
 
-REPORT = "report.md"
+REPORT, PAGE = "report.md", "report.html"
 BLOCK_SUFFIX = ".block.md"
 README = Path("README.md")
 
@@ -45,8 +47,10 @@ def publish(config: Mapping[str, Any], folder: ResultFolder) -> list[Path]:
         written.append(target / f"{task}-{picture.name}")
         with atomic_file(written[-1], "wb") as file:
             file.write(picture.read_bytes())
-    written.append(target / f"{task}.md")
-    write_text(written[-1], f"{title}\n\n{made}\n{rest}")
+    text = f"{title}\n\n{made}\n{rest}"
+    for suffix, content in ((".md", text), (".html", page(title.lstrip("# "), text))):
+        written.append(target / f"{task}{suffix}")
+        write_text(written[-1], content)
     for block in sorted(folder.path.glob(f"*{BLOCK_SUFFIX}")):
         name = block.name.removesuffix(BLOCK_SUFFIX)
         if README.exists():

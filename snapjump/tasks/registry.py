@@ -16,6 +16,7 @@ TASKS = {
     "inverse": "snapjump.tasks.inverse:InverseDesign",
     "compare_surrogates": "experiments.surrogates.study:CompareSurrogates",
     "inverse_benchmark": "experiments.inverse_benchmark.study:InverseBenchmark",
+    "paper": "experiments.paper.study:Paper",
     "tradeoff": "experiments.tradeoff.study:Tradeoff",
     "convergence": "experiments.convergence.study:Convergence",
     "stability": "experiments.stability.study:Stability",

@@ -1,0 +1,5 @@
+"""The parts in the order of the report. A new one is a folder here and a line below."""
+
+from experiments.paper.base import Part
+
+PARTS: dict[str, type[Part]] = {}

@@ -1,0 +1,49 @@
+"""A statement of the paper, and what became of it when it was tested."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from snapjump.studies.base import Row
+
+CONFIRMED = "confirmed"
+LIMITED = "confirmed within a limit"
+NOT_CONFIRMED = "not confirmed"
+VERDICTS = (CONFIRMED, LIMITED, NOT_CONFIRMED)
+
+
+@dataclass(frozen=True)
+class Statement:
+    """``says``: what the paper says, in our words; ``verdict``: one of VERDICTS, decided from the
+    numbers by the part that tests it; ``found``: the numbers, as a sentence, with the limit if
+    there is one, and with what the paper's own settings give where that differs, and why;
+    ``accuracy``: the tiers, and how far off they are; ``command``: what regenerates it.
+    """
+
+    says: str
+    verdict: str
+    found: str
+    accuracy: str
+    command: str = "task=paper"
+
+    def __post_init__(self) -> None:
+        assert self.verdict in VERDICTS, self.verdict
+
+
+def verdict(holds: bool, within_limit: bool = False) -> str:
+    """The verdict on a statement that holds throughout, or else within a limit that is told."""
+    return CONFIRMED if holds else LIMITED if within_limit else NOT_CONFIRMED
+
+
+def statement_rows(statements: Sequence[Statement]) -> list[Row]:
+    """The table of statements, numbered in their order."""
+    return [
+        {
+            "no.": k,
+            "the paper says": statement.says,
+            "verdict": f"**{statement.verdict}**",
+            "what we find": statement.found,
+            "tested at": statement.accuracy,
+            "command": f"`python run.py {statement.command}`",
+        }
+        for k, statement in enumerate(statements, 1)
+    ]

@@ -1,0 +1,31 @@
+"""Sentences of the report that are not about one part."""
+
+from collections.abc import Sequence
+
+from experiments.paper.statement import VERDICTS, Statement
+from snapjump.terminal.block import markdown_table
+
+TITLE = "The paper, reproduced and judged"
+INTRODUCTION = [
+    "The paper is *Inverse Design of Snap-Actuated Jumping Robots Powered by Mechanics-Aided "
+    "Machine Learning* (Tong, Hao, Liu, Huang, arXiv 2408.10470). Every figure below is simulated "
+    "anew by this library and every number is computed by the command above, at the tier "
+    "`standard` unless it says otherwise; `paper` stands for the paper's own settings: implicit "
+    "Euler at 1e-5 s, lagged friction, clamps of two fixed nodes, contact stiffness per node, no "
+    "material damping. A verdict is decided by the program from the numbers beside it.",
+    "The converged model differs from the paper's in one respect: its material damps (Kelvin-Voigt "
+    "with η = 1e-5 s), which is what the paper's time step amounts to in its implicit Euler.",
+]
+
+
+def readme_block(statements: Sequence[Statement]) -> str:
+    """Statements and verdicts alone, for the README."""
+    rows = [[str(k), one.says, one.verdict] for k, one in enumerate(statements, 1)]
+    told = ", ".join(
+        f"{sum(one.verdict == verdict for one in statements)} {verdict}" for verdict in VERDICTS
+    )
+    return (
+        markdown_table(["", "the paper says", "verdict"], rows)
+        + f"\n\n{told}; the numbers, figures and causes: [docs/paper.md](docs/paper.md).\n"
+        "`python run.py task=paper publish=docs` makes this table and that report."
+    )
