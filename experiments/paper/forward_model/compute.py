@@ -4,6 +4,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from experiments.compositions import changed
 from snapjump.dataset.read import Dataset, open_dataset
 from snapjump.studies.base import Row
@@ -69,7 +71,8 @@ def forward_rows(inputs: Mapping[str, Any]) -> list[Row]:
 
     learned, data = trained(inputs)
     about, model = learned.about, ForwardModel(learned.network, learned.about)
-    designs = data.test.designs[::EVERY].double().numpy()
+    # In single precision the ends of a range lie a rounding outside of it.
+    designs = np.clip(data.test.designs[::EVERY].double().numpy(), *np.array(model.ranges).T)
     apexes = data.test.apexes[::EVERY].double().numpy()
     measured: Row = {
         "kind": "measures",

@@ -34,9 +34,11 @@ def methods(mean: float = 1.0, search: float = 1000.0) -> dict[str, dict[str, An
 
 def test_the_dataset_s_cost() -> None:
     told = judge.dataset_statement(made())
-    assert told.verdict == NOT_CONFIRMED and "480 times fewer" in told.found
+    assert told.verdict == CONFIRMED and "480 times fewer" in told.found
     assert "300 s by the clock on 2 cores" in told.found
-    assert judge.dataset_statement(made(kernel_core_seconds=2e5)).verdict == CONFIRMED
+    assert judge.dataset_statement(made(ok=50_000)).verdict == LIMITED
+    assert judge.dataset_statement(made(kernel_core_seconds=4e5)).verdict == LIMITED
+    assert judge.dataset_statement(made(kernel_core_seconds=9e5)).verdict == NOT_CONFIRMED
     assert "clock" not in judge.dataset_statement(made(wall_seconds=None)).found
 
 
