@@ -12,7 +12,6 @@ from experiments.paper.bifurcation.landmarks import (
     Landmarks,
     find_landmarks,
     symmetric_fold,
-    turned_back,
 )
 from snapjump.statics.arch import Equilibrium, StaticArch
 from snapjump.statics.branch import Branch, Point
@@ -91,20 +90,18 @@ def point_row(arch: StaticArch, name: str, point: Point) -> Row:
 
 
 def shape_rows(inputs: Mapping[str, Any]) -> list[Row]:
-    """Nodes of the shapes before, at and after the snap, and of those that are not stable."""
+    """Nodes of the shapes before, at and after the snap, and of two that are not stable."""
     simulation = composed(inputs["groups"])
     robot, mesh, epsilon = simulation.robot, simulation.discretization, inputs["epsilon"]
     arch = StaticArch(robot, mesh, epsilon)
     branch = Branch(arch, 0.0)
     snap = find_snap(robot, mesh, epsilon, 0.0)
-    fold, back = symmetric_fold(branch), turned_back(branch, snap.after)
     half = next(p for p in leaning(arch, snap.before) if p.left < HALF_WAY * snap.alpha_rad)
     states = {
         "flat clamps": start_point(branch).state,
         "critical": snap.before.state,
         "snapped": snap.after.state,
-        "turned back": back.state,
-        "at the fold": fold.state,
+        "at the fold": symmetric_fold(branch).state,
         "leaning": half.state,
     }
     return [

@@ -82,6 +82,7 @@ def fold_statement(angles: Sequence[Row], tiers: Mapping[str, Sequence[Row]]) ->
     higher = [100.0 * (r["midpoint_before_bar"] / r["midpoint_fold_bar"] - 1.0) for r in rows]
     energy = max(100.0 * (r["energy_fold_bar"] / r["energy_before_bar"] - 1.0) for r in rows)
     leaning = min(row["leaning"] for row in angles)
+    on_paper = [gap_percent(row) for row in tiers["paper"]]
     return Statement(
         "With equal clamp angles the snap is symmetric: the symmetric arch loses its stability at "
         "its fold",
@@ -89,7 +90,9 @@ def fold_statement(angles: Sequence[Row], tiers: Mapping[str, Sequence[Row]]) ->
         f"the arch tips over before it gets there: its first instability is the asymmetric "
         f"pitchfork ({100.0 * leaning:.4g} % of the critical mode is antisymmetric), and the fold "
         f"of the symmetric branch comes {min(gaps):.2g} to {max(gaps):.2g} % later in the angle "
-        f"(ε = {angles[0]['epsilon']:g} to {angles[-1]['epsilon']:g}). The fold is a good estimate "
+        f"(ε = {angles[0]['epsilon']:g} to {angles[-1]['epsilon']:g}; on the paper's mesh "
+        f"{min(on_paper):.2g} to {max(on_paper):.2g} % for ε = {rows[0]['epsilon']:g} to "
+        f"{rows[-1]['epsilon']:g}). The fold is a good estimate "
         f"of the critical angle and of the energy ({energy:.2g} % more), not of the shape: the "
         f"middle is {min(higher):.2g} to {max(higher):.2g} % higher at the pitchfork",
         accuracy(tiers),

@@ -28,7 +28,7 @@ STRAIGHT_PERCENT, NEARLY_PERCENT = 1.0, 5.0
 FIT_PERCENT, OWN_MESH_PERCENT = 1.0, 2.0
 
 
-def energy_statement(alike: Sequence[Row], accuracy: str) -> Statement:
+def energy_statement(alike: Sequence[Row], own_mesh: Sequence[Row], accuracy: str) -> Statement:
     """Whether the released energy of clamps that turn alike is linear in epsilon."""
     paper, whole = straight_line(within(alike)), straight_line(alike)
     ratio = growth(alike)
@@ -41,7 +41,8 @@ def energy_statement(alike: Sequence[Row], accuracy: str) -> Statement:
         ),
         f"over the paper's range the best line, {told(paper.slope, paper.intercept)} in EI/L, is "
         f"off by up to {paper.deviation_percent:.2g} % of the value (at "
-        f"ε = {paper.worst_epsilon:g}); down to ε = {first:g}, with "
+        f"ε = {paper.worst_epsilon:g}; on the paper's mesh "
+        f"{straight_line(own_mesh).deviation_percent:.2g} %); down to ε = {first:g}, with "
         f"{told(whole.slope, whole.intercept)}, by up to {whole.deviation_percent:.2g} % (at "
         f"ε = {whole.worst_epsilon:g}). A shallow arch releases {shallow_slope():.3g} ε exactly in "
         f"proportion; what is released at ε = {HIGH:g} is {ratio[-1]:.2g} % more than that, at "

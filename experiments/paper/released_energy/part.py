@@ -88,7 +88,9 @@ class ReleasedEnergyPart(Part):
             ),
             [
                 energy_statement(
-                    alike, accuracy_of(converged, rows[REFERENCE], ["energy_released_bar"])
+                    alike,
+                    rows[PAPER],
+                    accuracy_of(converged, rows[REFERENCE], ["energy_released_bar"]),
                 ),
                 heights_statement(
                     alike,
