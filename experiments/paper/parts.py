@@ -1,8 +1,12 @@
 """The parts in the order of the report. A new one is a folder here and a line below."""
 
 from experiments.paper.base import Part
+from experiments.paper.bifurcation.part import BifurcationPart
 from experiments.paper.forward_model.part import ForwardModelPart
+from experiments.paper.released_energy.part import ReleasedEnergyPart
 
 PARTS: dict[str, type[Part]] = {
+    "bifurcation": BifurcationPart,
+    "released_energy": ReleasedEnergyPart,
     "forward_model": ForwardModelPart,
 }
