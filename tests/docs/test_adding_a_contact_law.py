@@ -69,7 +69,7 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for how, name, content in files():
         assert (root / name).exists() == (how == "At the end of"), name
         with (root / name).open("a", encoding="utf-8") as file:
-            file.write(content)
+            file.write(content if how == "New file" else f"\n\n{content}")
     for name, change in EDIT.findall("".join(blocks("diff"))):
         path = root / name
         path.write_text(edited(path.read_text(encoding="utf-8"), change), encoding="utf-8")
