@@ -119,15 +119,20 @@ def test_every_link_into_a_page_leads_to_a_heading(page: Path) -> None:
     for target in LINK.findall(text):
         file, _, anchor = target.partition("#")
         if anchor and "://" not in target:
-            headings = re.findall(r"^#+ (.*)$", (page.parent / file).read_text(), re.MULTILINE)
+            linked = (page.parent / file if file else page).read_text(encoding="utf-8")
+            headings = re.findall(r"^#+ (.*)$", FENCE.sub("", linked), re.MULTILINE)
             known = [re.sub(r"[^\w\- ]", "", h.lower()).replace(" ", "-") for h in headings]
             assert anchor in known
 
 
 def test_every_target_of_make_exists() -> None:
     makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
-    texts = [page.read_text(encoding="utf-8") for page in PAGES]
-    named = {t for text in texts for t in re.findall(r"(?:`|^ *)make ([a-z]+)\b", text, re.M)}
+    code = ""
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        blocks = [content for _, content in FENCE.findall(text)]
+        code += "\n".join([*blocks, *INLINE.findall(FENCE.sub("", text)), text]) + "\n"
+    named = set(re.findall(r"^(?:    )?make ([a-z]+)(?=  |$)", code, re.MULTILINE))
     assert {"jump", "test", "check"} <= named
     for target in named:
         assert re.search(rf"^{target}:", makefile, re.MULTILINE), target
