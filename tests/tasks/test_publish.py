@@ -45,6 +45,13 @@ def test_report_figures_and_section_of_the_readme(folder: ResultFolder) -> None:
     assert Path("README.md").read_text() == README.replace("old", "| new |")
 
 
+def test_sections_of_guides(folder: ResultFolder) -> None:
+    Path("docs").mkdir()
+    Path("docs/guide.md").write_text(README)
+    assert Path("docs/guide.md") in publish(CONFIG, folder)
+    assert Path("docs/guide.md").read_text() == README.replace("old", "| new |")
+
+
 def test_a_readme_without_markers_stays_as_it_is(folder: ResultFolder) -> None:
     Path("README.md").write_text("nothing\n")
     assert Path("README.md") not in publish(CONFIG, folder)
