@@ -177,8 +177,14 @@ def test_its_figures_stand_where_they_come_from() -> None:
 
 
 def test_generated_sections_are_there() -> None:
-    for section in ("inverse", "tiers", "surrogates", "paper"):
-        assert README.index(f"<!-- {section}:begin -->") < README.index(f"<!-- {section}:end -->")
+    models = (ROOT / "docs/forward_models.md").read_text(encoding="utf-8")
+    for text, section in (
+        (README, "inverse"),
+        (README, "tiers"),
+        (README, "paper"),
+        (models, "surrogates"),
+    ):
+        assert text.index(f"<!-- {section}:begin -->") < text.index(f"<!-- {section}:end -->")
 
 
 def test_the_citation_is_of_this_version() -> None:
