@@ -27,6 +27,7 @@ from snapjump.statics.arch import StaticArch
 
 Array = NDArray[np.float64]
 INTERVAL_S = 9e-6  # below the fixed step of the paper, and the steps of a snap at standard
+MOST_SAMPLES = 60_000  # many times the steps of any snap, in memory that is there
 LAG_STEP = 0.02  # rad, between equilibria
 
 
@@ -94,17 +95,19 @@ def follow(simulation: Simulation) -> Swing:
     turns = max(1, math.ceil(abs(lag) / LAG_STEP))
     for k in range(1, turns + 1):
         state = arch.settle(state, 0.0, -lag * k / turns)
-    duration = scene.duration_s / scales.time_s
+    duration, interval = scene.duration_s / scales.time_s, INTERVAL_S / scales.time_s
     march = March(
         models=[model],
         masses=simulation.discretization.masses(),
         states=state[None, :],
         simulation=simulation,
         ending=TimedEnding(duration),
-        recorder=make_recorder(len(state), duration, INTERVAL_S / scales.time_s),
+        recorder=make_recorder(len(state), min(duration, MOST_SAMPLES * interval), interval),
     )
     outcome = march.run()[0]
     times, states, velocities, _ = samples_of(march)
+    if len(times) > MOST_SAMPLES:
+        raise RuntimeError(f"a snap of more than {MOST_SAMPLES} steps")
     stride = arch.node_dofs
     return Swing(
         status=NAMES[int(outcome[c.STATUS])],

@@ -17,9 +17,8 @@ LINES = {
     "undamped": (palette.CENTRE, "--", 1.8),
     "paper": (palette.FORCE, ":", 2.2),
 }
-CLOSE_UP_MS = (-2.5, 1.25)  # about the crossing at standard
-TINTS = "viridis_r"
-TINT_MS = (-3.5, 1.25)
+CLOSE_UP_MS = (-1.6, 1.0)  # about the crossing at standard
+TINTS = "viridis"
 KEYS = (("height_bar", "midpoint height / L"), ("tangent_rad", "midpoint tilt (rad)"))
 
 
@@ -65,13 +64,11 @@ def crossing_ms(rows: Sequence[Row]) -> float:
     return float(np.interp(0.0, -height[k - 1 : k + 1], time[k - 1 : k + 1]))
 
 
-def tint(time_ms: float) -> Any:
-    """The colour of a moment about the crossing."""
+def tints(count: int) -> list[Any]:
+    """Colours of so many shapes, in the order of time; the palest are left out."""
     import matplotlib
 
-    low, high = TINT_MS
-    share = float(np.clip((time_ms - low) / (high - low), 0.0, 1.0))
-    return matplotlib.colormaps[TINTS](0.08 + 0.92 * share)
+    return [matplotlib.colormaps[TINTS](0.88 * k / max(count - 1, 1)) for k in range(count)]
 
 
 def number(axes: Any, x: float, y: float, k: int, colour: Any) -> None:
@@ -82,9 +79,8 @@ def number(axes: Any, x: float, y: float, k: int, colour: Any) -> None:
 
 def _shapes(axes: Any, shapes: Sequence[Row], lag: float, zero: float) -> None:
     """The beam at the instants, coloured by time."""
-    for k, row in enumerate(shapes, 1):
+    for k, (row, colour) in enumerate(zip(shapes, tints(len(shapes)), strict=True), 1):
         x, y = np.array(row["x_bar"]), np.array(row["y_bar"])
-        colour = tint(row["time_ms"] - zero)
         axes.plot(x, y, color=colour, lw=2.2, zorder=5)
         if k in (1, len(shapes)):
             axes.plot(*clamp_stubs(x, y, 0.035), color=palette.CLAMP, lw=4.5, zorder=4)
@@ -108,20 +104,23 @@ def _motion(axes: Any, curves: Mapping[str, Sequence[Row]], key: str, zero: floa
 def _instants(
     axes: Any, curve: Sequence[Row], shapes: Sequence[Row], key: str, zero: float
 ) -> None:
-    """The shapes' numbers on the curve at standard."""
+    """The shapes on the curve at standard: numbers on the height, dots on the tilt."""
     time, along = values(curve, "time_ms"), values(curve, key)
-    for k, row in enumerate(shapes, 1):
+    for k, (row, colour) in enumerate(zip(shapes, tints(len(shapes)), strict=True), 1):
         moment = row["time_ms"]
-        if CLOSE_UP_MS[0] < moment - zero < CLOSE_UP_MS[1]:
-            value = float(np.interp(moment, time, along))
-            number(axes, moment - zero, value, k, tint(moment - zero))
+        if not CLOSE_UP_MS[0] < moment - zero < CLOSE_UP_MS[1]:
+            continue
+        value = float(np.interp(moment, time, along))
+        if key == "height_bar":
+            number(axes, moment - zero, value, k, colour)
+        else:
+            axes.plot([moment - zero], [value], "o", ms=6.5, mfc=palette.PAPER, mec=colour, mew=1.6,
+                      zorder=8)  # fmt: skip
 
 
 def _independent(axes: Any, exact: Sequence[Row], lag: float, key: str, zero: float) -> None:
     """The crossing by the independent solution."""
-    row = max(
-        (row for row in exact if row["delta_alpha_rad"] == lag), key=lambda one: one["terms"]
-    )
+    row = max((row for row in exact if row["delta_alpha_rad"] == lag), key=lambda one: one["terms"])
     value = 0.0 if key == "height_bar" else row["tangent_crossing_rad"]
     axes.plot(
         [row["crossing_ms"] - zero], [value], "s", ms=8, mfc="none", mec=palette.INK, mew=1.6,

@@ -20,7 +20,7 @@ STYLES = {
     ("standard", 0.2): (palette.CLAMP, "-", "P"),
 }
 NONE_AT = 1e-9  # where equal clamps are drawn
-LOWEST = 1e-6  # rad: what is below is drawn there
+LOWEST = 1e-15  # rad: what is below is drawn there
 
 
 def draw_imperfections(tiny: Mapping[tuple[str, float], Sequence[Row]], path: Path) -> None:
@@ -30,17 +30,19 @@ def draw_imperfections(tiny: Mapping[tuple[str, float], Sequence[Row]], path: Pa
         axes = figure.add_axes((0.09, 0.12, 0.62, 0.77))
         for key, (colour, line, mark) in STYLES.items():
             snapped = [row for row in tiny[key] if row["theta_max_rad"] is not None]
-            lags = np.array([max(row["delta_alpha_rad"], NONE_AT) for row in snapped])
+            lags = np.array([row["delta_alpha_rad"] for row in snapped])
             tilts = np.array([max(row["theta_max_rad"], LOWEST) for row in snapped])
+            style = {"color": colour, "ms": 6.5, "mec": palette.PAPER, "mew": 0.6, "clip_on": False}
+            some = lags > 0.0
             label = f"{key[1]:g} rad/s, {key[0]}"
-            axes.plot(lags, tilts, mark + line, color=colour, ms=6, lw=1.8, mec=palette.PAPER,
-                      mew=0.6, label=label, clip_on=False)  # fmt: skip
+            axes.plot(lags[some], tilts[some], mark + line, lw=1.8, label=label, **style)
+            axes.plot([NONE_AT] * len(tilts[~some]), tilts[~some], mark, **style)
         axes.axhline(VISIBLE_RAD, color=palette.QUIET, lw=1.0, ls="-.")
-        axes.text(1.3 * NONE_AT, 1.12 * VISIBLE_RAD, "one degree", color=palette.QUIET)
+        axes.text(1.3 * NONE_AT, 1.5 * VISIBLE_RAD, "one degree", color=palette.QUIET)
         axes.axvspan(1e-9, SET_BY_HAND_RAD, color=palette.SHADE, lw=0, zorder=0)
         words = f"clamps equal within {math.degrees(SET_BY_HAND_RAD):.1g}°"
-        axes.text(0.8 * SET_BY_HAND_RAD, 1.5 * LOWEST, words, ha="right", color=palette.QUIET)
-        axes.set(xscale="log", yscale="log", xlim=(NONE_AT, 0.15), ylim=(LOWEST, 1.5))
+        axes.text(0.8 * SET_BY_HAND_RAD, 3.0 * LOWEST, words, ha="right", color=palette.QUIET)
+        axes.set(xscale="log", yscale="log", xlim=(NONE_AT, 0.15), ylim=(LOWEST, 5.0))
         ticks = [10.0**k for k in range(-8, 0)]
         axes.set_xticks([NONE_AT, *ticks], ["equal", *(f"$10^{{{k}}}$" for k in range(-8, 0))])
         axes.set(xlabel="mismatch Δα (rad)", ylabel="largest tilt θ$_{max}$ (rad)")

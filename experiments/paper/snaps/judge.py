@@ -59,23 +59,23 @@ def symmetry_statement(
     limits = {rate: symmetric_until(found) for rate, found in by_rate.items()}
     told = "; ".join(limit_in_words(rate, limits[rate], by_rate[rate]) for rate in sorted(limits))
     others = ", ".join(
-        f"{tilt(motions[name], lag):.3g} rad at {words}"
+        f"{tilt(motions[name], lag):.3f} rad {words}"
         for name, words in (
-            ("reference", "`reference`"),
-            ("paper", "the paper's settings"),
-            ("undamped", "no damping"),
+            ("reference", "at `reference`"),
+            ("paper", "at the paper's settings"),
+            ("undamped", "without damping"),
         )
     )
     return Statement(
         "With equal clamps the beam snaps symmetrically, with a mismatch asymmetrically",
         symmetry_verdict(equal, mismatched, list(limits.values())),
         f"At 20 rad/s and ε = 0.1 the midpoint tilts by {equal:.1g} rad with equal clamps and by "
-        f"{mismatched:.3g} rad ({math.degrees(mismatched):.0f}°) at Δα = {lag:g} rad ({others}); "
+        f"{mismatched:.3f} rad ({math.degrees(mismatched):.0f}°) at Δα = {lag:g} rad ({others}); "
         f"it crosses the clamps' line at α = {symmetric['alpha_snap_rad']:.3f} and "
         f"{tilted['alpha_snap_rad']:.3f} rad, and the snap takes "
-        f"{symmetric['snap_duration_ms']:.2g} and {tilted['snap_duration_ms']:.2g} ms. The limit: "
-        "the symmetry is that of clamps which are exactly equal and turn fast, not of the arch, "
-        f"which always becomes unstable asymmetrically. A tilt of one degree takes {told}",
+        f"{symmetric['snap_duration_ms']:.1f} and {tilted['snap_duration_ms']:.1f} ms. But "
+        "the arch always becomes unstable asymmetrically first; it snaps symmetrically only if its "
+        f"clamps are nearly equal and turn fast. A tilt of one degree takes {told}",
         accuracy(motions, lag),
         COMMAND,
     )
@@ -87,7 +87,7 @@ def limit_in_words(rate: float, limit: float, rows: Sequence[Row]) -> str:
         return f"no mismatch at all at {rate:g} rad/s ({tilt(rows, 0.0):.2g} rad from rounding)"
     if math.isinf(limit):
         return f"more than was tried at {rate:g} rad/s"
-    return f"a mismatch of {limit:.1e} rad at {rate:g} rad/s"
+    return f"a mismatch of {limit:.2g} rad at {rate:g} rad/s"
 
 
 def accuracy(motions: Mapping[str, Sequence[Row]], lag: float) -> str:
