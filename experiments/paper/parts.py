@@ -1,12 +1,16 @@
 """The parts in the order of the report. A new one is a folder here and a line below."""
 
+from experiments.paper.asymmetry.part import AsymmetryPart
 from experiments.paper.base import Part
 from experiments.paper.bifurcation.part import BifurcationPart
 from experiments.paper.forward_model.part import ForwardModelPart
 from experiments.paper.released_energy.part import ReleasedEnergyPart
+from experiments.paper.snaps.part import SnapsPart
 
 PARTS: dict[str, type[Part]] = {
     "bifurcation": BifurcationPart,
     "released_energy": ReleasedEnergyPart,
+    "snaps": SnapsPart,
+    "asymmetry": AsymmetryPart,
     "forward_model": ForwardModelPart,
 }
