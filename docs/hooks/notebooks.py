@@ -9,7 +9,7 @@ from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 from nbclient import NotebookClient
 
-TIMEOUT_S = 300
+TIMEOUT_S = 600  # of a cell, which may compile
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:
@@ -29,16 +29,25 @@ def cell_text(cell: Any, stem: str, pictures: dict[str, bytes]) -> str:
     """Markdown of a cell; what it draws is added to ``pictures``."""
     if cell.cell_type == "markdown":
         return str(cell.source)
-    parts = [fenced("python", cell.source)]
+    parts, text = [fenced("python", cell.source)], ""
     for output in cell.outputs:
-        data = output.get("data", {})
-        if "image/png" in data:
-            name = f"{stem}-{len(pictures) + 1}.png"
-            pictures[name] = base64.b64decode(data["image/png"])
-            parts.append(f"![{stem}, figure {len(pictures)}]({name})")
-        elif text := output.get("text") or data.get("text/plain"):
-            parts.append(fenced("text", text))
-    return "\n\n".join(parts)
+        picture = output.get("data", {}).get("image/png")
+        if picture is None:
+            text += printed(output)
+            continue
+        name = f"{stem}-{len(pictures) + 1}.png"
+        pictures[name] = base64.b64decode(picture)
+        parts += [fenced("text", text)] * bool(text)
+        parts.append(f"![{stem}, figure {len(pictures)}]({name})")
+        text = ""
+    return "\n\n".join([*parts, *[fenced("text", text)] * bool(text)])
+
+
+def printed(output: Any) -> str:
+    """The text of an output; warnings and progress are none of the page."""
+    if output.output_type == "stream":
+        return str(output.text) if output.name == "stdout" else ""
+    return str(output.get("data", {}).get("text/plain", ""))
 
 
 def fenced(language: str, text: str) -> str:

@@ -2,13 +2,26 @@
 
 import html
 import re
+from importlib.metadata import distribution
 from typing import Any
 
 from latex2mathml.converter import convert
+from mkdocs.config.defaults import MkDocsConfig
+from mkdocs.structure.files import File, Files
+
+# A font with the tables that fractions, roots and brackets are built by; not every system has one.
+FONT = "STIXTwoMath-Regular.ttf"
 
 INLINE = re.compile(r'<span class="arithmatex">\\\((.*?)\\\)</span>', re.DOTALL)
 DISPLAY = re.compile(r'<div class="arithmatex">\s*\\\[(.*?)\\\]\s*</div>', re.DOTALL)
 ROLE = re.compile(r":(?:mod|func|class|data|meth):<code>~?([\w.]+)</code>")
+
+
+def on_files(files: Files, config: MkDocsConfig) -> Files:
+    """Add the font for equations, which comes with ziamath."""
+    font = distribution("ziamath").locate_file(f"ziamath/fonts/{FONT}")
+    files.append(File.generated(config, FONT, abs_src_path=str(font)))
+    return files
 
 
 def role(match: re.Match[str]) -> str:
