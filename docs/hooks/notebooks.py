@@ -37,10 +37,9 @@ def cell_text(cell: Any, stem: str, pictures: dict[str, bytes]) -> str:
             continue
         name = f"{stem}-{len(pictures) + 1}.png"
         pictures[name] = base64.b64decode(picture)
-        parts += [fenced("text", text)] * bool(text)
-        parts.append(f"![{stem}, figure {len(pictures)}]({name})")
+        parts += [fenced("text", text), f"![{stem}, figure {len(pictures)}]({name})"]
         text = ""
-    return "\n\n".join([*parts, *[fenced("text", text)] * bool(text)])
+    return "\n\n".join([*parts, fenced("text", text)])
 
 
 def printed(output: Any) -> str:
@@ -51,5 +50,5 @@ def printed(output: Any) -> str:
 
 
 def fenced(language: str, text: str) -> str:
-    """A block of code."""
-    return f"```{language}\n{text.rstrip()}\n```"
+    """A block of code; nothing for no text."""
+    return f"```{language}\n{text.rstrip()}\n```" if text else ""

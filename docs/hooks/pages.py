@@ -1,8 +1,8 @@
-"""Pages that are made while the site is built: README, CONTRIBUTING, studies and the reference.
+"""The navigation, and pages that are made while the site is built: README, CONTRIBUTING, reference.
 
-A page of the reference is a package of ``snapjump`` with the docstrings of its modules; nothing of
-it is listed by hand. Links to files of the repository lead to their page, or are left out where
-they have none.
+A page of the reference is a package of ``snapjump`` with the docstrings of its modules; neither
+these nor guides and studies are listed by hand. Links to files of the repository lead to their
+page, or are left out where they have none.
 """
 
 import posixpath
@@ -18,8 +18,8 @@ ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
 PACKAGE = ROOT / "snapjump"
 FROM_ROOT = {"README.md": "index.md", "CONTRIBUTING.md": "contributing.md"}
-LATER = "paper.md"  # in the navigation from when it is there
-LINK = re.compile(r"(?<!!)\[(?P<text>[^\]]*)\]\((?P<target>[^)\s:#]+)\)")
+PAPER = "paper.md"  # a study in a place of its own, which may not be there yet
+LINK = re.compile(r"(?<!!)\[(?P<text>[^\]]*)\]\((?P<target>[^)\s:#]+)(?P<place>#[^)\s]*)?\)")
 IMAGE = re.compile(r"(!\[[^\]]*\])\(docs/")
 
 
@@ -46,13 +46,19 @@ def reference_page(package: str) -> str:
 
 def on_config(config: MkDocsConfig) -> MkDocsConfig:
     """Fill the sections of the navigation that are lists of files."""
-    studies = [f"studies/{path.name}" for path in sorted((DOCS / "studies").glob("*.md"))]
-    if (DOCS / LATER).exists():
-        studies.insert(0, LATER)
-    sections = {"Studies": studies, "Reference": [f"reference/{name}.md" for name in packages()]}
-    for entry in config.nav or []:
-        for title in sections.keys() & (entry if isinstance(entry, dict) else {}):
-            entry[title] = sections[title]
+    nav = config.nav or []
+    named = {entry for entry in nav if isinstance(entry, str)}
+    pages = sorted(path.name for path in DOCS.glob("*.md"))
+    studies = sorted(f"studies/{path.name}" for path in (DOCS / "studies").glob("*.md"))
+    sections = {
+        "Guides": [page for page in pages if page not in {*named, PAPER}],
+        "Studies": [page for page in pages if page == PAPER] + studies,
+        "Reference": [f"reference/{name}.md" for name in packages()],
+    }
+    config.nav = [
+        {title: sections[title] for title in entry} if isinstance(entry, dict) else entry
+        for entry in nav
+    ]
     return config
 
 
@@ -75,12 +81,15 @@ def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Fil
 
     def link(match: re.Match[str]) -> str:
         path = (home / match["target"]).resolve()
+        if path == DOCS / PAPER and not path.exists():
+            return match["text"]
         if not path.exists() or not path.is_relative_to(ROOT):
             return match[0]
         place = place_of(path)
         if place is None:
             return match["text"]
-        return f"[{match['text']}]({posixpath.relpath(place, posixpath.dirname(source) or '.')})"
+        target = posixpath.relpath(place, posixpath.dirname(source) or ".")
+        return f"[{match['text']}]({target}{match['place'] or ''})"
 
     return "".join(
         part if fenced else LINK.sub(link, part) for fenced, part in in_and_out_of_code(markdown)
@@ -96,7 +105,8 @@ def in_and_out_of_code(markdown: str) -> Iterator[tuple[bool, str]]:
 def place_of(path: Path) -> str | None:
     """Where in the site a file of the repository is, None if nowhere."""
     if path.is_relative_to(DOCS):
-        return path.relative_to(DOCS).as_posix()
+        page = path.with_suffix(".md") if path.suffix == ".ipynb" else path
+        return page.relative_to(DOCS).as_posix()
     inside = path.relative_to(ROOT)
     if inside.as_posix() in FROM_ROOT:
         return FROM_ROOT[inside.as_posix()]
