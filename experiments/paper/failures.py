@@ -11,4 +11,6 @@ def unfinished(title: str, done: Mapping[str, Done]) -> Found | None:
     missing = [f"`{name}`: {one.message}" for name, one in done.items() if one.status != OK]
     if not missing:
         return None
-    return Found(Section(title, [f"Not judged, because cells have no rows: {'; '.join(missing)}"]), [])
+    return Found(
+        Section(title, [f"Not judged, because cells have no rows: {'; '.join(missing)}"]), []
+    )

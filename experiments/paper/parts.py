@@ -2,8 +2,10 @@
 
 from experiments.paper.base import Part
 from experiments.paper.designs.part import Designs
+from experiments.paper.imperfections.part import Imperfections
 from experiments.paper.regions.part import Regions
 
 PARTS: dict[str, type[Part]] = {}
 PARTS["regions"] = Regions
 PARTS["designs"] = Designs
+PARTS["imperfections"] = Imperfections

@@ -1,31 +1,28 @@
 """Designs for a few targets by one method, and where they really get to."""
 
 from collections.abc import Mapping
-from functools import cache
 from typing import Any
 
 import numpy as np
 
 from experiments.compositions import composed
-from experiments.paper.baseline import BASELINE, TIERS
+from experiments.paper.baseline import BASELINE
 from experiments.paper.designs.cases import case_of
+from experiments.paper.learned import shipped_forward
 from experiments.paper.tiers import simulation_at
 from snapjump.batch import simulate_designs, variant
 from snapjump.engine.status import NAMES, OK
-from snapjump.learning.forward_model import open_forward_model
 from snapjump.members import member_class
 from snapjump.studies.base import Row
 from snapjump.targets.answer import answer
 from snapjump.targets.design import problem_of
 from snapjump.targets.warm_up import warm_up
 
-opened = cache(open_forward_model)
-
 
 def design_rows(inputs: Mapping[str, Any]) -> list[Row]:
     """A row for each case: its design, what the forward model and each tier say of it (misses in
-    mm), the flight at the run's composition (L, L/s), time and simulations of the search."""
-    base, forward = composed(inputs["groups"]), opened(inputs["checkpoint"])
+    mm), its lift-off at the first of them, time and simulations of the search."""
+    base, forward = composed(inputs["groups"]), shipped_forward()
     method = member_class("inverse", inputs["method"])()
     warm_up(base, forward, method)
     cases = [case_of(values) for values in inputs["cases"]]
@@ -54,16 +51,14 @@ def design_rows(inputs: Mapping[str, Any]) -> list[Row]:
         )
     add_places(rows, "predicted", forward.predict(designs))
     length_mm = 1e3 * base.robot.length_m
-    for tier in TIERS:
-        batch = simulate_designs(
-            simulation_at(inputs["groups"], tier), designs, threads=2, lanes=8
-        )
+    for tier in inputs["tiers"]:
+        batch = simulate_designs(simulation_at(inputs["groups"], tier), designs, threads=2, lanes=8)
         jumped = np.array(batch.status) == NAMES[OK]
         apexes = np.where(jumped[:, None], np.stack([batch.x_bar, batch.y_bar], axis=1), np.nan)
         add_places(rows, tier, apexes)
         for row, miss in zip(rows, np.hypot(*(apexes - targets).T), strict=True):
             row[f"miss_{tier}_mm"] = float(length_mm * miss)
-        if tier == TIERS[0]:
+        if tier == inputs["tiers"][0]:
             for row, x, y, speed in zip(
                 rows, batch.liftoff_x_bar, batch.liftoff_y_bar, batch.liftoff_vx_m_s, strict=True
             ):

@@ -16,7 +16,16 @@ from snapjump.plots.robot_drawing import draw_ground
 from snapjump.plots.saving import picture
 from snapjump.studies.base import Row
 
-COLOURS = (palette.BEAM, palette.FORCE, palette.CENTRE, palette.PLUM, palette.CLAMP)
+COLOURS = (
+    palette.BEAM,
+    palette.FORCE,
+    palette.CENTRE,
+    palette.PLUM,
+    palette.CLAMP,
+    palette.VIOLET,
+    palette.SKY,
+    palette.QUIET,
+)
 MARKERS = {"adam": ("s", palette.QUIET), "gauss_newton": ("o", palette.BEAM),
            "physics": ("^", palette.CENTRE)}  # fmt: skip
 POINTS = 60
@@ -37,10 +46,15 @@ def draw_flights(groups: Mapping[str, Sequence[Row]], path: Path) -> None:
                 width = 1.8 if row is others[-1] else 5.0
                 draw_flight(axes, row, colour, width)
                 if row is others[0]:
-                    tell(axes, others, colour if len(others) == 1 else palette.INK, named)
+                    tell(axes, others)
+                if named:
+                    text = f"{row['robot']}: m̄ = {row['mass_bar']:g}, μ = {row['mu']:g}"
+                    axes.plot([], [], color=colour, lw=width, label=text)
+            if named:
+                axes.legend(loc="upper right", ncols=2)
             right, top = (max(row[f"target_{axis}_bar"] for row in rows) for axis in "xy")
             axes.set(xlabel="x / L", ylabel="y / L", xlim=(-0.03 * right, 1.3 * right))
-            axes.set_ylim(-0.04 * top, 1.12 * top)
+            axes.set_ylim(-0.04 * top, (1.35 if named else 1.12) * top)
             draw_ground(axes, (-0.04 * top, 0.0), *axes.get_xlim())
             axes.grid(True)
 
@@ -50,16 +64,12 @@ def target_of(row: Row) -> tuple[float, float]:
     return row["target_x_bar"], row["target_y_bar"]
 
 
-def tell(axes: Any, rows: Sequence[Row], colour: str, named: bool) -> None:
-    """Name the robots above their common target; ``named``: with mass and friction."""
-    texts = [
-        f"{row['robot']}: m̄ {row['mass_bar']:g}, μ {row['mu']:g}" if named else row["robot"]
-        for row in rows
-    ]
+def tell(axes: Any, rows: Sequence[Row]) -> None:
+    """Name the robots above their common target."""
     box = {"facecolor": palette.PAPER, "edgecolor": "none", "alpha": 0.8, "pad": 1.0}
     axes.annotate(
-        "\n".join(texts), target_of(rows[0]), (0, 12), textcoords="offset points", color=colour,
-        ha="center", zorder=8, bbox=box,
+        ", ".join(row["robot"] for row in rows), target_of(rows[0]), (0, 12),
+        textcoords="offset points", ha="center", zorder=8, bbox=box,
     )  # fmt: skip
 
 

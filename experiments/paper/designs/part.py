@@ -5,11 +5,12 @@ from functools import partial
 from typing import Any
 
 from experiments.paper.base import Found, Part
+from experiments.paper.baseline import TIERS
 from experiments.paper.designs import judge, texts
 from experiments.paper.designs.cases import GROUPS, METHODS
 from experiments.paper.designs.figure import draw_flights, draw_misses
 from experiments.paper.failures import unfinished
-from experiments.paper.learned import shipped_forward
+from experiments.paper.learned import shipped_inputs
 from experiments.paper.tiers import groups_at
 from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
 
@@ -26,7 +27,7 @@ class Designs(Part):
     def plan(self, groups: Mapping[str, Any], seed: int) -> Sequence[Cell]:
         """Targets by methods."""
         standard = groups_at(groups, "standard")
-        learned = shipped_forward(standard)
+        learned = shipped_inputs(standard)
         return [
             Cell(
                 f"{group}, {method}",
@@ -37,6 +38,7 @@ class Designs(Part):
                     "method": method,
                     "cases": [list(case) for case in cases],
                     "seed": seed,
+                    "tiers": list(TIERS),
                 },
             )
             for group, cases in GROUPS.items()

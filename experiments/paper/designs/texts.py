@@ -21,6 +21,7 @@ def paragraphs(methods: Mapping[str, Sequence[Row]]) -> list[str]:
     """What is shown, what is found, what differs and why."""
     learned = column(methods["gauss_newton"], "miss_standard_mm")
     physics = methods["physics"]
+    reachable = sum(bool(row["reachable"]) for row in methods["gauss_newton"])
     own, finer = (column(physics, f"miss_{tier}_mm") for tier in ("standard", "reference"))
     pair = [row for row in methods["gauss_newton"] if row["robot"] in ("R4", "R5")]
     controls = " and ".join(
@@ -33,19 +34,20 @@ def paragraphs(methods: Mapping[str, Sequence[Row]]) -> list[str]:
     return [
         f"{len(ONE_ROBOT)} targets within the region of one robot (m̄ = {MASS_BAR:g}, μ = {MU:g}), "
         f"and {len(MANY_ROBOTS)} robots of different masses on different grounds, each with a "
-        "target within its region. Every target is designed for in three ways: `adam`, the paper's "
+        f"target within its region; {reachable} of the {len(physics)} are called reachable by the "
+        "forward model. Every target is designed for in three ways: `adam`, the paper's "
         "gradient descent on the forward model; `gauss_newton`, which asks the same model; and "
         "`physics`, which corrects by simulations.",
         f"Half of the designs by `gauss_newton` are within {np.nanmedian(learned):.2g} mm of their "
-        f"targets. The farthest, {far['robot']}, is {np.nanmax(learned):.2g} mm off: its robot is "
-        f"light, and that is {100 * share:.2g} % of a flight's height. Two robots reach the same "
-        f"target ({pair[0]['target_x_bar']:g}, {pair[0]['target_y_bar']:g}) L, on the same "
-        f"parabola, with {controls}.",
+        f"targets. The farthest, {far['robot']} with m̄ = {far['mass_bar']:g}, is "
+        f"{np.nanmax(learned):.2g} mm off, {100 * share:.2g} % of its flight's height. Two robots "
+        f"reach the same target ({pair[0]['target_x_bar']:g}, {pair[0]['target_y_bar']:g}) L, "
+        f"on the same parabola, with {controls}.",
         f"`physics` takes the forward model's error out: {np.nanmean(own):.2g} mm in the mean for "
         f"{np.mean(column(physics, 'simulations')):.2g} simulations a target. Judged at "
         f"`reference` it is {np.nanmean(finer):.2g} mm, the error of the tier that it searched at.",
         "The paper's settings move the apexes themselves, so that designs that are right for "
-        "converged jumps are off by centimetres there; and they scatter from one design to the "
-        "next, which limits what a forward model can learn from them. The benchmark of inverse "
-        "design has a hundred random targets.",
+        f"converged jumps are off by {np.nanmean(column(physics, 'miss_paper_mm')):.2g} mm in the "
+        "mean there; and they scatter from one design to the next, which limits what a forward "
+        "model can learn from them. The benchmark of inverse design has random targets.",
     ]

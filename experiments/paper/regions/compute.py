@@ -1,19 +1,16 @@
 """The rectangle of controls, simulated in one environment and asked of the forward model."""
 
 from collections.abc import Mapping
-from functools import cache
 from typing import Any
 
 import numpy as np
 
 from experiments.compositions import composed
 from experiments.paper.baseline import RANGES
+from experiments.paper.learned import shipped_forward
 from snapjump.batch import simulate_designs
 from snapjump.engine.status import NAMES, OK
-from snapjump.learning.forward_model import open_forward_model
 from snapjump.studies.base import Row
-
-opened = cache(open_forward_model)
 
 
 def region_rows(inputs: Mapping[str, Any]) -> list[Row]:
@@ -26,7 +23,7 @@ def region_rows(inputs: Mapping[str, Any]) -> list[Row]:
     rest = np.broadcast_to([inputs["mass_bar"], inputs["mu"]], (len(grid), 2))
     designs = np.hstack([grid, rest])
     batch = simulate_designs(composed(inputs["groups"]), designs, threads=2, lanes=8)
-    predicted = opened(inputs["checkpoint"]).predict(designs)
+    predicted = shipped_forward().predict(designs)
     return [
         {
             "delta_alpha_rad": float(design[0]),

@@ -26,7 +26,7 @@ def heights(baseline: Region) -> dict[str, float]:
 
 def line(region: Region, levels: Mapping[str, float]) -> Row:
     """A region as a line of the table."""
-    left, low, right, high = region.outline.bounds
+    _, low, right, high = region.outline.bounds
     common = region.outline.intersection(region.learned).area
     return {
         "m̄": region.mass_bar,
@@ -35,13 +35,11 @@ def line(region: Region, levels: Mapping[str, float]) -> Row:
         "area by every 2nd design": region.coarser.area,
         "area by the forward model": region.learned.area,
         "shared with it (%)": 100.0 * common / region.outline.union(region.learned).area,
-        "least x": left,
         "largest x": right,
         "least y": low,
         "largest y": high,
         **{f"width at y = {y:.3g}": region.width_bar(y) for y in levels.values()},
         "largest x / 2μy": region.cone_share,
-        "failed": int(np.isnan(region.apexes[..., 0]).sum()),
     }
 
 

@@ -1,4 +1,4 @@
-"""Regions as geometries: the union of the images of a grid's triangles, as inverse design has it."""
+"""Regions as geometries: the union of the images of a grid's triangles."""
 
 from dataclasses import dataclass
 from typing import Any

@@ -8,7 +8,7 @@ from typing import Any
 from experiments.paper.base import Found, Part
 from experiments.paper.baseline import BASELINE
 from experiments.paper.failures import unfinished
-from experiments.paper.learned import shipped_forward
+from experiments.paper.learned import shipped_inputs
 from experiments.paper.regions import judge, texts
 from experiments.paper.regions.figure import draw_regions, draw_settings
 from experiments.paper.regions.outlines import Region, region_of
@@ -34,7 +34,7 @@ class Regions(Part):
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> Sequence[Cell]:
         """All environments at standard, the extremes at the other tiers."""
-        learned = shipped_forward(groups_at(groups, "standard"))
+        learned = shipped_inputs(groups_at(groups, "standard"))
         everywhere = dict.fromkeys([*BY_MASS, *BY_FRICTION])
         return [
             Cell(
@@ -70,6 +70,7 @@ class Regions(Part):
         standard = regions["standard"]
         masses, frictions = ([standard[e] for e in row] for row in (BY_MASS, BY_FRICTION))
         other = regions["paper"]
+        theirs = [[other[e] for e in row if e in other] for row in (BY_MASS, BY_FRICTION)]
         heights = judge.heights(standard[MASS_BAR, MU])
         rows = [
             {"settings": tier, **judge.line(region, heights)}
@@ -78,9 +79,9 @@ class Regions(Part):
         ]
         accuracy = judge.agreement(standard, regions["reference"])
         statements = [
-            judge.shrinks(masses, [other[e] for e in BY_MASS if e in other], accuracy),
-            judge.widens(frictions, [other[e] for e in BY_FRICTION if e in other], heights, accuracy),
-        ]  # fmt: skip
+            judge.shrinks(masses, theirs[0], accuracy),
+            judge.widens(frictions, theirs[1], heights, accuracy),
+        ]
         figures = {
             "regions": Figure(texts.CAPTION, partial(draw_regions, masses, frictions)),
             "regions_settings": Figure(texts.SETTINGS, partial(_settings, standard, other)),
