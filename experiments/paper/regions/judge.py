@@ -160,7 +160,9 @@ def widens(
             f"{at_paper[-1]:.2g} L). The widths, at μ = {first.mu:g}, {middle.mu:g} and "
             f"{last.mu:g}: {told}. Meanwhile the largest y changes by {100 * high:.0f} % "
             f"({100 * moved(paper)[1]:.0f} % at the paper's settings) and the least by "
-            f"{100 * low:.0f} %, {'as good as nothing' if left else 'little, but not nothing'}."
+            f"{100 * low:.0f} %, {'within' if left else 'beyond'} the {100 * ALONE:g} % that count "
+            f"as left alone. Saturated: {100 * SATURATED:g} % of the widening done by "
+            f"μ = {middle.mu:g}."
         ),
         accuracy=accuracy,
         command=COMMAND,
