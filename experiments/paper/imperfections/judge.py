@@ -138,5 +138,5 @@ def summary(curves: Mapping[str, Changes], tangents: Mapping[str, Array]) -> dic
             key = f"{name.removesuffix('_rad')}_{axis}"
             found[f"imperfection_{key}_percent"] = 100.0 * float(curves["standard"].largest[k, j])
             found[f"elasticity_{key}_trend"] = float(curves["standard"].trends[k, j])
-            found[f"elasticity_{key}_tangent"] = float(tangents["reference"][k, j])
+            found[f"elasticity_{key}_tangent_reference"] = float(tangents["reference"][k, j])
     return found
