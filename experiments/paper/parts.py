@@ -3,7 +3,10 @@
 from experiments.paper.asymmetry.part import AsymmetryPart
 from experiments.paper.base import Part
 from experiments.paper.bifurcation.part import BifurcationPart
+from experiments.paper.designs.part import Designs
 from experiments.paper.forward_model.part import ForwardModelPart
+from experiments.paper.imperfections.part import Imperfections
+from experiments.paper.regions.part import Regions
 from experiments.paper.released_energy.part import ReleasedEnergyPart
 from experiments.paper.snaps.part import SnapsPart
 
@@ -12,5 +15,8 @@ PARTS: dict[str, type[Part]] = {
     "released_energy": ReleasedEnergyPart,
     "snaps": SnapsPart,
     "asymmetry": AsymmetryPart,
+    "regions": Regions,
+    "designs": Designs,
+    "imperfections": Imperfections,
     "forward_model": ForwardModelPart,
 }
