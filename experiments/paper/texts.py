@@ -22,7 +22,7 @@ INTRODUCTION = [
 
 def readme_block(statements: Sequence[Statement]) -> str:
     """Statements and verdicts alone, for the README."""
-    rows = [[str(k), one.says, one.verdict] for k, one in enumerate(statements, 1)]
+    rows = [[str(k), one.says.rstrip("."), one.verdict] for k, one in enumerate(statements, 1)]
     told = ", ".join(
         f"{sum(one.verdict == verdict for one in statements)} {verdict}" for verdict in VERDICTS
     )

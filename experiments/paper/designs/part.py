@@ -9,9 +9,9 @@ from experiments.paper.baseline import TIERS
 from experiments.paper.designs import judge, texts
 from experiments.paper.designs.cases import GROUPS, METHODS
 from experiments.paper.designs.figure import draw_flights, draw_misses
-from experiments.paper.failures import unfinished
 from experiments.paper.learned import shipped_inputs
 from experiments.paper.tiers import groups_at
+from experiments.paper.unfinished import unfinished
 from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
 
 TITLE = "Inverse designs"
@@ -77,7 +77,10 @@ class Designs(Part):
                 },
                 {
                     "designs_methods": Table("Misses in mm at L = 20 mm", lines),
-                    "designs": Table("All designs", [judge.design_line(row) for row in rows]),
+                    "designs": Table(
+                        f"The designs of the figure, by `{SHOWN}`",
+                        [judge.design_line(row) for row in rows if row["method"] == SHOWN],
+                    ),
                 },
             ),
             [judge.millimetres(misses)],

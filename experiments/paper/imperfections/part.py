@@ -8,11 +8,11 @@ import numpy as np
 
 from experiments.paper.base import Found, Part
 from experiments.paper.baseline import TIERS
-from experiments.paper.failures import unfinished
 from experiments.paper.imperfections import judge, texts
 from experiments.paper.imperfections.changes import changes_of, tangents_of
 from experiments.paper.imperfections.figure import draw_errors, draw_lines
 from experiments.paper.tiers import groups_at
+from experiments.paper.unfinished import unfinished
 from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
 
 TITLE = "Imperfections"

@@ -7,12 +7,12 @@ from typing import Any
 
 from experiments.paper.base import Found, Part
 from experiments.paper.baseline import BASELINE
-from experiments.paper.failures import unfinished
 from experiments.paper.learned import shipped_inputs
 from experiments.paper.regions import judge, texts
 from experiments.paper.regions.figure import draw_regions, draw_settings
 from experiments.paper.regions.outlines import Region, region_of
 from experiments.paper.tiers import groups_at
+from experiments.paper.unfinished import unfinished
 from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
 
 TITLE = "Achievable regions"
