@@ -1,4 +1,4 @@
-"""forward_model.png: what the paper's network predicts, and how near designs come."""
+"""forward_model.png: how far the paper's network is off, and how near designs come."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from experiments.inverse_benchmark.table import column
-from experiments.paper.forward_model.methods import PAPER_MEAN_MM
+from experiments.paper.forward_model.methods import PAPER_MAE_BAR, PAPER_MEAN_MM
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
 from snapjump.studies.base import Row
@@ -20,21 +20,26 @@ LIMITS_MM = (1e-3, 60.0)
 def draw_forward_model(
     predictions: Sequence[Row], methods: Mapping[str, Sequence[Row]], path: Path
 ) -> None:
-    """Predicted against simulated apexes of the test set; distributions of the misses."""
+    """Errors of the predicted apexes of the test set; distributions of the misses of designs."""
     title = "The paper's network on jumps it has not seen, and designs for random targets"
-    with picture(path, (13.0, 5.0), title) as figure:
+    with picture(path, (13.0, 5.4), title) as figure:
         for k, name in enumerate(("x", "y")):
-            axes = figure.add_axes((0.06 + 0.3 * k, 0.13, 0.22, 0.7))
-            _predictions(axes, predictions, name)
-        _misses(figure.add_axes((0.68, 0.13, 0.3, 0.7)), methods)
+            axes = figure.add_axes((0.06 + 0.3 * k, 0.12, 0.22, 0.68))
+            _errors(axes, predictions, name)
+        _misses(figure.add_axes((0.68, 0.12, 0.3, 0.6)), methods)
 
 
-def _predictions(axes: Any, rows: Sequence[Row], name: str) -> None:
-    simulated, told = column(rows, f"{name}_bar"), column(rows, f"predicted_{name}_bar")
-    axes.plot(simulated, told, "o", ms=2.0, mew=0.0, color=palette.BEAM, alpha=0.6)
-    low, high = simulated.min(), simulated.max()
-    axes.plot([low, high], [low, high], color=palette.INK, lw=0.8)
-    axes.set(xlabel=f"simulated {name}$_c$ / L", ylabel=f"predicted {name}$_c$ / L")
+def _errors(axes: Any, rows: Sequence[Row], name: str) -> None:
+    simulated = column(rows, f"{name}_bar")
+    off = column(rows, f"predicted_{name}_bar") - simulated
+    axes.plot(simulated, off, "o", ms=2.2, mew=0.0, color=palette.BEAM, alpha=0.5)
+    for side in (-PAPER_MAE_BAR, PAPER_MAE_BAR):
+        axes.axhline(side, color=palette.INK, lw=1.0, ls=":")
+    axes.set(
+        xlabel=f"simulated {name}$_c$ / L",
+        ylabel=f"predicted less simulated {name}$_c$ / L",
+        title="dotted: the paper's mean error",
+    )
     axes.grid(True)
 
 
@@ -51,4 +56,6 @@ def _misses(axes: Any, methods: Mapping[str, Sequence[Row]]) -> None:
     axes.set(xscale="log", xlim=LIMITS_MM, ylim=(0.0, 101.0))
     axes.set(xlabel="simulated miss (mm, L = 20 mm)", ylabel="share of targets (%)")
     axes.grid(True)
-    axes.legend(loc="upper left", fontsize=9)
+    axes.legend(
+        loc="lower left", bbox_to_anchor=(-0.12, 1.0), ncols=2, fontsize=9, columnspacing=1.2
+    )

@@ -26,6 +26,6 @@ METHODS = {
     DATA_DRIVEN: Method({"name": "adam"}, NETWORK, 100),
     "gauss_newton": Method({"name": "gauss_newton"}, None, 100),
     "physics": Method({"name": "physics"}, None, 100),
-    "bayesian": Method({"name": "bayesian"}, None, 10),
-    "finite_difference": Method({"name": "finite_difference"}, None, 10),
+    "bayesian": Method({"name": "bayesian"}, None, 6),
+    "finite_difference": Method({"name": "finite_difference"}, None, 6),
 }

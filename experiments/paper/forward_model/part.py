@@ -98,7 +98,7 @@ class ForwardModelPart(Part):
             [{key: row[key] for key in SHOWN} for row in judged.values()],
         )
         figure = Figure(
-            "Predicted against simulated apexes of jumps that the network has not seen, and the "
+            "How far predicted apexes are off, of jumps that the network has not seen; and the "
             "simulated misses of designs (number of targets in brackets)",
             partial(
                 draw_forward_model,
