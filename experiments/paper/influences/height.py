@@ -2,10 +2,10 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
+from experiments.paper.influences.rules import COMMAND, percent
 from experiments.paper.influences.sweeps import MOUNT_HEIGHT
 from experiments.paper.jumps import numbers
 from experiments.paper.statement import Statement, verdict
@@ -96,31 +96,30 @@ def height_statements(
     low = [row for row in pressed if row[MOUNT_HEIGHT] <= h1]
     loads = [row["load_over_weight"] for row in low]
     angles = [row["alpha_snap_rad"] for row in low]
-    command = "task=paper figure=influences"
     return [
         Statement(
             "For mounts no higher than h1 the apex does not depend on their height h.",
             plateau_verdict(own),
             f"h1 = {h1:.3f} L. From h = {sweeps['standard'][0][MOUNT_HEIGHT]:g} L to h1, y_c "
-            f"stays within {_percent(own.y_range)} of its value at h1, x_c only within "
-            f"{_percent(own.x_range)}; both within {_percent(ROUGHLY_CONSTANT)} from "
-            f"{own.close_from:.3f} L on (the paper's settings: {_percent(papers.y_range)}, "
-            f"{_percent(papers.x_range)}, from {papers.close_from:.3f} L). The beam then touches "
+            f"stays within {percent(own.y_range)} of its value at h1, x_c only within "
+            f"{percent(own.x_range)}; both within {percent(ROUGHLY_CONSTANT)} from "
+            f"{own.close_from:.3f} L on (the paper's settings: {percent(papers.y_range)}, "
+            f"{percent(papers.x_range)}, from {papers.close_from:.3f} L). The beam then touches "
             "the ground before it snaps, the clamps press it down until it bears "
             f"{min(loads):.0f} to {max(loads):.0f} times the robot's weight and lifts the feet, "
             f"and it snaps at {min(angles):.2f} to {max(angles):.2f} rad instead of "
             f"{still['alpha_critical_rad']:.2f}: energy and height remain, the direction changes.",
             accuracy,
-            command,
+            COMMAND,
         ),
         Statement(
             "Between h1 and h2 the apex declines.",
             decline_verdict(own),
             f"From h1 = {h1:.3f} L to h2 = {h2:.3f} L y_c falls with steps back of at most "
-            f"{_percent(own.y_back)} of its decline, x_c of {_percent(own.x_back)} (the paper's "
-            f"settings: {_percent(papers.y_back)}, {_percent(papers.x_back)}).",
+            f"{percent(own.y_back)} of its decline, x_c of {percent(own.x_back)} (the paper's "
+            f"settings: {percent(papers.y_back)}, {percent(papers.x_back)}).",
             accuracy,
-            command,
+            COMMAND,
         ),
         Statement(
             "From h2 on, the depth of the snapped arch, the robot does not jump.",
@@ -130,10 +129,6 @@ def height_statements(
             f"settings: {papers.last_jump:.4f} L); from h2 on the centre of mass rises by at most "
             f"{own.rise_beyond:.1g} L, though the barrier begins {BARRIER:g} L above the ground.",
             accuracy,
-            command,
+            COMMAND,
         ),
     ]
-
-
-def _percent(share: Any) -> str:
-    return f"{100.0 * share:.2g} %"

@@ -26,4 +26,5 @@ def draw_heights(sweep: Mapping[str, Sequence[Row]], statics: Row, path: Path) -
                     xycoords=("data", "axes fraction"), textcoords="offset points",
                 )  # fmt: skip
             axes.set(xlabel=SWEEPS[MOUNT_HEIGHT].label, ylabel=label)
-        panels[1].legend(loc="upper right")
+        handles, labels = panels[0].get_legend_handles_labels()
+        figure.legend(handles, labels, loc="upper right", ncols=3, bbox_to_anchor=(0.99, 0.985))

@@ -9,15 +9,12 @@ from experiments.paper.base import Found, Part
 from experiments.paper.baseline import TIERS
 from experiments.paper.influences.compute import rows_of
 from experiments.paper.influences.figure import draw_influences
+from experiments.paper.influences.friction import friction_statements
 from experiments.paper.influences.friction_figure import draw_friction
 from experiments.paper.influences.height import height_statements
 from experiments.paper.influences.height_figure import draw_heights
-from experiments.paper.influences.judge import (
-    epsilon_statement,
-    friction_statements,
-    mass_statement,
-    mismatch_statements,
-)
+from experiments.paper.influences.judge import epsilon_statement, mass_statement
+from experiments.paper.influences.mismatch import mismatch_statements
 from experiments.paper.influences.sweeps import (
     MOUNT_HEIGHT,
     PRESSED_HEIGHTS,
@@ -33,7 +30,7 @@ from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
 STATICS, SLIDING, PRESSED = "statics", "sliding", "pressed"
 MISMATCH = "delta_alpha_rad"
 # The paper's settings with a shorter step, where that changes what is seen of its plateau.
-SHORT, SHORT_STEP_S = "paper, short step", 1e-6
+SHORT, SHORT_CHANGES = "paper, short step", {"stepping": {"step_s": 1e-6}}
 
 
 class Influences(Part):
@@ -61,7 +58,7 @@ class Influences(Part):
             Cell(
                 f"{MISMATCH}, {SHORT}",
                 {
-                    "groups": changed(at["paper"], {"stepping": {"step_s": SHORT_STEP_S}}),
+                    "groups": changed(at["paper"], SHORT_CHANGES),
                     "kind": MISMATCH,
                     "values": SWEEPS[MISMATCH].values(),
                 },

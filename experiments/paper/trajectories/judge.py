@@ -89,8 +89,12 @@ def trajectory_statement(
         f"{papers.lean_deg:.0f}°, x_c/y_c up to {papers.ratio:.2g}); over {len(spread)} designs "
         f"of the paper's ranges at most {steepest:.0f}° (Δα "
         f"{spread[most]['delta_alpha_rad']:.2g} rad, ε {spread[most]['epsilon']:.2g}, "
-        f"m̄ {spread[most]['mass_bar']:.2g}, μ {spread[most]['mu']:.2g}): oblique, and far from "
-        "horizontal, since friction is all that drives the robot sideways."
+        f"m̄ {spread[most]['mass_bar']:.2g}, μ {spread[most]['mu']:.2g})"
+        + (
+            ": oblique, and far from horizontal, since friction is all that drives it sideways."
+            if steepest < OBLIQUE_DEG
+            else "."
+        )
     )
     reference = sweeps["reference"]
     off = [
