@@ -39,7 +39,7 @@ def statement_rows(statements: Sequence[Statement]) -> list[Row]:
     return [
         {
             "no.": k,
-            "the paper says": statement.says,
+            "the paper says": statement.says.rstrip("."),
             "verdict": f"**{statement.verdict}**",
             "what we find": statement.found,
             "tested at": statement.accuracy,

@@ -84,7 +84,8 @@ class Conclusion:
 
     ``summary``: flat numbers for result.json; ``findings``: sentences; ``metrics``: further
     numbers of single cells, for their records; ``blocks``: Markdown that replaces what stands
-    between ``<!-- name:begin -->`` and ``<!-- name:end -->`` in README.md when it is published;
+    between ``<!-- name:begin -->`` and ``<!-- name:end -->`` in README.md or docs/*.md when it is
+    published;
     ``sections``: what follows in the report, no name of a figure or table being used twice.
     """
 

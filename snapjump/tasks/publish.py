@@ -13,7 +13,7 @@ from snapjump.tasks.registry import is_study
 
 REPORT, PAGE = "report.md", "report.html"
 BLOCK_SUFFIX = ".block.md"
-README = Path("README.md")
+README, GUIDES = Path("README.md"), "docs/*.md"
 
 
 def check_publish(config: Mapping[str, Any]) -> None:
@@ -32,7 +32,8 @@ def check_publish(config: Mapping[str, Any]) -> None:
 def publish(config: Mapping[str, Any], folder: ResultFolder) -> list[Path]:
     """Copy report and figures of a study, with the command that made them; what was written.
 
-    Sections of README.md that the study has text for are replaced, where it has their markers.
+    Sections of README.md and of the guides that the study has text for are replaced, where they
+    have its markers.
     """
     target, task = Path(config["publish"]), config["task"]["name"]
     target.mkdir(parents=True, exist_ok=True)
@@ -52,13 +53,13 @@ def publish(config: Mapping[str, Any], folder: ResultFolder) -> list[Path]:
         written.append(target / f"{task}{suffix}")
         write_text(written[-1], content)
     for block in sorted(folder.path.glob(f"*{BLOCK_SUFFIX}")):
-        name = block.name.removesuffix(BLOCK_SUFFIX)
-        if README.exists():
-            before = README.read_text(encoding="utf-8")
-            after = replaced(before, name, block.read_text(encoding="utf-8"))
+        name, content = block.name.removesuffix(BLOCK_SUFFIX), block.read_text(encoding="utf-8")
+        for place in (README, *sorted(README.parent.glob(GUIDES))):
+            before = place.read_text(encoding="utf-8") if place.exists() else ""
+            after = replaced(before, name, content)
             if after is not None:
-                write_text(README, after)
-                written.append(README)
+                write_text(place, after)
+                written.append(place)
     return written
 
 

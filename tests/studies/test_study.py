@@ -14,7 +14,7 @@ import pytest
 from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
 from snapjump.studies import study as module
-from snapjump.studies.base import Cell, Conclusion, Done, Figure, Table
+from snapjump.studies.base import Cell, Conclusion, Done, Figure, Section, Table
 from snapjump.studies.fingerprint import fingerprint, sources
 from snapjump.studies.store import CellStore
 from snapjump.studies.study import Study
@@ -57,6 +57,14 @@ class Squares(Study):
             summary={"largest": max(row["square"] for row in rows), "none": float("nan")},
             metrics={"2 squared": {"error": 0.5, "unknown": float("nan")}},
             blocks={"tiers": "| squares |"},
+            sections=[
+                Section(
+                    "Roots",
+                    ["They are smaller."],
+                    {"root": Figure("A root", lambda path: path.write_bytes(b"png"))},
+                    {"roots": Table("Roots", [{"n": 4, "root": 2}])},
+                )
+            ],
         )
 
 
@@ -88,6 +96,11 @@ def test_what_it_leaves() -> None:
     assert (folder.path / "nothing.csv").read_text() == ""
     report = (folder.path / "report.md").read_text()
     assert report.startswith("# Squares\n\nThey grow.") and "![A curve](curve.png)" in report
+    assert report.endswith("## Roots\n\nThey are smaller.\n\n![A root](root.png)\n\nA root\n\n"
+                           "**Roots**\n\n| n | root |\n| --- | --- |\n| 4 | 2 |\n")  # fmt: skip
+    assert {"roots.csv", "root.png", "report.html"} <= names
+    html = (folder.path / "report.html").read_text()
+    assert "<h2>Roots</h2>" in html and '<img src="root.png"' in html and "<td>4</td>" in html
     records = json.loads((folder.path / "children.json").read_text())["children"]
     assert [record["params"] for record in records] == [{"n": 0}, {"n": 1}, {"n": 2}]
     assert records[2]["metrics"] == {"n": 2.0, "square": 4.0, "error": 0.5}
@@ -98,6 +111,16 @@ def test_what_is_done_is_not_done_again() -> None:
     outcome, _ = run("second")
     assert len(calls) == 3
     assert outcome.summary["cells_kept"] == 3 and outcome.summary["largest"] == 4
+
+
+def test_keys_that_only_choose_do_not_determine_cells(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[Any] = []
+    monkeypatch.setattr(module, "fingerprint", lambda config, roots: asked.append(config) or "hash")
+    monkeypatch.setattr(Squares, "choices", ("figures",))
+    run("first")
+    assert asked == [{key: value for key, value in CONFIG.items() if key != "figures"}]
 
 
 def test_ctrl_c_keeps_finished_cells() -> None:

@@ -40,7 +40,16 @@ def test_report_figures_and_section_of_the_readme(folder: ResultFolder) -> None:
     assert page.startswith("# Title\n\n`python run.py task=tradeoff`\n\nRevision 0123456789 and")
     assert "2026-01-02, A processor." in page and "![what](tradeoff-front.png)" in page
     assert Path("docs/studies/tradeoff-front.png").read_bytes() == b"png"
+    html = Path("docs/studies/tradeoff.html").read_text()
+    assert "<h1>Title</h1>" in html and 'src="tradeoff-front.png"' in html
     assert Path("README.md").read_text() == README.replace("old", "| new |")
+
+
+def test_sections_of_guides(folder: ResultFolder) -> None:
+    Path("docs").mkdir()
+    Path("docs/guide.md").write_text(README)
+    assert Path("docs/guide.md") in publish(CONFIG, folder)
+    assert Path("docs/guide.md").read_text() == README.replace("old", "| new |")
 
 
 def test_a_readme_without_markers_stays_as_it_is(folder: ResultFolder) -> None:

@@ -1,0 +1,1 @@
+"""How far a mismatch between the clamps turns the midpoint."""

@@ -1,0 +1,19 @@
+"""A cell: snaps at one setting and pre-compression, from hardly any mismatch to a large one."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from experiments.paper.snap_settings import snap_of
+from experiments.paper.swing import follow, outcome
+from snapjump.studies.base import Row
+
+
+def sweep_rows(inputs: Mapping[str, Any]) -> list[Row]:
+    """A row for each mismatch: :func:`experiments.paper.swing.outcome`."""
+    return [
+        {
+            "delta_alpha_rad": lag,
+            **outcome(follow(snap_of(inputs["groups"], inputs["epsilon"], lag))),
+        }
+        for lag in inputs["mismatches_rad"]
+    ]

@@ -1,0 +1,1 @@
+"""One robot to many targets, and many robots to theirs."""

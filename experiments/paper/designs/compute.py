@@ -1,0 +1,73 @@
+"""Designs for a few targets by one method, and where they really get to."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from experiments.compositions import composed
+from experiments.paper.baseline import BASELINE
+from experiments.paper.designs.cases import case_of
+from experiments.paper.learned import shipped_forward
+from experiments.paper.tiers import simulation_at
+from snapjump.batch import simulate_designs, variant
+from snapjump.engine.status import NAMES, OK
+from snapjump.members import member_class
+from snapjump.studies.base import Row
+from snapjump.targets.answer import answer
+from snapjump.targets.design import problem_of
+from snapjump.targets.warm_up import warm_up
+
+
+def design_rows(inputs: Mapping[str, Any]) -> list[Row]:
+    """A row for each case: its design, what the forward model and each tier say of it (misses in
+    mm), its lift-off at the first of them, time and simulations of the search."""
+    base, forward = composed(inputs["groups"]), shipped_forward()
+    method = member_class("inverse", inputs["method"])()
+    warm_up(base, forward, method)
+    cases = [case_of(values) for values in inputs["cases"]]
+    rows: list[Row] = []
+    designs, targets = np.zeros((len(cases), 4)), np.zeros((len(cases), 2))
+    for k, case in enumerate(cases):
+        targets[k] = case.x_bar, case.y_bar
+        robot = variant(base, (*BASELINE[:2], case.mass_bar, case.mu))
+        problem = problem_of(robot, targets[k], forward, forward, inputs["seed"])
+        found = answer(problem, method)
+        designs[k] = problem.designs(found.solutions[0].controls[None, :])[0]
+        rows.append(
+            {
+                "robot": case.label,
+                "mass_bar": case.mass_bar,
+                "mu": case.mu,
+                "target_x_bar": case.x_bar,
+                "target_y_bar": case.y_bar,
+                "delta_alpha_rad": float(designs[k, 0]),
+                "epsilon": float(designs[k, 1]),
+                "reachable": found.reachable,
+                "solutions": len(found.solutions),
+                "seconds": found.seconds,
+                "simulations": found.simulations,
+            }
+        )
+    add_places(rows, "predicted", forward.predict(designs))
+    length_mm = 1e3 * base.robot.length_m
+    for tier in inputs["tiers"]:
+        batch = simulate_designs(simulation_at(inputs["groups"], tier), designs, threads=2, lanes=8)
+        jumped = np.array(batch.status) == NAMES[OK]
+        apexes = np.where(jumped[:, None], np.stack([batch.x_bar, batch.y_bar], axis=1), np.nan)
+        add_places(rows, tier, apexes)
+        for row, miss in zip(rows, np.hypot(*(apexes - targets).T), strict=True):
+            row[f"miss_{tier}_mm"] = float(length_mm * miss)
+        if tier == inputs["tiers"][0]:
+            for row, x, y, speed in zip(
+                rows, batch.liftoff_x_bar, batch.liftoff_y_bar, batch.liftoff_vx_m_s, strict=True
+            ):
+                row |= {"liftoff_x_bar": float(x), "liftoff_y_bar": float(y),
+                        "liftoff_vx_m_s": float(speed)}  # fmt: skip
+    return rows
+
+
+def add_places(rows: list[Row], name: str, apexes: Any) -> None:
+    """Both coordinates (N, 2) of an apex in each row."""
+    for row, (x, y) in zip(rows, apexes.tolist(), strict=True):
+        row[f"{name}_x_bar"], row[f"{name}_y_bar"] = x, y

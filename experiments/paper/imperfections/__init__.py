@@ -1,0 +1,1 @@
+"""The apex against errors of the robot and of the ground."""

@@ -1,0 +1,1 @@
+"""The achievable region against mass and friction."""

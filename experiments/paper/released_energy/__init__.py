@@ -1,0 +1,1 @@
+"""What the snap releases, and how deep the arch hangs before it and after it."""

@@ -1,0 +1,102 @@
+"""released_energy.png: what the snap releases, against the pre-compression."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from experiments.paper import exact
+from experiments.paper.released_energy.fits import (
+    Line,
+    column,
+    exact_value,
+    straight_line,
+    within,
+)
+from experiments.paper.released_energy.judge import shallow_slope
+from snapjump.plots import palette
+from snapjump.plots.saving import picture
+from snapjump.studies.base import Row
+
+STYLES: tuple[dict[str, Any], ...] = (
+    {"color": palette.BEAM, "ls": "-"},
+    {"color": palette.CENTRE, "ls": (0, (5, 2))},
+    {"color": palette.FORCE, "ls": (0, (1.2, 1.4))},
+)
+EXACT: dict[str, Any] = {
+    "marker": "o",
+    "ls": "",
+    "ms": 6,
+    "mfc": "none",
+    "mec": palette.INK,
+    "zorder": 5,
+}
+KEY = "energy_released_bar"
+
+
+def draw_energy(curves: Mapping[float, Sequence[Row]], path: Path) -> None:
+    """Energy with its line, deviation from lines, and energy over epsilon."""
+    title = "Elastic energy released by the snap"
+    with picture(path, (12.5, 4.8), title) as figure:
+        boxes = [(0.06 + 0.33 * k, 0.14, 0.265, 0.7) for k in range(3)]
+        _energy(figure.add_axes(boxes[0]), curves)
+        _deviation(figure.add_axes(boxes[1]), curves[0.0])
+        _ratio(figure.add_axes(boxes[2]), curves)
+        for axes in figure.axes:
+            axes.set_xlabel("pre-compression ε")
+            axes.set_xlim(0.0, 0.31)
+            axes.grid(True)
+
+
+def draw_curves(axes: Any, curves: Mapping[float, Sequence[Row]], key: str, over: bool) -> None:
+    """A number of the rows against epsilon, or that over epsilon, with exact ones."""
+    for (delta_alpha, rows), style in zip(curves.items(), STYLES, strict=True):
+        epsilon, values = column(rows, "epsilon"), column(rows, key)
+        axes.plot(epsilon, values / epsilon if over else values, lw=2.2, **style,
+                  label=f"Δα = {delta_alpha:g} rad")  # fmt: skip
+        known = exact.SYMMETRIC if delta_alpha == 0.0 else exact.COMPARED
+        for e in known:
+            value = exact_value(e, delta_alpha, key)
+            if value is not None:
+                axes.plot(e, value / e if over else value, **EXACT)
+    axes.plot([], [], **EXACT, label="exact")
+
+
+def _energy(axes: Any, curves: Mapping[float, Sequence[Row]]) -> None:
+    draw_curves(axes, curves, KEY, over=False)
+    line = straight_line(within(curves[0.0]))
+    ends = np.array([0.0, 0.3])
+    axes.plot(ends, line.at(ends), color=palette.INK, lw=0.9, zorder=4,
+              label="best line, ε from 0.1")  # fmt: skip
+    axes.set_ylabel("released energy (EI/L)")
+    axes.legend(loc="upper left")
+
+
+def _deviation(axes: Any, alike: Sequence[Row]) -> None:
+    """From the best lines over the paper's range and over all."""
+    for rows, colour, line_style, words in (
+        (within(alike), palette.BEAM, "-", "ε 0.1 to 0.3"),
+        (alike, palette.PLUM, (0, (5, 2)), "all ε"),
+    ):
+        line = straight_line(rows)
+        axes.plot(column(rows, "epsilon"), deviation(rows, line), color=colour, lw=2.2,
+                  ls=line_style, label=f"from the best line for {words}")  # fmt: skip
+    axes.axhline(0.0, color=palette.QUIET, lw=0.8)
+    axes.set_ylim(-8.0, 8.0)
+    axes.set_ylabel("released energy less the line (% of it)")
+    axes.legend(loc="lower right")
+
+
+def deviation(rows: Sequence[Row], line: Line) -> np.ndarray:
+    """Of the released energy from a line, in percent of the energy."""
+    return np.asarray(100.0 * (1.0 - line.at(column(rows, "epsilon")) / column(rows, KEY)))
+
+
+def _ratio(axes: Any, curves: Mapping[float, Sequence[Row]]) -> None:
+    draw_curves(axes, curves, KEY, over=True)
+    slope = shallow_slope()
+    axes.axhline(slope, color=palette.QUIET, lw=1.2, ls=":", label="shallow limit, Δα = 0")
+    axes.set_ylim(0.4 * slope, 1.15 * slope)
+    axes.set_ylabel("released energy / ε (EI/L)")
+    axes.legend(loc="lower right")

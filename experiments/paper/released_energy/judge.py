@@ -1,0 +1,124 @@
+"""Verdicts on the released energy, and on the released program's depths."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from experiments.paper import exact
+from experiments.paper.released_energy.fits import (
+    HEIGHTS,
+    HIGH,
+    LOW,
+    column,
+    fit_errors,
+    largest_difference,
+    left_by_quadratics,
+    straight_line,
+    within,
+)
+from experiments.paper.statement import Statement, verdict
+from snapjump.studies.base import Row
+
+COMMAND = "task=paper figure=released_energy"
+# Largest deviation from a straight line, of the value: below the first it cannot be seen in a
+# figure of the whole range, below the second the line still serves for estimates.
+STRAIGHT_PERCENT, NEARLY_PERCENT = 1.0, 5.0
+# The program adds 1 % to its h1, which is the error that it allows its polynomials; they hold on
+# its own mesh if they are within twice that there, its own fit to single runs included.
+FIT_PERCENT, OWN_MESH_PERCENT = 1.0, 2.0
+
+
+def energy_statement(alike: Sequence[Row], own_mesh: Sequence[Row], accuracy: str) -> Statement:
+    """Whether the released energy of clamps that turn alike is linear in epsilon."""
+    paper, whole = straight_line(within(alike)), straight_line(alike)
+    ratio = growth(alike)
+    first = alike[0]["epsilon"]
+    return Statement(
+        "The energy that the snap releases grows linearly with ε",
+        verdict(
+            paper.deviation_percent < STRAIGHT_PERCENT,
+            paper.deviation_percent < NEARLY_PERCENT,
+        ),
+        f"over the paper's range the best line, {told(paper.slope, paper.intercept)} in EI/L, is "
+        f"off by up to {paper.deviation_percent:.2g} % of the value (at "
+        f"ε = {paper.worst_epsilon:g}; on the paper's mesh "
+        f"{straight_line(own_mesh).deviation_percent:.2g} %); down to ε = {first:g}, with "
+        f"{told(whole.slope, whole.intercept)}, by up to {whole.deviation_percent:.2g} % (at "
+        f"ε = {whole.worst_epsilon:g}). A shallow arch releases {shallow_slope():.3g} ε exactly in "
+        f"proportion; what is released at ε = {HIGH:g} is {ratio[-1]:.2g} % more than that, at "
+        f"ε = {LOW:g} {ratio[place(alike, LOW)]:.2g} % more: the curve bends upwards",
+        accuracy,
+        COMMAND,
+    )
+
+
+def shallow_slope() -> float:
+    """Released energy over epsilon (EI/L) in the limit of shallow arches."""
+    return exact.shallow()["E_over_eps_released"]
+
+
+def growth(rows: Sequence[Row]) -> np.ndarray:
+    """How much more is released than in proportion to a shallow arch (%)."""
+    energy, epsilon = column(rows, "energy_released_bar"), column(rows, "epsilon")
+    return np.asarray(100.0 * (energy / (shallow_slope() * epsilon) - 1.0))
+
+
+def place(rows: Sequence[Row], epsilon: float) -> int:
+    """The index of the row nearest to a pre-compression."""
+    return int(np.argmin(np.abs(column(rows, "epsilon") - epsilon)))
+
+
+def told(slope: float, intercept: float) -> str:
+    """A line in words."""
+    sign = "-" if intercept < 0.0 else "+"
+    return f"{slope:.3g} ε {sign} {abs(intercept):.2g}"
+
+
+def heights_statement(
+    alike: Sequence[Row], own_mesh: Sequence[Row], lagging: Sequence[Row], accuracy: str
+) -> Statement:
+    """Whether the released program's polynomials are what an arch does.
+
+    ``alike``: converged; ``own_mesh``: with the program's clamps; ``lagging``: these with a small
+    mismatch.
+    """
+    paper = within(alike)
+    converged, own, tilted = (
+        {name: fit_errors(rows, name) for name in HEIGHTS} for rows in (paper, own_mesh, lagging)
+    )
+    factor = exact.released_factor()
+    gaps = factor * exact.released_height("h1", column(paper, "epsilon")) - column(paper, "h1_bar")
+    return Statement(
+        "The released program's polynomials give the depth h1(ε) of the critical arch's lowest "
+        "point and the depth h2(ε) of the snapped arch's middle",
+        verdict(largest(converged) < FIT_PERCENT, largest(own) < OWN_MESH_PERCENT),
+        f"against the converged arch h1 is off by {span(converged['h1'])} % (with the factor of "
+        f"{factor:g} that the program adds, the clamps stand up to {gaps.max():.2g} L too high) "
+        f"and h2 by {span(converged['h2'])} %. On the program's own mesh, whose clamps are two "
+        f"fixed nodes, h1 is off by {span(own['h1'])} %: its error is that of the clamps. That of "
+        f"h2 is not ({span(own['h2'])} % there): any quadratic is off by "
+        f"{left_by_quadratics(own_mesh, 'h2'):.2g} %, and a mismatch of "
+        f"{lagging[0]['delta_alpha_rad']:g} rad would make up for the rest "
+        f"({span(tilted['h2'])} %), but put h1 off by {span(tilted['h1'])} %, so that the cause "
+        "is open",
+        accuracy,
+        COMMAND,
+    )
+
+
+def span(values: np.ndarray) -> str:
+    """From the least to the largest, with signs."""
+    return f"{values.min():+.2g} to {values.max():+.2g}"
+
+
+def largest(errors: Mapping[str, np.ndarray]) -> float:
+    """Size of the largest of all."""
+    return max(float(np.abs(one).max()) for one in errors.values())
+
+
+def accuracy_of(rows: Sequence[Row], reference: Sequence[Row], keys: Sequence[str]) -> str:
+    """The tiers, and how far they are from the exact elastica over the paper's range."""
+    return (
+        f"`standard` ({largest_difference(within(rows), keys):.2g} %), "
+        f"`reference` ({largest_difference(reference, keys):.2g} %)"
+    )

@@ -1,0 +1,1 @@
+"""The symmetric and the asymmetric snap, and what breaks the symmetry."""

@@ -1,0 +1,164 @@
+"""A snap of the beam alone, kept step by step.
+
+The library's scene keeps books of energy at every sample, which take a second a snap where every
+step is to be kept; sweeps of the midpoint's motion do without.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.clamp.base import clamp_angles
+from snapjump.clamp.smooth_start import SmoothStart
+from snapjump.composition import Simulation
+from snapjump.ending.timed import TimedEnding
+from snapjump.engine import clock as c
+from snapjump.engine.model import Model
+from snapjump.engine.status import NAMES
+from snapjump.frame.fixed import FixedFrame
+from snapjump.load.none import NoLoad
+from snapjump.recorder.trajectory import make_recorder
+from snapjump.scenes.runner import March
+from snapjump.scenes.trajectory import samples_of
+from snapjump.statics.arch import StaticArch
+
+Array = NDArray[np.float64]
+INTERVAL_S = 9e-6  # below the fixed step of the paper, and the steps of a snap at standard
+MOST_SAMPLES = 60_000  # many times the steps of any snap, in memory that is there
+LAG_STEP = 0.02  # rad, between equilibria
+
+
+@dataclass(frozen=True)
+class Swing:
+    """S samples of the N + 1 nodes x, y (in L, from the middle of the clamps), their vertical
+    velocities (m/s) and times (s, from the start of the clamps); ``unit_s``: the beam's T."""
+
+    status: str
+    time_s: Array
+    x: Array
+    y: Array
+    speed_m_s: Array
+    clamp: SmoothStart
+    unit_s: float
+
+    @property
+    def height(self) -> Array:
+        """Of the midpoint over the clamps (S,), in L."""
+        return self._middle(self.y)
+
+    @property
+    def midpoint_speed_m_s(self) -> Array:
+        """Upward (S,)."""
+        return self._middle(self.speed_m_s)
+
+    @property
+    def tangent_rad(self) -> Array:
+        """At the midpoint (S,): over the two elements that meet there, or the middle one."""
+        last = self.y.shape[1] - 1
+        before, after = (last - 1) // 2, last // 2 + 1
+        rise = self.y[:, after] - self.y[:, before]
+        return np.arctan2(rise, self.x[:, after] - self.x[:, before])
+
+    def left_rad(self, time_s: float) -> float:
+        """The left clamp's angle."""
+        return float(clamp_angles(self.clamp, time_s / self.unit_s).left)
+
+    def _middle(self, values: Array) -> Array:
+        last = values.shape[1] - 1
+        return 0.5 * (values[:, last // 2] + values[:, (last + 1) // 2])
+
+
+def follow(simulation: Simulation) -> Swing:
+    """Turn the clamps of the arch at rest from flat, for the duration of ``sim=snap``."""
+    robot, scene, scales = simulation.robot, simulation.sim, simulation.robot.scales
+    epsilon, lag = simulation.design.epsilon, simulation.design.delta_alpha
+    model = Model(
+        discretization=simulation.discretization.member(robot),
+        frame=FixedFrame(0.5 * (1.0 - epsilon), 0.0),
+        clamp=SmoothStart(
+            start=0.0,
+            end=robot.rotation_end_rad,
+            rate=robot.rotation_rate_rad_s * scales.time_s,
+            delta_alpha=lag,
+            rise_time=scene.rise_time_s / scales.time_s,
+        ),
+        contact=simulation.contact.member(scales, simulation.discretization),
+        friction=simulation.friction.member(scales, simulation.environment.mu),
+        damping=simulation.damping.member(scales),
+        load=NoLoad(),
+    )
+    arch = StaticArch(robot, simulation.discretization, epsilon)
+    state = arch.settle(arch.guess(), 0.0, 0.0)
+    turns = max(1, math.ceil(abs(lag) / LAG_STEP))
+    for k in range(1, turns + 1):
+        state = arch.settle(state, 0.0, -lag * k / turns)
+    duration, interval = scene.duration_s / scales.time_s, INTERVAL_S / scales.time_s
+    march = March(
+        models=[model],
+        masses=simulation.discretization.masses(),
+        states=state[None, :],
+        simulation=simulation,
+        ending=TimedEnding(duration),
+        recorder=make_recorder(len(state), min(duration, MOST_SAMPLES * interval), interval),
+    )
+    outcome = march.run()[0]
+    times, states, velocities, _ = samples_of(march)
+    if len(times) > MOST_SAMPLES:
+        raise RuntimeError(f"a snap of more than {MOST_SAMPLES} steps")
+    stride = arch.node_dofs
+    return Swing(
+        status=NAMES[int(outcome[c.STATUS])],
+        time_s=times * scales.time_s,
+        x=states[:, 0::stride],
+        y=states[:, 1::stride],
+        speed_m_s=velocities[:, 1::stride] * scales.velocity_m_s,
+        clamp=model.clamp,
+        unit_s=scales.time_s,
+    )
+
+
+def crossing(swing: Swing) -> int | None:
+    """The first sample with the midpoint below the clamps."""
+    below = np.flatnonzero(swing.height < 0.0)
+    return int(below[0]) if len(below) and below[0] > 0 else None
+
+
+def lowest(swing: Swing, crossed: int) -> int:
+    """The sample where the midpoint first comes to rest below: the end of the snap."""
+    rising = np.flatnonzero(np.diff(swing.height[crossed:]) > 0.0)
+    return crossed + int(rising[0]) if len(rising) else len(swing.height) - 1
+
+
+def outcome(swing: Swing) -> dict[str, Any]:
+    """A snap in numbers; null where there is none.
+
+    ``theta_max_rad``: the largest absolute tangent angle at the midpoint until the snap ends;
+    ``theta_later_rad``: the same with the vibration that follows; ``theta_rest_rad``: before the
+    clamps turn; ``snap_duration_ms``: from half the height at rest to the lowest point.
+    """
+    tangent, height, time = np.abs(swing.tangent_rad), swing.height, swing.time_s
+    row: dict[str, Any] = {"status": swing.status, "theta_rest_rad": float(tangent[0])}
+    k = crossing(swing)
+    if k is None:
+        return row | dict.fromkeys(
+            ("theta_max_rad", "theta_later_rad", "alpha_snap_rad", "snap_time_ms",
+             "midpoint_velocity_m_s", "snap_duration_ms")
+        )  # fmt: skip
+    end = lowest(swing, k)
+
+    def at_crossing(values: Array) -> float:
+        return float(np.interp(0.0, -height[k - 1 : k + 1], values[k - 1 : k + 1]))
+
+    begin = int(np.flatnonzero(height[: k + 1] > 0.5 * height[0])[-1])
+    moment = at_crossing(time)
+    return row | {
+        "theta_max_rad": float(tangent[: end + 1].max()),
+        "theta_later_rad": float(tangent.max()),
+        "alpha_snap_rad": swing.left_rad(moment),
+        "snap_time_ms": 1e3 * moment,
+        "midpoint_velocity_m_s": at_crossing(swing.midpoint_speed_m_s),
+        "snap_duration_ms": 1e3 * float(time[end] - time[begin]),
+    }

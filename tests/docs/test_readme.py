@@ -1,0 +1,202 @@
+"""README and pages: their commands compose, their links lead somewhere, their Python runs."""
+
+import importlib.util
+import re
+import shlex
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+import yaml
+from hydra import compose, initialize_config_dir
+from hydra.core.override_parser.overrides_parser import OverridesParser
+from hydra.core.override_parser.types import Override
+from omegaconf import OmegaConf
+
+from snapjump.checks import ParameterError
+from snapjump.tasks.execute import check_run
+from snapjump.tasks.names import register_resolvers
+from snapjump.tasks.registry import TASKS, find_task, is_study
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = [ROOT / name for name in ("README.md", "CONTRIBUTING.md")]
+PAGES += sorted((ROOT / "docs").rglob("*.md"))
+FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+INLINE = re.compile(r"`([^`]+)`")
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+# What only the reader's machine has: keys that a command may be refused for.
+ELSEWHERE = ("dataset.path", "task.standard", "executor.scheduler", "backend")
+LAW_PAGE = (ROOT / "docs" / "adding_a_contact_law.md").read_text(encoding="utf-8")
+
+
+def name(page: Path) -> str:
+    return str(page.relative_to(ROOT))
+
+
+def commands(page: Path) -> Iterator[list[str]]:
+    """Every ``python`` command of a page, in blocks and in lines, as words without comments."""
+    text = page.read_text(encoding="utf-8")
+    shell = [content for kind, content in FENCE.findall(text) if kind == ""]
+    lines = "\n".join(shell).replace("\\\n", " ").splitlines()
+    lines += [line.strip() for line in text.splitlines() if line.startswith("    ")]
+    lines += [" ".join(line.split()) for line in INLINE.findall(FENCE.sub("", text))]
+    for line in lines:
+        words = shlex.split(line.removeprefix("$ "), comments=True) if "python" in line else []
+        if words and words[0].rpartition("/")[2] == "python":
+            yield words[1:]
+
+
+def whole(words: list[str]) -> bool:
+    """Whether a command is one, and not the beginning or the pattern of one."""
+    return not any("..." in word or word.startswith("<") for word in words)
+
+
+RUNS = sorted(
+    {
+        tuple(words[1:])
+        for page in PAGES
+        for words in commands(page)
+        if words[:1] == ["run.py"] and whole(words)
+    }
+)
+MODULES = sorted({w[1] for page in PAGES for w in commands(page) if w[:1] == ["-m"]})
+
+
+def plain(override: Override) -> str:
+    """An override as it is, the first of its values if it sweeps."""
+    if not override.is_sweep_override():
+        return str(override.input_line)
+    first = next(iter(override.sweep_string_iterator()))
+    return f"{override.get_key_element()}={first}"
+
+
+def test_commands_are_found() -> None:
+    assert len(RUNS) > 40
+    assert {"experiments.grid", "experiments.start", "experiments.speed"} <= set(MODULES)
+
+
+@pytest.mark.parametrize("run", RUNS, ids=" ".join)
+def test_every_command_is_accepted(
+    run: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As far as it is found out before work begins, without the data that only a reader has."""
+    if "--help" in run:
+        return
+    if "contact=cone" in run:
+        assert "contact=cone" in LAW_PAGE  # which is followed by a test of its own
+        return
+    monkeypatch.chdir(tmp_path)
+    overrides = OverridesParser.create().parse_overrides([w for w in run if w != "-m"])
+    given = [plain(o) for o in overrides if not o.key_or_group.startswith("hydra")]
+    register_resolvers()
+    with initialize_config_dir(str(ROOT / "conf"), version_base="1.3"):
+        config = OmegaConf.to_container(compose("config", given), resolve=True)
+    config.pop("hydra", None)
+    check_run(config)
+    try:
+        find_task(config["task"]["name"]).prepare(config)
+    except ParameterError as error:
+        assert error.key in ELSEWHERE, error
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_every_module_exists(module: str) -> None:
+    assert importlib.util.find_spec(module) is not None
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_every_link_leads_to_a_file(page: Path) -> None:
+    text = FENCE.sub("", page.read_text(encoding="utf-8"))
+    targets = [t.partition("#")[0] for t in LINK.findall(text) if "://" not in t]
+    missing = [t for t in targets if t and not (page.parent / t).exists()]
+    assert not missing
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_every_link_into_a_page_leads_to_a_heading(page: Path) -> None:
+    text = FENCE.sub("", page.read_text(encoding="utf-8"))
+    for target in LINK.findall(text):
+        file, _, anchor = target.partition("#")
+        if anchor and "://" not in target:
+            linked = (page.parent / file if file else page).read_text(encoding="utf-8")
+            headings = re.findall(r"^#+ (.*)$", FENCE.sub("", linked), re.MULTILINE)
+            known = [re.sub(r"[^\w\- ]", "", h.lower()).replace(" ", "-") for h in headings]
+            assert anchor in known
+
+
+def test_every_target_of_make_exists() -> None:
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    code = ""
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        blocks = [content for _, content in FENCE.findall(text)]
+        code += "\n".join([*blocks, *INLINE.findall(FENCE.sub("", text)), text]) + "\n"
+    named = set(re.findall(r"^(?:    )?make ([a-z]+)(?=  |$)", code, re.MULTILINE))
+    assert {"jump", "test", "check"} <= named
+    for target in named:
+        assert re.search(rf"^{target}:", makefile, re.MULTILINE), target
+
+
+README = PAGES[0].read_text(encoding="utf-8")
+PYTHON = {
+    content: name(page)
+    for page in (PAGES[0], *(ROOT / "docs" / f"{page}.md" for page in ("designing", "datasets")))
+    for kind, content in FENCE.findall(page.read_text(encoding="utf-8"))
+    if kind == "python" and "outputs/" not in content  # which only the reader's machine has
+}
+
+
+@pytest.mark.parametrize(("source", "page"), PYTHON.items(), ids=PYTHON.values())
+def test_every_python_block_runs(
+    source: str, page: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    if "contact." in source:
+        assert source in LAW_PAGE
+        return
+    exec(compile(source, page, "exec"), {})
+    assert capsys.readouterr().out.startswith(("ok 5.3", "True [", "[21.8"))
+
+
+def test_its_figures_stand_where_they_come_from() -> None:
+    """The table against the paper: each number of ours on the page that its row links to."""
+    table = README.partition("| | theirs |")[2].partition("\n\n")[0]
+    rows = [[cell.strip() for cell in r.strip("|").split("|")] for r in table.splitlines()[2:]]
+    assert len(rows) >= 7
+    for title, theirs, ours, factor, source in rows:
+        (page,) = LINK.findall(source)
+        written = (ROOT / page.partition("#")[0]).read_text(encoding="utf-8") + README
+        written = written.replace(table, "")
+        for number in re.findall(r"[\d.]+", ours):
+            assert re.search(rf"(?<![\d.]){re.escape(number)}", written), (title, number)
+        if not re.fullmatch(r"[\d.]+(, [\d.]+)*", factor) or re.search("[a-z/]", theirs):
+            continue
+        pairs = zip(*(re.findall(r"[\d.]+", c) for c in (theirs, ours, factor)), strict=False)
+        for before, now, ratio in pairs:
+            assert float(ratio) == pytest.approx(float(before) / float(now), rel=0.06)
+
+
+def test_generated_sections_are_there() -> None:
+    models = (ROOT / "docs/forward_models.md").read_text(encoding="utf-8")
+    for text, section in (
+        (README, "inverse"),
+        (README, "tiers"),
+        (README, "paper"),
+        (models, "surrogates"),
+    ):
+        assert text.index(f"<!-- {section}:begin -->") < text.index(f"<!-- {section}:end -->")
+
+
+def test_the_citation_is_of_this_version() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    assert citation["version"] == project["version"]
+    assert citation["license"] == project["license"]["text"]
+    assert citation["authors"] == project["authors"]
+    assert f"Version {project['version']}" in README
+
+
+def test_every_study_has_a_command() -> None:
+    """Each task that can publish a page is named with its command."""
+    named = {word for run in RUNS for word in run}
+    assert {f"task={task}" for task in TASKS if is_study(task)} <= named

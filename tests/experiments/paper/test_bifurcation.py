@@ -1,0 +1,156 @@
+"""Branches and landmarks on a coarse mesh; verdicts on made-up ones; the figures."""
+
+import copy
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from experiments.compositions import changed, composed, described
+from experiments.paper import exact
+from experiments.paper.bifurcation import compare, judge
+from experiments.paper.bifurcation.compute import branch_rows, compared_rows, shape_rows
+from experiments.paper.bifurcation.part import TIERS, BifurcationPart
+from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from snapjump.composition import with_tier
+from snapjump.statics.critical import find_snap
+from snapjump.studies.base import Cell, Done
+
+COARSE = changed(described(with_tier("standard")), {"discretization": {"elements": 32}})
+EPSILON = 0.2
+Rows = list[dict[str, Any]]
+
+
+@pytest.fixture(scope="module")
+def branches() -> Rows:
+    return branch_rows({"groups": COARSE, "epsilon": EPSILON})
+
+
+@pytest.fixture(scope="module")
+def landmarks() -> Rows:
+    return compared_rows({"groups": COARSE, "epsilons": (0.1, EPSILON, 0.3)})
+
+
+def named(rows: Rows, name: str) -> Rows:
+    return [row for row in rows if row["branch"] == name]
+
+
+def test_branches_lose_their_stability_at_the_critical_angle(branches: Rows) -> None:
+    simulation = composed(COARSE)
+    snap = find_snap(simulation.robot, simulation.discretization, EPSILON, 0.0)
+    up, down = named(branches, "up"), named(branches, "down")
+    first = next(row for row in up if row["negative_eigenvalues"] > 0)
+    assert first["alpha_rad"] == pytest.approx(snap.alpha_rad, abs=1e-6)
+    assert first["energy_bar"] == pytest.approx(snap.before.energy, abs=1e-4)
+    assert all(row["negative_eigenvalues"] == 0 for row in up[: up.index(first)])
+    assert up[0]["alpha_rad"] < -1.3 and down[-1]["alpha_rad"] > 1.3
+    mirrored = next(row for row in down[::-1] if row["negative_eigenvalues"] > 0)
+    assert mirrored["alpha_rad"] == pytest.approx(-snap.alpha_rad, abs=1e-6)
+    assert mirrored["midpoint_bar"] == pytest.approx(-first["midpoint_bar"], abs=1e-4)
+
+
+def test_the_leaning_branch_is_unstable_from_pitchfork_to_pitchfork(branches: Rows) -> None:
+    leaning = named(branches, "leaning")
+    angles = [row["alpha_rad"] for row in leaning]
+    assert all(row["negative_eigenvalues"] > 0 for row in leaning)
+    assert angles == sorted(angles, reverse=True)
+    assert angles[-1] == pytest.approx(-angles[0], abs=0.02)
+
+
+def test_landmarks_on_a_coarse_mesh(landmarks: Rows) -> None:
+    for row in landmarks:
+        assert row["alpha_back_rad"] == pytest.approx(-row["alpha_critical_rad"], abs=1e-7)
+        assert 0.5 < judge.gap_percent(row) < 1.2
+        assert row["leaning"] == pytest.approx(1.0, abs=1e-6)
+        assert set(compare.exact_row(row["epsilon"])) == set(compare.NAMES) <= set(row)
+    assert 0.1 < compare.overall(landmarks, compare.STRETCHES)[0] < 2.0
+
+
+def test_a_row_of_exact_numbers_differs_in_nothing() -> None:
+    rows = [{"epsilon": e, **compare.exact_row(e)} for e in exact.COMPARED]
+    for beam in (compare.STRETCHES, compare.RIGID):
+        assert compare.overall(rows, beam)[0] < 1e-10
+    rows[1]["energy_flat_bar"] *= 0.98
+    assert compare.overall(rows, compare.RIGID) == (pytest.approx(2.0), "energy, flat clamps")
+
+
+def test_errors_that_fall_with_the_square_of_the_mesh_are_of_order_two() -> None:
+    tiers = {
+        tier: [
+            {"epsilon": 0.2, "elements": n}
+            | {key: v * (1.0 + 3.0 / n**2) for key, v in compare.exact_row(0.2).items()}
+        ]
+        for tier, n in zip(compare.LADDER, (40, 80, 160), strict=True)
+    }
+    assert compare.orders(tiers) == pytest.approx(2.0)
+
+
+def test_a_snap_without_a_loop_is_none(landmarks: Rows) -> None:
+    exactly = [{**row, **compare.exact_row(row["epsilon"])} for row in landmarks]
+    tiers = dict.fromkeys(("standard", "reference", "paper"), exactly)
+    assert judge.snap_statement(tiers).verdict == CONFIRMED
+    off = [{**row, "alpha_critical_rad": 1.01 * row["alpha_critical_rad"]} for row in exactly]
+    assert judge.snap_statement({**tiers, "standard": off}).verdict == LIMITED
+    back = [{**row, "alpha_back_rad": row["alpha_critical_rad"]} for row in exactly]
+    assert judge.snap_statement({**tiers, "standard": back}).verdict == NOT_CONFIRMED
+    upwards = [{**row, "midpoint_after_bar": 0.1} for row in exactly]
+    assert not any(judge.snaps(row) for row in upwards)
+
+
+def test_angles_that_do_not_grow(landmarks: Rows) -> None:
+    tiers = dict.fromkeys(("standard", "reference"), landmarks)
+
+    def verdict(*alphas: float) -> str:
+        epsilons = (0.05, 0.08, 0.2, 0.3)
+        rows = [
+            {"epsilon": e, "alpha_critical_rad": a} for e, a in zip(epsilons, alphas, strict=True)
+        ]
+        return judge.growth_statement(rows, tiers).verdict
+
+    assert verdict(0.4, 0.5, 0.9, 1.1) == CONFIRMED
+    assert verdict(0.6, 0.5, 0.9, 1.1) == LIMITED
+    assert verdict(0.4, 0.5, 1.1, 0.9) == NOT_CONFIRMED
+
+
+def test_the_fold_may_come_first_in_made_up_arches(landmarks: Rows) -> None:
+    exactly = [{**row, **compare.exact_row(row["epsilon"])} for row in landmarks]
+    tiers = dict.fromkeys(("standard", "reference", "paper"), exactly)
+    assert judge.fold_statement(exactly, tiers).verdict == NOT_CONFIRMED
+    folding = copy.deepcopy(exactly)
+    folding[0]["alpha_fold_rad"] = folding[0]["alpha_critical_rad"]
+    # The error of exact angles is none; what comes at the same angle counts as the fold even so.
+    coarse = [{**row, "alpha_critical_rad": 1.001 * row["alpha_critical_rad"]} for row in exactly]
+    assert judge.fold_statement(folding, {**tiers, "standard": coarse}).verdict == LIMITED
+    for row in folding:
+        row["alpha_fold_rad"] = row["alpha_critical_rad"]
+    assert judge.fold_statement(folding, {**tiers, "standard": coarse}).verdict == CONFIRMED
+
+
+def finished(name: str, rows: Rows, status: str = "ok") -> Done:
+    return Done(Cell(name, {}), status, "" if rows else "it broke", rows, "", "", "")
+
+
+def test_conclusion_with_its_figures(branches: Rows, landmarks: Rows, tmp_path: Path) -> None:
+    part = BifurcationPart()
+    planned = part.plan(COARSE, 0)
+    assert len(planned) == 9 and json.dumps([dict(cell.inputs) for cell in planned])
+    shapes = shape_rows({"groups": COARSE, "epsilon": EPSILON})
+    kinds = {"branches": branches, "shapes": shapes, "angles": landmarks, "compared": landmarks}
+    done = {cell.name: finished(cell.name, kinds[cell.inputs["kind"]]) for cell in planned}
+    sizes = dict(zip(TIERS, (56, 104, 224, 66), strict=True))
+    for tier, elements in sizes.items():
+        done[tier] = finished(tier, [{**row, "elements": elements} for row in landmarks])
+    found = part.conclude(done)
+    assert len(found.statements) == 3
+    assert np.isfinite(list(found.summary.values())).all()
+    for name, figure in found.section.figures.items():
+        figure.draw(tmp_path / f"{name}.png")
+        assert (tmp_path / f"{name}.png").stat().st_size > 20_000
+
+
+def test_nothing_is_judged_without_all_cells(landmarks: Rows) -> None:
+    done = {"standard": finished("standard", landmarks), "paper": finished("paper", [], "failed")}
+    found = BifurcationPart().conclude(done)
+    assert not found.statements and "paper (failed: it broke)" in found.section.paragraphs[0]

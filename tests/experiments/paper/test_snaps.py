@@ -1,0 +1,121 @@
+"""The snaps: cells against the library's scene and an independent solution; verdicts both ways."""
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from experiments.compositions import described
+from experiments.paper.snap_settings import SETTINGS, snap_groups, snap_of
+from experiments.paper.snaps.agreement import agreement, exact_snaps, largest_percent
+from experiments.paper.snaps.compute import imperfection_rows, motion_rows
+from experiments.paper.snaps.figure import draw_snaps
+from experiments.paper.snaps.imperfections_figure import STYLES, draw_imperfections
+from experiments.paper.snaps.judge import (
+    limit_in_words,
+    symmetric_until,
+    symmetry_statement,
+    symmetry_verdict,
+)
+from experiments.paper.snaps.part import TINY, SnapsPart
+from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.swing import follow, outcome
+from snapjump.composition import with_tier
+from snapjump.simulation import simulate
+
+BASE = described(with_tier("standard"))
+
+
+@pytest.fixture(scope="module")
+def undamped() -> list[dict[str, Any]]:
+    """The two snaps of the figure without damping."""
+    inputs = {"groups": snap_groups(BASE, "undamped"), "epsilon": 0.1, "rate_rad_s": 20.0}
+    return motion_rows({**inputs, "delta_alpha_rad": [0.0, 0.1]})
+
+
+def test_snaps_are_those_of_the_independent_solution(undamped: list[dict[str, Any]]) -> None:
+    numbers = [row for row in undamped if row["kind"] == "outcome"]
+    table = agreement({"undamped": numbers}, exact_snaps())
+    assert len(table) == 6 + 8  # no tangents with equal clamps
+    assert largest_percent(table, "own") < 0.5
+    assert largest_percent(table, "undamped") < 0.5
+
+
+def test_agreement_sees_a_difference() -> None:
+    exact = exact_snaps()
+    wrong = [{**row, "crossing_T": 1.1 * row["crossing_T"]} for row in exact if row["terms"] >= 12]
+    wrong = [row for row in wrong if row["terms"] != 20]
+    table = agreement({"wrong": wrong}, exact)
+    assert largest_percent(table, "wrong") == pytest.approx(10.0)
+
+
+def test_a_swing_is_the_snap_of_the_library() -> None:
+    simulation = snap_of(snap_groups(BASE, "standard"), 0.2, 0.1)
+    own, library = outcome(follow(simulation)), simulate(simulation)
+    assert own["alpha_snap_rad"] == pytest.approx(library.alpha_snap_rad, abs=1e-4)
+    assert own["midpoint_velocity_m_s"] == pytest.approx(library.midpoint_velocity_m_s, rel=1e-2)
+    assert own["theta_later_rad"] == pytest.approx(library.theta_max_rad, rel=1e-2)
+    assert own["theta_max_rad"] == own["theta_later_rad"]
+
+
+def test_a_beam_that_does_not_snap_has_no_numbers() -> None:
+    groups = snap_groups(BASE, "standard")
+    groups["robot"] = {**groups["robot"], "rotation_end_rad": 0.3}
+    row = outcome(follow(snap_of(groups, 0.1, 0.1)))
+    assert row["status"] == "ok" and row["theta_max_rad"] is None
+
+
+def test_a_tiny_mismatch_is_amplified_in_proportion() -> None:
+    inputs = {"groups": snap_groups(BASE, "standard"), "epsilon": 0.1, "rate_rad_s": 20.0}
+    rows = imperfection_rows({**inputs, "imperfections_rad": [1e-6, 1e-5]})
+    tilts = [row["theta_max_rad"] for row in rows]
+    assert tilts[1] == pytest.approx(10.0 * tilts[0], rel=1e-2)
+    assert 400.0 < tilts[0] / 1e-6 < 800.0
+
+
+def tilts(*pairs: tuple[float, float | None]) -> list[dict[str, Any]]:
+    return [{"delta_alpha_rad": lag, "theta_max_rad": angle} for lag, angle in pairs]
+
+
+def test_the_mismatch_that_is_seen() -> None:
+    degree = math.radians(1.0)
+    proportional = tilts((0.0, 1e-14), (1e-6, 1e-4), (1e-4, 1e-2), (1e-2, 1.0))
+    assert symmetric_until(proportional) == pytest.approx(degree * 1e-2)
+    assert symmetric_until(tilts((0.0, 1e-14), (1e-4, 0.1))) == pytest.approx(1e-3 * degree)
+    assert symmetric_until(tilts((0.0, 0.5), (1e-4, 0.5))) == 0.0
+    assert symmetric_until(tilts((0.0, 0.0), (1e-4, 1e-3), (1e-2, None))) == math.inf
+    assert "no mismatch at all" in limit_in_words(0.2, 0.0, tilts((0.0, 0.5)))
+    assert "more than was tried" in limit_in_words(20.0, math.inf, [])
+
+
+def test_the_verdict_can_come_out_each_way() -> None:
+    assert symmetry_verdict(1e-12, 0.6, [5e-3, math.inf]) == CONFIRMED
+    assert symmetry_verdict(1e-12, 0.6, [5e-3, 1e-5]) == LIMITED
+    assert symmetry_verdict(0.1, 0.6, [5e-3]) == NOT_CONFIRMED
+    assert symmetry_verdict(1e-14, 1e-3, [5e-3]) == NOT_CONFIRMED
+
+
+def test_the_statement_tells_the_limit(undamped: list[dict[str, Any]]) -> None:
+    numbers = dict.fromkeys(SETTINGS, [row for row in undamped if row["kind"] == "outcome"])
+    rates = {20.0: tilts((0.0, 1e-13), (1e-5, 6e-3), (1e-4, 6e-2)), 0.2: tilts((0.0, 0.59))}
+    told = symmetry_statement(numbers, rates, 0.1)
+    assert told.verdict == LIMITED
+    assert "0.2 rad/s (0.59 rad from rounding)" in told.found and "2.9e-05 rad at 20" in told.found
+
+
+def test_the_plan() -> None:
+    cells = SnapsPart().plan(BASE, 0)
+    assert len(cells) == len(SETTINGS) + len(TINY)
+    assert cells[1].inputs["groups"]["discretization"]["elements"] == 99
+    assert cells[2].inputs["groups"]["damping"] == {"name": "none"}
+    assert set(STYLES) == set(TINY)
+
+
+def test_the_figures(undamped: list[dict[str, Any]], tmp_path: Path) -> None:
+    motions = dict.fromkeys(("standard", "undamped", "paper"), undamped)
+    draw_snaps(motions, exact_snaps(), tmp_path / "snaps.png")
+    rows = tilts((0.0, 0.0), *((float(lag), float(lag)) for lag in np.logspace(-8, -1, 8)))
+    draw_imperfections(dict.fromkeys(TINY, rows), tmp_path / "tiny.png")
+    assert all((tmp_path / name).stat().st_size > 10_000 for name in ("snaps.png", "tiny.png"))

@@ -1,0 +1,106 @@
+"""The study of the paper: parts are chosen by name and done again when their own sources change."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from experiments.compositions import described
+from experiments.paper import study as module
+from experiments.paper.base import Found, Part
+from experiments.paper.parts import PARTS
+from experiments.paper.statement import CONFIRMED, Statement
+from experiments.paper.study import Paper, source_digest
+from snapjump.checks import ParameterError
+from snapjump.composition import with_tier
+from snapjump.files.result_folder import ResultFolder
+from snapjump.studies.base import Cell, Done, Section
+
+SIMULATION = with_tier("standard")
+
+
+def configured(figure: Any) -> dict[str, Any]:
+    return {
+        **described(SIMULATION),
+        "task": {"name": "paper"},
+        "figure": figure,
+        "effort": "quick",
+        "figures": False,
+        "seed": 0,
+    }
+
+
+class Letters(Part):
+    """One cell for each letter of a name."""
+
+    name = "letters"
+    sources = ("experiments.designs",)
+    computed: list[str] = []
+
+    def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
+        return [Cell(letter, {"letter": letter}) for letter in "ab"]
+
+    def compute(self, inputs: Mapping[str, Any]) -> list[dict[str, Any]]:
+        self.computed.append(inputs["letter"])
+        return [{"letter": inputs["letter"]}]
+
+    def conclude(self, done: Mapping[str, Done]) -> Found:
+        letters = [row["letter"] for one in done.values() for row in one.rows]
+        told = Statement("Letters", CONFIRMED, f"{[*done]}", "")
+        return Found(Section("Letters", ["".join(letters)]), [told], {"letters": len(letters)})
+
+
+class Others(Letters):
+    """The same under another name."""
+
+    name = "others"
+
+
+@pytest.fixture(autouse=True)
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(module, "PARTS", {"letters": Letters, "others": Others})
+    Letters.computed.clear()
+
+
+def run(figure: str, name: str) -> tuple[Any, ResultFolder]:
+    folder = ResultFolder(Path(name))
+    folder.path.mkdir()
+    study = Paper()
+    study.prepare(configured(figure))
+    return study.run(folder, lambda done, text: None), folder
+
+
+def test_one_part_and_then_all_of_them() -> None:
+    outcome, folder = run("letters", "one")
+    assert outcome.summary["letters"] == 2 and outcome.summary["statements_confirmed"] == 1
+    assert Letters.computed == ["a", "b"]
+    assert not (folder.path / "paper.block.md").exists()
+    outcome, folder = run("all", "all")
+    assert Letters.computed == ["a", "b"] * 2, "cells of a part are found again, whoever asked"
+    assert outcome.summary["cells_kept"] == 2 and outcome.summary["statements_confirmed"] == 2
+    report = (folder.path / "report.md").read_text()
+    assert report.count("## Letters\n\nab") == 2 and "Of 2 statements: 2 confirmed" in report
+    assert "['a', 'b']" in report, "a part knows its cells by its own names"
+    assert (folder.path / "paper.block.md").exists()
+
+
+def test_the_parts_there_are() -> None:
+    with pytest.raises(ParameterError, match="figure = 'trees' .* one of all, letters, others"):
+        Paper().prepare(configured("trees"))
+    with pytest.raises(ParameterError, match="sim = 'snap' .* jump with task=paper"):
+        snap = {"sim": {"name": "snap"}, "frame": {"name": "fixed"}, "contact": {"name": "none"},
+                "friction": {"name": "none"}}  # fmt: skip
+        Paper().prepare({**configured("all"), **snap})
+
+
+@pytest.mark.parametrize("name", list(PARTS))
+def test_every_part_is_whole(name: str) -> None:
+    part = PARTS[name]()
+    assert part.name == name
+    cells = part.plan(described(SIMULATION), 0)
+    assert cells and len({cell.name for cell in cells}) == len(cells)
+    drawn = {f"experiments.paper.{name}.{module}" for module in ("figure", "judge", "part")}
+    assert not drawn & set(part.sources), "drawing and judging must not do cells again"
+    assert len(source_digest(part)) == 16
