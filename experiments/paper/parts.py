@@ -3,18 +3,24 @@
 from experiments.paper.asymmetry.part import AsymmetryPart
 from experiments.paper.base import Part
 from experiments.paper.bifurcation.part import BifurcationPart
+from experiments.paper.causes.part import Causes
 from experiments.paper.designs.part import Designs
 from experiments.paper.forward_model.part import ForwardModelPart
 from experiments.paper.imperfections.part import Imperfections
+from experiments.paper.influences.part import Influences
 from experiments.paper.regions.part import Regions
 from experiments.paper.released_energy.part import ReleasedEnergyPart
 from experiments.paper.snaps.part import SnapsPart
+from experiments.paper.trajectories.part import Trajectories
 
 PARTS: dict[str, type[Part]] = {
     "bifurcation": BifurcationPart,
     "released_energy": ReleasedEnergyPart,
     "snaps": SnapsPart,
     "asymmetry": AsymmetryPart,
+    "trajectories": Trajectories,
+    "influences": Influences,
+    "causes": Causes,
     "regions": Regions,
     "designs": Designs,
     "imperfections": Imperfections,

@@ -1,0 +1,1 @@
+"""Where the paper's settings and the converged answer differ, and which choice makes how much."""

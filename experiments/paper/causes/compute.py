@@ -1,0 +1,47 @@
+"""Jumps of the same designs with other settings, and how far a frame gives way."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from experiments.compositions import composed
+from experiments.paper.jumps import jump_rows
+from snapjump.batch import variants
+from snapjump.discretization.base import node_dofs
+from snapjump.ending.flight import FlightEnding
+from snapjump.frame.base import frame_dofs
+from snapjump.scenes.frame_body import frame_mesh
+from snapjump.scenes.jump_start import jump_model
+from snapjump.scenes.resting import resting_guesses
+from snapjump.scenes.runner import March
+from snapjump.studies.base import Row
+
+
+def rows_of(inputs: Mapping[str, Any]) -> list[Row]:
+    """A row for each design: its jump, or, where that is asked for, its start.
+
+    Results do not depend on ``lanes``; one lane compiles faster, for a program that few jumps are
+    made with."""
+    base = composed(inputs["groups"])
+    if inputs.get("kind") == "starts":
+        return [start_row(one) for one in variants(base, inputs["designs"])]
+    return jump_rows(base, inputs["designs"], inputs["lanes"])
+
+
+def start_row(simulation: Any) -> Row:
+    """The equilibrium that the motion starts from: the clear span between the beam's ends (L)."""
+    model = jump_model(simulation)
+    mesh = frame_mesh(simulation, model.frame)
+    march = March(
+        models=[model],
+        masses=simulation.discretization.masses(),
+        states=resting_guesses([simulation], [model]),
+        simulation=simulation,
+        ending=FlightEnding(simulation.sim.time_limit_s / simulation.robot.scales.time_s),
+        lanes=1,
+        mesh=mesh,
+    )
+    march.find_starts()
+    nodes = march.queue.state[0, frame_dofs(model.frame, mesh) :]
+    x, y = nodes[:: node_dofs(model.discretization)], nodes[1 :: node_dofs(model.discretization)]
+    span = float(((x[-1] - x[0]) ** 2 + (y[-1] - y[0]) ** 2) ** 0.5)
+    return {"clear_span_bar": span, "epsilon_left": 1.0 - span}

@@ -1,0 +1,1 @@
+"""What each parameter does to the apex, one at a time about the baseline."""

@@ -1,0 +1,134 @@
+"""The mount height: a plateau up to h1, a decline up to h2, and no jump beyond."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from experiments.paper.influences.rules import COMMAND, percent
+from experiments.paper.influences.sweeps import MOUNT_HEIGHT
+from experiments.paper.jumps import numbers
+from experiments.paper.statement import Statement, verdict
+from experiments.paper.trends import counter_step
+from snapjump.studies.base import Row
+
+# Shares of the value at h1 within which an apex is constant, and within which it is about so.
+CONSTANT, ROUGHLY_CONSTANT = 0.03, 0.1
+# Largest way back of a curve that declines, as a share of its decline; and of one that does with
+# waves, which are resolved (standard and reference agree on them).
+MONOTONE, WAVY = 0.02, 0.2
+# What counts as a jump: the centre of mass rises by this much (L) above where it stands. The
+# recoil of a snap that strikes nothing lifts it by a tenth of that.
+JUMP = 0.05
+# The barrier acts so far (L) above the ground: a limit that it blurs by as much is still h2.
+BARRIER = 0.025
+
+
+@dataclass(frozen=True)
+class Height:
+    """The figures of one tier's sweep between h1 and h2 (L).
+
+    x_range, y_range: largest deviation below h1 from the apex at h1 (share); close_from: the
+    lowest h from which on both stay within ROUGHLY_CONSTANT up to h1; x_back, y_back: ways back
+    between h1 and h2; last_jump: the highest h with a jump; rise_beyond: the largest rise (L) of
+    the centre of mass from h2 on.
+    """
+
+    x_range: float
+    y_range: float
+    close_from: float
+    x_back: float
+    y_back: float
+    last_jump: float
+    rise_beyond: float
+
+
+def height(rows: Sequence[Row], h1: float, h2: float) -> Height:
+    """The figures; the centre of mass stands where the lowest of the sweep is, which has not
+    jumped."""
+    h, x, y = (numbers(rows, key) for key in (MOUNT_HEIGHT, "x_bar", "y_bar"))
+    below, between, beyond = h <= h1, (h >= h1) & (h <= h2), h >= h2
+    x1, y1 = np.interp(h1, h, x), np.interp(h1, h, y)
+    x_off, y_off = np.abs(x / x1 - 1.0), np.abs(y / y1 - 1.0)
+    far = np.flatnonzero(below & (np.maximum(x_off, y_off) > ROUGHLY_CONSTANT))
+    rise = y - y.min()
+    return Height(
+        float(x_off[below].max()),
+        float(y_off[below].max()),
+        float(h[far[-1] + 1] if len(far) else h[0]),
+        counter_step(x[between], rising=False),
+        counter_step(y[between], rising=False),
+        float(h[rise > JUMP].max()),
+        float(rise[beyond].max()),
+    )
+
+
+def plateau_verdict(found: Height) -> str:
+    """Constant below h1 in both coordinates; or the height at least, about."""
+    worst = max(found.x_range, found.y_range)
+    return verdict(worst <= CONSTANT, found.y_range <= ROUGHLY_CONSTANT)
+
+
+def decline_verdict(found: Height) -> str:
+    """A decline between h1 and h2 in both coordinates; or one with waves."""
+    worst = max(found.x_back, found.y_back)
+    return verdict(worst <= MONOTONE, worst <= WAVY)
+
+
+def stop_verdict(found: Height, h2: float) -> str:
+    """No jump from h2 on; or from within the barrier's reach beyond it."""
+    return verdict(found.rise_beyond <= JUMP, found.last_jump <= h2 + BARRIER)
+
+
+def height_statements(
+    sweeps: Mapping[str, Sequence[Row]],
+    statics: Mapping[str, Row],
+    pressed: Sequence[Row],
+    accuracy: str,
+) -> list[Statement]:
+    """Three statements; statics: of each tier's own mesh."""
+    found = {
+        tier: height(rows, statics[tier]["h1_bar"], statics[tier]["h2_bar"])
+        for tier, rows in sweeps.items()
+    }
+    own, papers, still = found["standard"], found["paper"], statics["standard"]
+    h1, h2, middle = (still[key] for key in ("h1_bar", "h2_bar", "h2_middle_bar"))
+    low = [row for row in pressed if row[MOUNT_HEIGHT] <= h1]
+    loads = [row["load_over_weight"] for row in low]
+    angles = [row["alpha_snap_rad"] for row in low]
+    return [
+        Statement(
+            "For mounts no higher than h1 the apex does not depend on their height h.",
+            plateau_verdict(own),
+            f"h1 = {h1:.3f} L. From h = {sweeps['standard'][0][MOUNT_HEIGHT]:g} L to h1, y_c "
+            f"stays within {percent(own.y_range)} of its value at h1, x_c only within "
+            f"{percent(own.x_range)}; both within {percent(ROUGHLY_CONSTANT)} from "
+            f"{own.close_from:.3f} L on (the paper's settings: {percent(papers.y_range)}, "
+            f"{percent(papers.x_range)}, from {papers.close_from:.3f} L). The beam then touches "
+            "the ground before it snaps, the clamps press it down until it bears "
+            f"{min(loads):.0f} to {max(loads):.0f} times the robot's weight and lifts the feet, "
+            f"and it snaps at {min(angles):.2f} to {max(angles):.2f} rad instead of "
+            f"{still['alpha_critical_rad']:.2f}: energy and height remain, the direction changes.",
+            accuracy,
+            COMMAND,
+        ),
+        Statement(
+            "Between h1 and h2 the apex declines.",
+            decline_verdict(own),
+            f"From h1 = {h1:.3f} L to h2 = {h2:.3f} L y_c falls with steps back of at most "
+            f"{percent(own.y_back)} of its decline, x_c of {percent(own.x_back)} (the paper's "
+            f"settings: {percent(papers.y_back)}, {percent(papers.x_back)}).",
+            accuracy,
+            COMMAND,
+        ),
+        Statement(
+            "From h2 on, the depth of the snapped arch, the robot does not jump.",
+            stop_verdict(own, h2),
+            f"h2 = {h2:.4f} L, the middle of the arch ({middle:.4f} L) being its lowest point. "
+            f"The last jump of more than {JUMP:g} L is at h = {own.last_jump:.4f} L (the paper's "
+            f"settings: {papers.last_jump:.4f} L); from h2 on the centre of mass rises by at most "
+            f"{own.rise_beyond:.1g} L, though the barrier begins {BARRIER:g} L above the ground.",
+            accuracy,
+            COMMAND,
+        ),
+    ]

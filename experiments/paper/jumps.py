@@ -1,0 +1,56 @@
+"""Jumps as rows: what the parts that simulate them keep of each."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from experiments.paper.baseline import NAMES
+from snapjump.batch import Batch, simulate_designs
+from snapjump.composition import Simulation
+from snapjump.studies.base import Row
+
+# Results depend on neither: eight lanes are a tier's own program, and a second thread halves time.
+LANES, THREADS = 8, 2
+KEPT = (
+    "x_bar",
+    "y_bar",
+    "liftoff_x_bar",
+    "liftoff_y_bar",
+    "liftoff_vx_m_s",
+    "liftoff_vy_m_s",
+    "min_gap_m",
+    "newton_iterations",
+)
+
+
+def batch_rows(batch: Batch) -> list[Row]:
+    """A row for each jump: status, apex and lift-off of the centre of mass, smallest gap, cost."""
+    columns = [(key, getattr(batch, key)) for key in KEPT]
+    return [
+        {"status": status, **{key: float(values[k]) for key, values in columns}}
+        for k, status in enumerate(batch.status)
+    ]
+
+
+def jump_rows(simulation: Simulation, designs: Sequence[Any], lanes: int = LANES) -> list[Row]:
+    """The same of designs (delta_alpha, epsilon, m_bar, mu), with these four numbers."""
+    table = np.asarray(designs, dtype=float)
+    batch = simulate_designs(simulation, table, lanes=lanes, threads=THREADS)
+    return [
+        {**dict(zip(NAMES, design, strict=True)), **row}
+        for design, row in zip(table.tolist(), batch_rows(batch), strict=True)
+    ]
+
+
+def numbers(rows: Sequence[Row], key: str) -> Any:
+    """A column as an array, NaN where there is no number."""
+    values = [row.get(key) for row in rows]
+    return np.array([np.nan if value is None else float(value) for value in values])
+
+
+def furthest(rows: Sequence[Row], others: Sequence[Row], key: str, place: str) -> float:
+    """The largest difference of a column between rows that agree in another column."""
+    known = dict(zip(numbers(others, place).round(9), numbers(others, key), strict=True))
+    pairs = zip(numbers(rows, place).round(9), numbers(rows, key), strict=True)
+    return float(np.nanmax([abs(value - known[at]) for at, value in pairs if at in known]))

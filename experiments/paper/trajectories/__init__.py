@@ -1,0 +1,1 @@
+"""Trajectories of the centre of mass, and the angle at which the robot leaves."""

@@ -1,0 +1,134 @@
+"""Choices that lead from one end to the other, and the verdicts on made-up shifts."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from small_datasets import CONFIG
+
+from experiments.compositions import changed, composed, described
+from experiments.paper.baseline import BASELINE
+from experiments.paper.causes import judge
+from experiments.paper.causes.cells import planned
+from experiments.paper.causes.choices import (
+    DAMPING,
+    ENDS,
+    FRAME,
+    PAPER,
+    REFERENCE,
+    choices,
+    program,
+    variants,
+)
+from experiments.paper.causes.compute import rows_of
+from experiments.paper.causes.part import Causes
+from experiments.paper.causes.shifts import Shift, shift
+from experiments.paper.causes.texts import noise
+from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.tiers import groups_at
+from snapjump.composition import with_tier
+from snapjump.simulation import build
+from snapjump.studies.base import FAILED, OK, Done
+
+STANDARD = described(with_tier("standard"))
+COARSE = described(build(CONFIG))
+
+
+def shifted(x: float, y: float, tail: float = 1.0) -> Shift:
+    """Medians and tails of so many times as much."""
+    return Shift(x, tail * x, y, tail * y, y)
+
+
+def rows(*apexes: tuple[float, float], status: str = "ok", gap: float = 1e-4) -> list[Any]:
+    return [{"status": status, "x_bar": x, "y_bar": y, "min_gap_m": gap} for x, y in apexes]
+
+
+def test_all_choices_lead_from_one_end_to_the_other() -> None:
+    at = {end: groups_at(STANDARD, end) for end in ENDS}
+    there, back = dict(at[PAPER]), dict(at[REFERENCE])
+    for title, (converged, papers) in choices(at).items():
+        if title != FRAME:
+            there, back = changed(there, converged), changed(back, papers)
+    # By adaptive steps the paper's integrator is not meant to be replaced alone.
+    assert there | {"stepping": None, "accuracy": None} == at[REFERENCE] | {
+        "stepping": None,
+        "accuracy": None,
+    }
+    assert back["damping"]["relaxation_time_s"] == 0.0
+    assert back | {"damping": None, "accuracy": None} == at[PAPER] | {
+        "damping": None,
+        "accuracy": None,
+    }
+
+
+def test_exchanges_can_be_composed_and_differ_from_their_ends() -> None:
+    at = {end: groups_at(STANDARD, end) for end in ENDS}
+    made = variants(at)
+    assert {end for end, _ in made} == set(ENDS)
+    for (end, title), groups in made.items():
+        assert composed(groups) != composed(at[end]), (end, title)
+    assert program(made[REFERENCE, DAMPING]) == program(at[REFERENCE])
+    names = [cell.name for cell in planned(STANDARD, 0)]
+    assert len(set(names)) == len(names)
+
+
+def test_shift() -> None:
+    base = rows((1.0, 10.0), (2.0, 10.0), (0.0, 10.0))
+    found = shift(rows((1.1, 11.0), (2.2, 11.0), (0.1, 11.0)), base)
+    # The last x is compared with a tenth of the height.
+    assert (found.x_median, found.y_median, found.y_signed) == pytest.approx((10.0, 10.0, 10.0))
+    assert shift(rows((1.0, 10.0), (2.0, 10.0), (np.nan, np.nan)), base).x_p95 == np.inf
+
+
+def test_verdicts() -> None:
+    assert judge.matters(shifted(0.1, 0.1, 5.0)) == CONFIRMED
+    assert judge.matters(shifted(2.0, 0.1, 5.0)) == LIMITED
+    assert judge.matters(shifted(0.1, 6.0)) == NOT_CONFIRMED
+    good = rows(*[(1.0, 10.0)] * 199)
+    assert judge.stable(good) == CONFIRMED
+    assert judge.stable(good + rows((np.nan, np.nan), status="step_underflow")) == LIMITED
+    assert judge.stable(rows((1.0, 2.0), status="not_finite")) == NOT_CONFIRMED
+    assert judge.stable(good + rows((1.0, 10.0), gap=0.0)) == NOT_CONFIRMED
+
+
+def test_steps_that_do_not_help_are_told() -> None:
+    slow = judge.step_statement({1e-5: shifted(6.0, 2.0), 1e-6: shifted(4.0, 1.0)}, 1e-7, "")
+    fast = judge.step_statement({1e-5: shifted(6.0, 2.0), 1e-6: shifted(0.6, 0.2)}, 1e-7, "")
+    assert "slowly" in slow.found and "slowly" not in fast.found
+
+
+def test_noise_names_what_matters_in_the_papers_settings_alone() -> None:
+    at = {end: groups_at(STANDARD, end) for end in ENDS}
+    moved = {(end, title): shifted(3.0, 1.0) for end in ENDS for title in choices(at)}
+    assert "No other choice" in noise(moved)
+    moved[REFERENCE, "lagged friction"] = shifted(0.05, 0.01)
+    assert "So do lagged friction: they seem" in noise(moved)
+
+
+def test_starts_of_a_rigid_frame_keep_their_compression() -> None:
+    row = rows_of({"groups": COARSE, "designs": [BASELINE], "kind": "starts"})[0]
+    assert row["epsilon_left"] == pytest.approx(BASELINE[1], abs=1e-9)
+
+
+def test_report(tmp_path: Path) -> None:
+    """The whole part from jumps that are made up, and without one of its cells."""
+    rng = np.random.default_rng(0)
+    part = Causes()
+    done = {}
+    for cell in part.plan(STANDARD, 0):
+        if cell.inputs.get("kind") == "starts":
+            made: list[Any] = [{"clear_span_bar": 0.81, "epsilon_left": 0.19}]
+        else:
+            count = len(cell.inputs["designs"])
+            made = rows(*zip(rng.normal(5.0, 0.1, count), rng.normal(14.0, 0.1, count),
+                             strict=True))  # fmt: skip
+        done[cell.name] = Done(cell, OK, "", made, "", "", "")
+    found = part.conclude(done)
+    assert [one.verdict for one in found.statements] == [LIMITED, LIMITED, CONFIRMED]
+    assert "ε = 0.190" in found.statements[0].found
+    for name, figure in found.section.figures.items():
+        figure.draw(tmp_path / f"{name}.png")
+        assert (tmp_path / f"{name}.png").stat().st_size > 10_000
+    lost = Done(done[PAPER].cell, FAILED, "no memory", [], "", "", "")
+    assert "no memory" in part.conclude({**done, PAPER: lost}).section.paragraphs[0]

@@ -1,0 +1,125 @@
+"""Sweeps of coarse jumps, and the verdicts on curves that are made up."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from small_datasets import CONFIG
+
+from experiments.compositions import described
+from experiments.paper.baseline import BASELINE
+from experiments.paper.influences import part as module
+from experiments.paper.influences import rules
+from experiments.paper.influences.compute import rows_of
+from experiments.paper.influences.friction import friction_statements, why
+from experiments.paper.influences.height import (
+    decline_verdict,
+    height,
+    plateau_verdict,
+    stop_verdict,
+)
+from experiments.paper.influences.part import Influences
+from experiments.paper.influences.sweeps import MOUNT_HEIGHT, SWEEPS
+from experiments.paper.jumps import furthest, jump_rows
+from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.trends import plateau
+from snapjump.simulation import build
+from snapjump.studies.base import OK, Done
+
+COARSE = described(build(CONFIG))
+H1, H2 = 0.07, 0.27
+HEIGHTS = np.linspace(0.01, 0.35, 137)
+
+
+def heights(x: Any, y: Any) -> list[dict[str, Any]]:
+    return [
+        {MOUNT_HEIGHT: h, "x_bar": a, "y_bar": b} for h, a, b in zip(HEIGHTS, x, y, strict=True)
+    ]
+
+
+def ramp(last: float) -> Any:
+    """1 up to h1, 0 from ``last`` on."""
+    return np.clip((last - HEIGHTS) / (last - H1), 0.0, 1.0)
+
+
+def test_height_as_the_paper_says() -> None:
+    found = height(heights(5.0 * ramp(H2), 14.0 * ramp(H2) + 0.4), H1, H2)
+    assert plateau_verdict(found) == decline_verdict(found) == CONFIRMED
+    assert stop_verdict(found, H2) == CONFIRMED
+    assert found.close_from == HEIGHTS[0]
+
+
+def test_height_otherwise() -> None:
+    waves = 1.0 + np.where(HEIGHTS < H1, 0.04, 0.1) * np.sin(200.0 * (HEIGHTS - H1))
+    found = height(heights(5.0 * ramp(0.29) * waves, 14.0 * ramp(0.29) * waves + 0.4), H1, H2)
+    assert plateau_verdict(found) == decline_verdict(found) == LIMITED
+    assert stop_verdict(found, H2) == LIMITED
+    tilted = (2.0 - HEIGHTS / H1) * ramp(0.34)
+    found = height(heights(np.sin(40.0 * HEIGHTS), 14.0 * np.abs(tilted) + 0.4), H1, H2)
+    assert plateau_verdict(found) == decline_verdict(found) == NOT_CONFIRMED
+    assert stop_verdict(found, H2) == NOT_CONFIRMED
+
+
+def test_rules() -> None:
+    assert rules.one_way((0.0, 0.01)) == CONFIRMED
+    assert rules.one_way((0.0, 0.05)) == LIMITED
+    assert rules.one_way((0.2, 0.0)) == NOT_CONFIRMED
+    assert rules.independent(np.array([10.0, 10.1])) == CONFIRMED
+    assert rules.independent(np.array([10.0, 10.8])) == LIMITED
+    assert rules.independent(np.array([10.0, 12.0])) == NOT_CONFIRMED
+    v = np.linspace(0.0, 1.0, 101)
+    level = np.minimum(v, 0.3)
+    assert rules.levels_off(plateau(v, level)) == CONFIRMED
+    assert rules.levels_off(plateau(v, level + 0.02 * np.sin(60.0 * v))) == LIMITED
+    assert rules.levels_off(plateau(v, level + 0.5 * v)) == NOT_CONFIRMED
+    assert rules.power(v[1:], 3.0 * v[1:] ** -0.7) == pytest.approx(-0.7)
+
+
+def test_contact_that_sticks_is_said_to() -> None:
+    row = {"braking_share": 0.1, "sticking_share": 0.001, "friction_over_normal": 0.2}
+    assert "Not because the contact sticks" in why([{"mu": 0.1, **row}, {"mu": 0.4, **row}], 0.2)
+    stuck = {**row, "sticking_share": 0.6, "mu": 0.4}
+    assert why([stuck], 0.2).startswith("The contact sticks under up to 60 %")
+
+
+def test_friction_verdicts() -> None:
+    mus = np.linspace(0.0, 0.6, 61)
+    row = {"braking_share": 0.1, "sticking_share": 0.0, "friction_over_normal": 0.2}
+    sliding = [{"mu": 0.1, **row}, {"mu": 0.5, **row}]
+
+    def verdicts(x: Any, y: Any) -> list[str]:
+        rows = [{"mu": m, "x_bar": a, "y_bar": b} for m, a, b in zip(mus, x, y, strict=True)]
+        found = friction_statements({"standard": rows, "paper": rows}, sliding, "made up")
+        return [one.verdict for one in found]
+
+    assert verdicts(np.minimum(mus, 0.2), 14.0 + 0.0 * mus) == [CONFIRMED, CONFIRMED]
+    assert verdicts(mus, 14.0 + 10.0 * mus) == [NOT_CONFIRMED, NOT_CONFIRMED]
+
+
+def test_sweeps_are_of_the_jumps_they_name() -> None:
+    row = rows_of({"groups": COARSE, "kind": "mu", "values": [0.25]})[0]
+    design = (*BASELINE[:3], 0.25)
+    assert row["x_bar"] == jump_rows(build(COARSE), [design])[0]["x_bar"]
+    standing = rows_of({"groups": COARSE, "kind": MOUNT_HEIGHT, "values": [0.1, 0.4]})
+    assert standing[0]["y_bar"] > 5.0 > 0.5 > standing[1]["y_bar"] > 0.3
+    assert furthest([row], [{**row, "x_bar": row["x_bar"] + 0.5}], "x_bar", "mu") == 0.5
+
+
+def test_report(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """The whole part, every tier coarse and few values of each parameter."""
+    few = {kind: replace(sweep, count=17) for kind, sweep in SWEEPS.items()}
+    monkeypatch.setattr(module, "SWEEPS", few)
+    coarse = {**COARSE, "stepping": {"name": "adaptive", "tolerance": 1e-5}}
+    monkeypatch.setattr(module, "groups_at", lambda groups, tier: coarse)
+    monkeypatch.setattr(module, "SHORT_CHANGES", {"stepping": {"tolerance": 3e-6}})
+    part = Influences()
+    cells = part.plan(COARSE, 0)
+    done = {c.name: Done(c, OK, "", part.compute(c.inputs), "", "", "") for c in cells}
+    found = part.conclude(done)
+    assert len(found.statements) == 9
+    assert "h1 = 0.0" in found.statements[0].found
+    for name, figure in found.section.figures.items():
+        figure.draw(tmp_path / f"{name}.png")
+        assert (tmp_path / f"{name}.png").stat().st_size > 10_000

@@ -1,0 +1,78 @@
+"""Trajectories of coarse jumps, and the verdict on how the mismatch tunes them."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from small_datasets import CONFIG
+
+from experiments.compositions import described
+from experiments.paper.jumps import numbers
+from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.trajectories import part as module
+from experiments.paper.trajectories.compute import rows_of
+from experiments.paper.trajectories.families import varied
+from experiments.paper.trajectories.figure import flight
+from experiments.paper.trajectories.judge import slant, tuned
+from experiments.paper.trajectories.part import Trajectories
+from snapjump.simulation import build
+from snapjump.studies.base import FAILED, OK, Cell, Done
+
+COARSE = described(build(CONFIG))
+
+
+def sweep(ratios: list[float], lean: float) -> list[dict[str, Any]]:
+    """Rows of a sweep whose jumps are all ten high."""
+    return [
+        {
+            "delta_alpha_rad": 0.01 * k,
+            "x_bar": 10.0 * ratio,
+            "y_bar": 10.0,
+            "liftoff_vx_m_s": np.tan(np.radians(lean)),
+            "liftoff_vy_m_s": 1.0,
+        }
+        for k, ratio in enumerate(ratios)
+    ]
+
+
+def test_verdicts() -> None:
+    growing = slant(sweep([0.0, 0.2, 0.4, 0.6], 20.0))
+    assert np.isnan(growing.grows_until_rad) and growing.lean_deg == pytest.approx(20.0)
+    assert tuned(growing, 60.0) == CONFIRMED
+    assert tuned(growing, 30.0) == LIMITED
+    turning = slant(sweep([0.0, 0.4, 0.3, 0.5], 20.0))
+    assert turning.grows_until_rad == pytest.approx(0.01)
+    assert turning.back == pytest.approx(0.2)
+    assert tuned(turning, 60.0) == LIMITED
+    assert tuned(slant(sweep([0.1, 0.2, 0.4, 0.6], 20.0)), 60.0) == NOT_CONFIRMED
+    assert tuned(slant(sweep([0.0, 0.01, 0.02, 0.03], 2.0)), 2.0) == NOT_CONFIRMED
+
+
+def test_paths_end_where_flights_begin() -> None:
+    design = varied("delta_alpha_rad", [0.05])[0]
+    path = rows_of({"groups": COARSE, "followed": design})
+    jump = rows_of({"groups": COARSE, "designs": [design]})[0]
+    x, y = flight(jump)
+    assert (x[60], y[60]) == pytest.approx((jump["x_bar"], jump["y_bar"]))
+    last = int(np.flatnonzero(numbers(path, "ground_force_N") > 0.0)[-1])
+    assert path[last]["x_bar"] == pytest.approx(x[0], abs=0.01)
+    assert path[last]["y_bar"] == pytest.approx(y[0], abs=0.02)
+
+
+def test_report(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """The whole part with every tier coarse."""
+    monkeypatch.setattr(module, "groups_at", lambda groups, tier: COARSE)
+    monkeypatch.setattr(module, "DESIGNS", 8)
+    few = varied("delta_alpha_rad", [0.0, 0.05, 0.1])
+    monkeypatch.setattr(module, "mismatches", lambda stride=1: few)
+    part = Trajectories()
+    cells = part.plan(COARSE, 0)
+    done = {c.name: Done(c, OK, "", part.compute(c.inputs), "", "", "") for c in cells}
+    found = part.conclude(done)
+    assert len(found.statements) == 1 and found.summary["trajectories_lean_most_deg"] > 5.0
+    for name, figure in found.section.figures.items():
+        figure.draw(tmp_path / f"{name}.png")
+        assert (tmp_path / f"{name}.png").stat().st_size > 10_000
+    lost = {**done, "ranges": Done(Cell("ranges", {}), FAILED, "no memory", [], "", "", "")}
+    assert "no memory" in part.conclude(lost).section.paragraphs[0]

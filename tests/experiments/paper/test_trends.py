@@ -1,0 +1,27 @@
+"""Which way curves run, and where they level off."""
+
+import numpy as np
+import pytest
+
+from experiments.paper.trends import counter_step, plateau
+
+
+def test_counter_step() -> None:
+    assert counter_step(np.array([0.0, 1.0, 2.0]), rising=True) == 0.0
+    assert counter_step(np.array([0.0, 3.0, 2.0, 4.0]), rising=True) == pytest.approx(0.25)
+    assert counter_step(np.array([4.0, 1.0, 2.0, 0.0]), rising=False) == pytest.approx(0.25)
+    assert counter_step(np.array([2.0, 1.0]), rising=True) == np.inf
+
+
+def test_plateau() -> None:
+    places = np.linspace(0.0, 1.0, 51)
+    found = plateau(places, 3.0 * np.minimum(places, 0.4) + 2.0)
+    assert found.threshold == pytest.approx(0.4)
+    assert found.slope_before == pytest.approx(3.0)
+    assert found.level == pytest.approx(3.2)
+    assert found.levelling < 1e-9 and found.relative_swing < 1e-9
+
+    straight = plateau(places, places)
+    assert straight.levelling == pytest.approx(1.0)
+    waves = plateau(places, np.minimum(places, 0.4) + 0.02 * np.sin(40.0 * places))
+    assert waves.swing == pytest.approx(0.04, rel=0.2)
