@@ -1,28 +1,28 @@
 """The parts in the order of the report. A new one is a folder here and a line below."""
 
-from experiments.paper.asymmetry.part import AsymmetryPart
+from experiments.paper.asymmetry.part import Asymmetry
 from experiments.paper.base import Part
-from experiments.paper.bifurcation.part import BifurcationPart
+from experiments.paper.bifurcation.part import Bifurcation
 from experiments.paper.causes.part import Causes
 from experiments.paper.designs.part import Designs
-from experiments.paper.forward_model.part import ForwardModelPart
+from experiments.paper.forward_model.part import ForwardModels
 from experiments.paper.imperfections.part import Imperfections
 from experiments.paper.influences.part import Influences
 from experiments.paper.regions.part import Regions
-from experiments.paper.released_energy.part import ReleasedEnergyPart
-from experiments.paper.snaps.part import SnapsPart
+from experiments.paper.released_energy.part import ReleasedEnergy
+from experiments.paper.snaps.part import Snaps
 from experiments.paper.trajectories.part import Trajectories
 
 PARTS: dict[str, type[Part]] = {
-    "bifurcation": BifurcationPart,
-    "released_energy": ReleasedEnergyPart,
-    "snaps": SnapsPart,
-    "asymmetry": AsymmetryPart,
+    "bifurcation": Bifurcation,
+    "released_energy": ReleasedEnergy,
+    "snaps": Snaps,
+    "asymmetry": Asymmetry,
     "trajectories": Trajectories,
     "influences": Influences,
     "causes": Causes,
     "regions": Regions,
     "designs": Designs,
     "imperfections": Imperfections,
-    "forward_model": ForwardModelPart,
+    "forward_model": ForwardModels,
 }

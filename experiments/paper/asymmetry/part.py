@@ -32,7 +32,7 @@ def mismatches(setting: str) -> list[float]:
     return sorted({*small, *((*LINEAR, *BEYOND) if setting == "standard" else FEW)})
 
 
-class AsymmetryPart(Part):
+class Asymmetry(Part):
     """A sweep of the mismatch for each setting and pre-compression."""
 
     name = "asymmetry"

@@ -44,7 +44,7 @@ KINDS = {
 }
 
 
-class BifurcationPart(Part):
+class Bifurcation(Part):
     """Branches at three pre-compressions; critical angles; all beside the exact elastica."""
 
     name = "bifurcation"

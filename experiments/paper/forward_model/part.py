@@ -36,7 +36,7 @@ SHOWN = ("method", "problems", "mean_mm_standard", "std_mm_standard", "p95_mm_st
 BLOCK = 10  # problems of a cell, which are lost together if it is stopped
 
 
-class ForwardModelPart(Part):
+class ForwardModels(Part):
     """From nothing: 50,625 jumps, the paper's network on them, and designs for random targets."""
 
     name = "forward_model"

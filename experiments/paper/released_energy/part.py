@@ -32,7 +32,7 @@ from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
 TITLE = "The energy that the snap releases, and the depths h1 and h2"
 
 
-class ReleasedEnergyPart(Part):
+class ReleasedEnergy(Part):
     """Critical states at many pre-compressions, three mismatches, and the paper's meshes."""
 
     name = "released_energy"

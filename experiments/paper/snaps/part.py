@@ -23,7 +23,7 @@ TINY = (  # setting, rate in rad/s
 )
 
 
-class SnapsPart(Part):
+class Snaps(Part):
     """Two snaps at every setting, then many with hardly any mismatch, at several rates."""
 
     name = "snaps"

@@ -17,7 +17,7 @@ from experiments.paper.asymmetry.judge import (
     saturation_statement,
     saturation_verdict,
 )
-from experiments.paper.asymmetry.part import EPSILONS, SWEEPS, AsymmetryPart, mismatches
+from experiments.paper.asymmetry.part import EPSILONS, SWEEPS, Asymmetry, mismatches
 from experiments.paper.asymmetry.saturation import Saturation, law, saturation
 from experiments.paper.asymmetry.section import make_section
 from experiments.paper.snap_settings import snap_groups
@@ -109,7 +109,7 @@ def test_differences_are_of_the_same_mismatch() -> None:
 def test_mismatches_are_shared_among_settings() -> None:
     for setting in SWEEPS:
         assert len({*mismatches(setting)} & {*mismatches("standard")}) >= 9
-    assert len(AsymmetryPart().plan(BASE, 0)) == len(SWEEPS) * len(EPSILONS)
+    assert len(Asymmetry().plan(BASE, 0)) == len(SWEEPS) * len(EPSILONS)
 
 
 def test_a_sweep_saturates() -> None:

@@ -12,7 +12,7 @@ from experiments.compositions import changed, composed, described
 from experiments.paper import exact
 from experiments.paper.bifurcation import compare, judge
 from experiments.paper.bifurcation.compute import branch_rows, compared_rows, shape_rows
-from experiments.paper.bifurcation.part import TIERS, BifurcationPart
+from experiments.paper.bifurcation.part import TIERS, Bifurcation
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.composition import with_tier
 from snapjump.statics.critical import find_snap
@@ -133,7 +133,7 @@ def finished(name: str, rows: Rows, status: str = "ok") -> Done:
 
 
 def test_conclusion_with_its_figures(branches: Rows, landmarks: Rows, tmp_path: Path) -> None:
-    part = BifurcationPart()
+    part = Bifurcation()
     planned = part.plan(COARSE, 0)
     assert len(planned) == 9 and json.dumps([dict(cell.inputs) for cell in planned])
     shapes = shape_rows({"groups": COARSE, "epsilon": EPSILON})
@@ -152,5 +152,5 @@ def test_conclusion_with_its_figures(branches: Rows, landmarks: Rows, tmp_path: 
 
 def test_nothing_is_judged_without_all_cells(landmarks: Rows) -> None:
     done = {"standard": finished("standard", landmarks), "paper": finished("paper", [], "failed")}
-    found = BifurcationPart().conclude(done)
+    found = Bifurcation().conclude(done)
     assert not found.statements and "paper (failed: it broke)" in found.section.paragraphs[0]

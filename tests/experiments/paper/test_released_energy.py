@@ -12,7 +12,7 @@ from experiments.paper import exact
 from experiments.paper.released_energy import fits, judge
 from experiments.paper.released_energy.arches import PAPER, arches
 from experiments.paper.released_energy.compute import snap_rows
-from experiments.paper.released_energy.part import ReleasedEnergyPart
+from experiments.paper.released_energy.part import ReleasedEnergy
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.composition import with_tier
 from snapjump.scenes.jump_start import fitted_mount_height_bar
@@ -104,7 +104,7 @@ def test_polynomials_that_hold_for_an_arch_or_for_a_mesh() -> None:
 
 
 def test_the_plan_and_the_conclusion_with_its_figures(tmp_path: Path) -> None:
-    part = ReleasedEnergyPart()
+    part = ReleasedEnergy()
     planned = part.plan(STANDARD, 0)
     assert json.dumps([dict(cell.inputs) for cell in planned])
     groups = arches(STANDARD)[PAPER][0]

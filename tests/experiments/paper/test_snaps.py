@@ -19,7 +19,7 @@ from experiments.paper.snaps.judge import (
     symmetry_statement,
     symmetry_verdict,
 )
-from experiments.paper.snaps.part import TINY, SnapsPart
+from experiments.paper.snaps.part import TINY, Snaps
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.swing import follow, outcome
 from snapjump.composition import with_tier
@@ -106,7 +106,7 @@ def test_the_statement_tells_the_limit(undamped: list[dict[str, Any]]) -> None:
 
 
 def test_the_plan() -> None:
-    cells = SnapsPart().plan(BASE, 0)
+    cells = Snaps().plan(BASE, 0)
     assert len(cells) == len(SETTINGS) + len(TINY)
     assert cells[1].inputs["groups"]["discretization"]["elements"] == 99
     assert cells[2].inputs["groups"]["damping"] == {"name": "none"}
