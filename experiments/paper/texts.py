@@ -14,9 +14,8 @@ INTRODUCTION = [
     "Euler at 1e-5 s, lagged friction, clamps of two fixed nodes, contact stiffness per node, no "
     "material damping. A verdict is decided by the program from the numbers beside it.",
     "The converged model differs from the paper's in one respect: its material damps (Kelvin-Voigt "
-    "with η = 1e-5 s). On what oscillates, the paper's implicit Euler has the same effect, to "
-    "leading order in its time step; on what buckles it has not: material damping slows the growth "
-    "of the asymmetric mode as well (figure of θ_max below).",
+    "with η = 1e-5 s, the size of the paper's time step). The paper's implicit Euler damps what "
+    "oscillates too, but not what buckles; what either does to the jump is taken apart below.",
 ]
 
 
