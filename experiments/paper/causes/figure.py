@@ -38,7 +38,7 @@ def draw_causes(moved: Mapping[tuple[str, str], Shift], apart: Shift, path: Path
             axes.set_xticks([0.01, 0.1, 1.0, 10.0], ["0.01", "0.1", "1", "10"])
             axes.axhline(len(titles) - 0.5, color=palette.PALE, lw=1.0)
             axes.grid(True, axis="x")
-            axes.set_xlabel(f"shift of {key}_c (%)")
+            axes.set_xlabel(f"shift of ${key}_c$ (%)")
             names = [*reversed(titles), "all: paper to reference"]
             axes.set_yticks(range(len(names)), names if key == "x" else [])
         _legend(figure, height)

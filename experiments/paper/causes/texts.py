@@ -21,7 +21,7 @@ def paragraphs(moved: Moved, apart: Shift) -> list[str]:
         "66 elements K per node and per length are the same by definition. Both ends have a rigid "
         "frame; the paper's own is elastic, which comes on top.",
         f"The paper's settings are {apart.x_median:.2g} % off in x_c and {apart.y_median:.2g} % in "
-        f"y_c in the median ({apart.x_p95:.2g} and {apart.y_p95:.2g} % at 95 % of the designs). "
+        f"y_c in the median (at most {apart.x_p95:.2g} and {apart.y_p95:.2g} % in 95 % of them). "
         f"They throw the robot too high, by {apart.y_signed:.2g} %, because nothing in the "
         f"material damps: without damping the converged y_c rises by "
         f"{moved[REFERENCE, DAMPING].y_signed:.2g} %, and with it the paper's falls by "
@@ -62,5 +62,5 @@ def noise(moved: Moved) -> str:
         f"Much of this is noise of a strike that the step does not resolve. A start nearer to the "
         f"snap is the same jump, and moves the converged x_c by {converged.x_median:.1g} %; with "
         f"the paper's settings it moves x_c by {papers.x_median:.2g} % in the median and "
-        f"{papers.x_p95:.2g} % at 95 % of the designs. {told}"
+        f"by at most {papers.x_p95:.2g} % in 95 % of the designs. {told}"
     )

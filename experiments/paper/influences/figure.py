@@ -11,7 +11,7 @@ from snapjump.plots import palette
 from snapjump.plots.saving import picture
 from snapjump.studies.base import Row
 
-COORDINATES = {"x_bar": "x_c / L", "y_bar": "y_c / L"}
+COORDINATES = {"x_bar": "$x_c$ / L", "y_bar": "$y_c$ / L"}
 STYLES: dict[str, dict[str, Any]] = {
     "standard": {"color": palette.BEAM, "lw": 2.2},
     "paper": {"color": palette.FORCE, "lw": 1.4, "ls": (0, (5, 2.5))},

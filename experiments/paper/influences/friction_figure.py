@@ -25,9 +25,9 @@ def draw_friction(sweep: Mapping[str, Sequence[Row]], sliding: Sequence[Row], pa
         figure.subplots_adjust(left=0.055, right=0.99, bottom=0.125, top=0.83, wspace=0.15)
         draw_tiers(direction, sweep, "mu", {tier: lean(rows) for tier, rows in sweep.items()})
         direction.plot([0.0, 0.3], [0.0, 0.3], color=palette.QUIET, lw=1.2, ls=":")
-        direction.annotate("v_x = μ v_y", (0.26, 0.26), (-8, 0), ha="right", color=palette.QUIET,
+        direction.annotate("$v_x = μ v_y$", (0.26, 0.26), (-8, 0), ha="right", color=palette.QUIET,
                            textcoords="offset points")  # fmt: skip
-        direction.set(xlabel=SWEEPS["mu"].label, ylabel="v_x / v_y")
+        direction.set(xlabel=SWEEPS["mu"].label, ylabel="$v_x$ / $v_y$")
         direction.set_title("velocity of the centre of mass at lift-off", loc="left")
         direction.legend(loc="lower right")
         places = numbers(sliding, "mu")

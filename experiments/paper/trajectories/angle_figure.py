@@ -27,7 +27,7 @@ def draw_angles(
         for tier, style in drawn.items():
             label = "the paper's settings" if tier == "paper" else tier
             angles.plot(lags[tier], ratios(sweeps[tier]), label=label, **style)
-        angles.set(xlabel="mismatch Δα (rad)", ylabel="x_c / y_c of the apex")
+        angles.set(xlabel="mismatch Δα (rad)", ylabel="$x_c$ / $y_c$ of the apex")
         angles.set_title("how far aside for the height", loc="left")
         angles.legend(loc="lower right")
         angles.grid(True)

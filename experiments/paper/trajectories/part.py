@@ -106,6 +106,8 @@ def paragraphs(sweeps: Mapping[str, list[Row]], paths: Mapping[float, list[Row]]
     begun = [first_slope(rows) for lag, rows in paths.items() if lag > 0.0]
     own, papers = numbers(sweeps["standard"], "y_bar"), numbers(sweeps["paper"], "y_bar")
     higher = 100.0 * (papers / own - 1.0)
+    aside = numbers(sweeps["paper"], "x_bar") - numbers(sweeps["standard"], "x_bar")
+    farther = max(-2.0 * aside.min(), 0.0), max(2.0 * aside.max(), 0.0)
     return [
         "Only the mismatch turns the flight aside: a symmetric snap strikes the ground under the "
         "centre of mass and throws the robot straight up. More pre-compression stretches the "
@@ -117,7 +119,8 @@ def paragraphs(sweeps: Mapping[str, list[Row]], paths: Mapping[float, list[Row]]
         "sliding turns back, and the path turns up.",
         f"With the paper's settings the same designs jump {min(higher):.1f} to {max(higher):.1f} % "
         "higher, because no material damping takes part of the energy (see *What causes the "
-        "difference*); the shapes of the flights agree.",
+        f"difference*), and come down up to {farther[0]:.1f} L nearer or {farther[1]:.1f} L "
+        "farther.",
     ]
 
 
