@@ -41,7 +41,7 @@ def statement_rows(statements: Sequence[Statement]) -> list[Row]:
             "no.": k,
             "the paper says": statement.says.rstrip("."),
             "verdict": f"**{statement.verdict}**",
-            "what we find": statement.found,
+            "what we find": statement.found[:1].upper() + statement.found[1:],
             "tested at": statement.accuracy,
             "command": f"`python run.py {statement.command}`",
         }

@@ -13,6 +13,9 @@ INTRODUCTION = [
     "`standard` unless it says otherwise; `paper` stands for the paper's own settings: implicit "
     "Euler at 1e-5 s, lagged friction, clamps of two fixed nodes, contact stiffness per node, no "
     "material damping. A verdict is decided by the program from the numbers beside it.",
+    "Statements are in our words. Where the paper assumes something, or draws a curve without a "
+    "claim (the symmetric fold, the rigid frame, the time step, the errors of 20 %), the statement "
+    "is our reading of it.",
     "The converged model differs from the paper's in one respect: its material damps (Kelvin-Voigt "
     "with η = 1e-5 s, the size of the paper's time step). The paper's implicit Euler damps what "
     "oscillates too, but not what buckles; what either does to the jump is taken apart below.",

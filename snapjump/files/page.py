@@ -3,7 +3,7 @@
 import html
 
 STYLE = """
-body { max-width: 58rem; margin: 2rem auto; padding: 0 1rem; color: #1f2328;
+body { max-width: 68rem; margin: 2rem auto; padding: 0 1rem; color: #1f2328;
        font: 16px/1.55 system-ui, sans-serif; }
 h1, h2 { line-height: 1.2; margin-top: 2.2rem; }
 img { max-width: 100%; height: auto; }
