@@ -28,8 +28,8 @@ class Part(ABC):
 
     @abstractmethod
     def plan(self, groups: Mapping[str, Any], seed: int) -> Sequence[Cell]:
-        """All cells. ``groups``: the composition of the run, as plain groups
-        (:func:`experiments.compositions.composed` builds it), at the tier of the run."""
+        """All cells. ``groups``: ``accuracy=standard`` as plain groups
+        (:func:`experiments.compositions.composed` builds it), with the run's backend."""
 
     @abstractmethod
     def compute(self, inputs: Mapping[str, Any]) -> list[Row]:

@@ -1,17 +1,20 @@
 """``python run.py task=paper``: every figure and every testable statement of the paper."""
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from datetime import datetime
 from typing import Any
 
-from experiments.compositions import composed, groups_of
+from experiments.compositions import composed, described, groups_of
 from experiments.paper.base import Part
 from experiments.paper.parts import PARTS
 from experiments.paper.statement import VERDICTS, Statement, statement_rows
 from experiments.paper.texts import INTRODUCTION, TITLE, readme_block
 from snapjump.checks import ParameterError, check_choice
-from snapjump.studies.base import Cell, Conclusion, Done, Row, Section, Table
+from snapjump.composition import with_tier
+from snapjump.dataset.specification import first_difference
+from snapjump.studies.base import OK, Cell, Conclusion, Done, Row, Section, Table
 from snapjump.studies.fingerprint import sources
 from snapjump.studies.study import Study
 
@@ -31,20 +34,14 @@ class Paper(Study):
         figure = config["figure"]
         check_choice("figure", figure, (ALL, *PARTS))
         groups = groups_of(config)
-        simulation = composed(groups)
-        if simulation.scene_name != "jump":
-            raise ParameterError("sim", simulation.scene_name, "jump with task=paper")
+        check_standard(groups)
         self.parts: dict[str, Part] = {
             name: part() for name, part in PARTS.items() if figure in (ALL, name)
         }
         return [
-            replace(
-                cell,
-                name=f"{name}: {cell.name}",
-                inputs={**cell.inputs, "part": name, "sources": source_digest(part)},
-            )
+            cell
             for name, part in self.parts.items()
-            for cell in part.plan(groups, config["seed"])
+            for cell in labelled(part.plan(groups, config["seed"]), name, source_digest(part))
         ]
 
     def compute(self, cell: Cell) -> list[Row]:
@@ -71,7 +68,7 @@ class Paper(Study):
         )
         return Conclusion(
             title=TITLE,
-            findings=[tally(statements)],
+            findings=[tally(statements), duration(done)],
             tables={},
             figures={},
             sections=[judged, *(part.section for part in found.values())],
@@ -79,8 +76,39 @@ class Paper(Study):
                 **{f"statements_{v.replace(' ', '_')}": count(statements, v) for v in VERDICTS},
                 **{key: value for part in found.values() for key, value in part.summary.items()},
             },
-            blocks={"paper": readme_block(statements)} if len(self.parts) == len(PARTS) else {},
+            blocks={"paper": readme_block(statements)} if self._whole(done) else {},
         )
+
+    def _whole(self, done: Mapping[str, Done]) -> bool:
+        """Whether nothing is missing from the table of all statements."""
+        return len(self.parts) == len(PARTS) and all(one.status == OK for one in done.values())
+
+
+def check_standard(groups: Mapping[str, Any]) -> None:
+    """Raise ParameterError for settings other than those of ``accuracy=standard``.
+
+    The parts set what the paper's figures vary themselves, and name what they set.
+    """
+    chosen = described(composed(groups))
+    expected = described(with_tier("standard"))
+    for found in (chosen, expected):
+        found.pop("backend")
+    different = first_difference(chosen, expected)
+    if different is not None:
+        key, value, standard = different
+        raise ParameterError(key, value, f"{standard} with task=paper, as accuracy=standard has it")
+
+
+def labelled(cells: Sequence[Cell], part: str, digest: str) -> list[Cell]:
+    """A part's cells among those of all parts, with the hash of what computes them."""
+    return [
+        replace(
+            cell,
+            name=f"{part}: {cell.name}",
+            inputs={**cell.inputs, "part": part, "sources": digest},
+        )
+        for cell in cells
+    ]
 
 
 def count(statements: list[Statement], verdict: str) -> int:
@@ -92,6 +120,16 @@ def tally(statements: list[Statement]) -> str:
     """How many statements came to which verdict."""
     told = ", ".join(f"{count(statements, verdict)} {verdict}" for verdict in VERDICTS)
     return f"Of {len(statements)} statements: {told}."
+
+
+def duration(done: Mapping[str, Done]) -> str:
+    """How long all cells took, whenever they were done."""
+    seconds = sum(
+        (datetime.fromisoformat(one.finished_at) - datetime.fromisoformat(one.started_at))
+        .total_seconds()
+        for one in done.values()
+    )  # fmt: skip
+    return f"The {len(done)} computations behind them took {seconds / 60.0:.0f} minutes in all."
 
 
 def source_digest(part: Part) -> str:

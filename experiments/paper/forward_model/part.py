@@ -24,16 +24,28 @@ from experiments.paper.forward_model.judge import (
     speed_statement,
 )
 from experiments.paper.forward_model.methods import METHODS, NETWORK
-from experiments.paper.statement import Statement
+from experiments.paper.learned import shipped_inputs
+from experiments.paper.unfinished import unfinished
 from snapjump.families import DATASET_FAMILIES
 from snapjump.learning.training import Training
 from snapjump.members import member_class, member_group
-from snapjump.studies.base import OK, Cell, Done, Figure, Row, Section, Table
+from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
 
 DATASET, NETWORK_CELL = "dataset", "forward model"
 SHOWN = ("method", "problems", "mean_mm_standard", "std_mm_standard", "p95_mm_standard",
          "max_mm_standard", "mean_mm_reference", "seconds_median", "simulations_mean")  # fmt: skip
 BLOCK = 10  # problems of a cell, which are lost together if it is stopped
+
+
+TITLE = "Dataset, forward model, inverse design"
+PARAGRAPHS = (
+    "The paper's grid of 15 values of each of the four inputs, its network of three layers of 372 "
+    "neurons, and its search by Adam from the best point of a grid, beside the library's own "
+    "methods. Each target is the apex of a hidden random design in a random environment, so that "
+    "it can be reached.",
+    "More methods, more targets and the time of each: `python run.py task=inverse_benchmark`; more "
+    "forward models: `python run.py task=compare_surrogates`.",
+)
 
 
 class ForwardModels(Part):
@@ -58,7 +70,8 @@ class ForwardModels(Part):
         }
         cells = [Cell(DATASET, data), Cell(NETWORK_CELL, learned)]
         for name, method in METHODS.items():
-            asked = {**learned, "surrogate": learned["surrogate"] if method.network else None}
+            shipped = {} if method.network else {"surrogate": None, **shipped_inputs(groups)}
+            asked = {**learned, **shipped}
             inverse = dict(member_group("inverse", completed(method.inverse)))
             cells += [
                 Cell(
@@ -76,55 +89,40 @@ class ForwardModels(Part):
         return forward_rows(inputs) if "surrogate" in inputs else dataset_rows(inputs)
 
     def conclude(self, done: Mapping[str, Done]) -> Found:
-        """Four statements, as far as their cells succeeded."""
-        statements: list[Statement] = []
-        tables: dict[str, Table] = {}
+        """Four statements."""
+        missing = unfinished(TITLE, done)
+        if missing:
+            return missing
         methods: dict[str, list[Row]] = {name: [] for name in METHODS}
         for one in done.values():
-            if "method" in one.cell.inputs and one.status == OK:
+            if "method" in one.cell.inputs:
                 methods[one.cell.inputs["method"]] += one.rows
-        made, learned = done[DATASET], done[NETWORK_CELL]
-        if made.rows:
-            statements.append(dataset_statement(made.rows[0]))
-            tables["dataset_cost"] = Table("The dataset", made.rows)
-        if learned.rows:
-            statements.append(error_statement(learned.rows[0]))
-            tables["network"] = Table("The paper's network", [measures(learned.rows[0])])
-        judged = {name: summary_row(name, rows) for name, rows in methods.items() if rows}
-        if len(judged) == len(METHODS):
-            statements += [accuracy_statement(judged), speed_statement(judged)]
-        tables["inverse_methods"] = Table(
-            "Misses of random reachable targets, in mm at L = 20 mm",
-            [{key: row[key] for key in SHOWN} for row in judged.values()],
-        )
+        made, (learned, *predictions) = done[DATASET].rows, done[NETWORK_CELL].rows
+        judged = {name: summary_row(name, rows) for name, rows in methods.items()}
         figure = Figure(
             "How far predicted apexes are off, of jumps that the network has not seen; and the "
             "simulated misses of designs (number of targets in brackets)",
-            partial(
-                draw_forward_model,
-                [row for row in learned.rows if row["kind"] == "prediction"],
-                methods,
-            ),
+            partial(draw_forward_model, predictions, methods),
         )
-        return Found(
-            Section(
-                "Dataset, forward model, inverse design",
-                [
-                    "The paper's grid of 15 values of each of the four inputs, its network of "
-                    "three layers of 372 neurons, and its search by Adam from the best point of a "
-                    "grid, beside the library's own methods. Each target is the apex of a hidden "
-                    "random design in a random environment, so that it can be reached.",
-                    "More methods, more targets and the time of each: "
-                    "`python run.py task=inverse_benchmark`; more forward models: "
-                    "`python run.py task=compare_surrogates`.",
-                ],
-                figures={"forward_model": figure} if learned.rows and judged else {},
-                tables=tables,
+        tables = {
+            "dataset_cost": Table("The dataset", made),
+            "network": Table("The paper's network", [measures(learned)]),
+            "inverse_methods": Table(
+                "Misses of random reachable targets, in mm at L = 20 mm",
+                [{key: row[key] for key in SHOWN} for row in judged.values()],
             ),
-            statements,
+        }
+        return Found(
+            Section(TITLE, PARAGRAPHS, {"forward_model": figure}, tables),
+            [
+                dataset_statement(made[0]),
+                error_statement(learned),
+                accuracy_statement(judged),
+                speed_statement(judged),
+            ],
             summary={
-                **{f"dataset_{k}": v for row in made.rows[:1] for k, v in row.items()},
-                **{f"network_{k}": v for row in learned.rows[:1] for k, v in measures(row).items()},
+                **{f"dataset_{key}": value for key, value in made[0].items()},
+                **{f"network_{key}": value for key, value in measures(learned).items()},
                 **{
                     f"mean_mm_{snake_case(name)}": row["mean_mm_standard"]
                     for name, row in judged.items()

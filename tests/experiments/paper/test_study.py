@@ -89,10 +89,33 @@ def test_one_part_and_then_all_of_them() -> None:
 def test_the_parts_there_are() -> None:
     with pytest.raises(ParameterError, match="figure = 'trees' .* one of all, letters, others"):
         Paper().prepare(configured("trees"))
-    with pytest.raises(ParameterError, match="sim = 'snap' .* jump with task=paper"):
-        snap = {"sim": {"name": "snap"}, "frame": {"name": "fixed"}, "contact": {"name": "none"},
-                "friction": {"name": "none"}}  # fmt: skip
-        Paper().prepare({**configured("all"), **snap})
+
+
+@pytest.mark.parametrize(
+    ("changes", "told"),
+    [
+        ({"accuracy": {"name": "draft"}}, "accuracy.name = 'draft' .* standard with task=paper"),
+        ({"environment": {"mu": 0.5}}, r"environment.mu = 0.5 .* 0.3 with task=paper"),
+        ({"robot": {"length_m": 0.04}}, r"robot.length_m = 0.04 .* 0.02 with task=paper"),
+        ({"damping": {"name": "none"}}, "damping.name = 'none' .* kelvin_voigt with task=paper"),
+    ],
+)
+def test_settings_that_the_figures_have_of_their_own(changes: Any, told: str) -> None:
+    with pytest.raises(ParameterError, match=told):
+        Paper().prepare({**configured("all"), **changes})
+
+
+def test_the_backend_is_free() -> None:
+    Paper().prepare({**configured("all"), "backend": {"name": "lanes"}})
+
+
+def test_no_block_for_the_readme_if_a_cell_failed(monkeypatch: pytest.MonkeyPatch) -> None:
+    def compute(part: Part, inputs: Mapping[str, Any]) -> Any:
+        raise ZeroDivisionError(inputs["letter"])
+
+    monkeypatch.setattr(Others, "compute", compute)
+    outcome, folder = run("all", "all")
+    assert outcome.status == "cells_failed" and not (folder.path / "paper.block.md").exists()
 
 
 @pytest.mark.parametrize("name", list(PARTS))
@@ -103,4 +126,5 @@ def test_every_part_is_whole(name: str) -> None:
     assert cells and len({cell.name for cell in cells}) == len(cells)
     drawn = {f"experiments.paper.{name}.{module}" for module in ("figure", "judge", "part")}
     assert not drawn & set(part.sources), "drawing and judging must not do cells again"
+    assert f"experiments.paper.{name}.compute" in part.sources
     assert len(source_digest(part)) == 16
