@@ -75,8 +75,8 @@ def symmetry_statement(
         f"equal clamps and by {mismatched:.3f} rad ({math.degrees(mismatched):.0f}°) at "
         f"Δα = {lag:g} rad ({others}); it crosses the clamps' line at "
         f"α = {symmetric['alpha_snap_rad']:.3f} and {tilted['alpha_snap_rad']:.3f} rad, and "
-        f"the snap takes {symmetric['snap_duration_ms']:.1f} and {tilted['snap_duration_ms']:.1f} ms. "
-        "How nearly equal the clamps have to be depends on how fast they turn: a tilt of "
+        f"the snap takes {symmetric['snap_duration_ms']:.1f} and {tilted['snap_duration_ms']:.1f} "
+        "ms. How nearly equal the clamps have to be depends on how fast they turn: a tilt of "
         f"{math.degrees(VISIBLE_RAD):g}° takes {told}",
         accuracy(motions, lag),
         COMMAND,
