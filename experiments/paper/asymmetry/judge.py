@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from experiments.paper.asymmetry.saturation import FLAT_FROM, Saturation
+from experiments.paper.asymmetry.saturation import FLAT_FROM, LINEAR_WITHIN, Saturation
 from experiments.paper.baseline import RANGES
 from experiments.paper.statement import Statement, verdict
 from snapjump.studies.base import Row
@@ -44,7 +44,9 @@ def linear_statement(
     return Statement(
         "The largest angle θ_max of the midpoint grows linearly with a small mismatch",
         linear_verdict(own, smallest_rad),
-        f"θ_max / Δα = {listed(own, slope)} at ε = {epsilons(own)}, within 5 % up to Δα = "
+        # Begins with a word, as the table makes a capital of the first letter.
+        f"The slope θ_max / Δα is {listed(own, slope)} at ε = {epsilons(own)}, within "
+        f"{100.0 * LINEAR_WITHIN:g} % up to Δα = "
         f"{listed(own, lambda one: f'{one.linear_until_rad:.2g}')} rad, which is "
         f"{math.degrees(max(until)):.1g}° at most: the smallest mismatch of the paper's designs, "
         f"{SMALLEST_DESIGN_RAD:g} rad, is {SMALLEST_DESIGN_RAD / max(until):.0f} to "

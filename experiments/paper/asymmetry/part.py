@@ -15,7 +15,8 @@ from experiments.paper.asymmetry.saturation import Saturation, saturation
 from experiments.paper.asymmetry.section import TITLE, make_section
 from experiments.paper.base import Found, Part
 from experiments.paper.snap_settings import snap_groups
-from snapjump.studies.base import OK, Cell, Done, Row, Section
+from experiments.paper.unfinished import unfinished
+from snapjump.studies.base import Cell, Done, Row
 
 EPSILONS = (0.1, 0.2, 0.3)
 PLATEAU_UPTO_RAD = 0.2  # about the end of the paper's designs
@@ -59,8 +60,9 @@ class Asymmetry(Part):
 
     def conclude(self, done: Mapping[str, Done]) -> Found:
         """Two statements; none if a cell failed."""
-        if any(one.status != OK for one in done.values()):
-            return Found(Section(TITLE, ["Not judged: some snaps could not be simulated."]), [])
+        missing = unfinished(TITLE, done)
+        if missing:
+            return missing
         sweeps = {
             setting: {epsilon: done[cell_name(setting, epsilon)].rows for epsilon in EPSILONS}
             for setting in SWEEPS

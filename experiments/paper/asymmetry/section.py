@@ -5,7 +5,12 @@ from dataclasses import asdict
 from functools import partial
 
 from experiments.paper.asymmetry.figure import draw_asymmetry
-from experiments.paper.asymmetry.saturation import FITTED_UPTO_RAD, Saturation
+from experiments.paper.asymmetry.saturation import (
+    FITTED_UPTO_RAD,
+    FLAT_FROM,
+    LINEAR_WITHIN,
+    Saturation,
+)
 from experiments.paper.baseline import RANGES
 from snapjump.studies.base import Figure, Row, Section, Table
 
@@ -65,8 +70,9 @@ def make_section(
         },
         tables={
             "saturation": Table(
-                "Slope, level and threshold of the law; how far it is linear (within 5 %); how the "
-                f"level rises from ten thresholds to {upto_rad:g} rad",
+                "Slope, level and threshold of the law; how far it is linear (within "
+                f"{100.0 * LINEAR_WITHIN:g} %); how the level rises from {FLAT_FROM:g} thresholds "
+                f"to {upto_rad:g} rad",
                 [
                     {"setting": setting, "epsilon": epsilon, **asdict(one)}
                     for setting, laws in found.items()

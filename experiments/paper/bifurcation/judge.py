@@ -27,12 +27,13 @@ def snap_statement(tiers: Mapping[str, Sequence[Row]]) -> Statement:
         "Rotating the clamps makes the arch lose its stability at a critical angle and snap to "
         "the other side; rotating them back, it snaps back at another angle (hysteresis)",
         verdict(all(held) and error < ANGLE_PERCENT, any(held)),
-        f"critical angles {angles} rad for ε = {listed([r['epsilon'] for r in rows], 'g')}; the "
-        "snapped arch, stable and of less energy, loses its own stability at the mirrored angle "
-        f"(to {mirrored:.0e} rad), so that the loop is {widths} rad wide. The critical angles are "
+        f"critical angles {angles} rad for ε = {listed([r['epsilon'] for r in rows], 'g')}; at "
+        f"{sum(held)} of {len(held)} the snapped arch is stable, of less energy and stays when its "
+        "clamps turn back. It loses its own stability at the mirrored angle to within "
+        f"{mirrored:.0e} rad: the loop is {widths} rad wide. The critical angles are "
         f"within {error:.2g} % of the exact elastica's, "
         f"{largest_difference(tiers['reference'], 'alpha_critical_rad'):.2g} % at `reference`; "
-        "two fixed nodes a clamp at the paper's mesh lower them by up to "
+        "with two fixed nodes a clamp at the paper's mesh they are off by up to "
         f"{largest_difference(tiers['paper'], 'alpha_critical_rad'):.2g} %",
         accuracy(tiers),
         COMMAND,
@@ -85,16 +86,17 @@ def fold_statement(angles: Sequence[Row], tiers: Mapping[str, Sequence[Row]]) ->
     on_paper = [gap_percent(row) for row in tiers["paper"]]
     return Statement(
         "With equal clamp angles the snap is symmetric: the symmetric arch loses its stability at "
-        "its fold",
+        "its fold (our reading)",
         verdict(all(at_fold), any(at_fold)),
-        f"the arch tips over before it gets there: its first instability is the asymmetric "
-        f"pitchfork ({100.0 * leaning:.4g} % of the critical mode is antisymmetric), and the fold "
-        f"of the symmetric branch comes {min(gaps):.2g} to {max(gaps):.2g} % later in the angle "
+        f"at {len(gaps) - sum(at_fold)} of {len(gaps)} pre-compressions the arch tips over before "
+        f"it gets there ({100.0 * leaning:.4g} % of the critical mode is antisymmetric): "
+        f"the fold of the symmetric branch comes {min(gaps):.2g} to {max(gaps):.2g} % later in the "
+        "angle than the first instability "
         f"(ε = {angles[0]['epsilon']:g} to {angles[-1]['epsilon']:g}; on the paper's mesh "
         f"{min(on_paper):.2g} to {max(on_paper):.2g} % for ε = {rows[0]['epsilon']:g} to "
-        f"{rows[-1]['epsilon']:g}). The fold is a good estimate "
-        f"of the critical angle and of the energy ({energy:.2g} % more), not of the shape: the "
-        f"middle is {min(higher):.2g} to {max(higher):.2g} % higher at the pitchfork",
+        f"{rows[-1]['epsilon']:g}). There the arch has up to {energy:.2g} % more energy than at "
+        f"the first instability, where its middle is {min(higher):.2g} to {max(higher):.2g} % "
+        "higher",
         accuracy(tiers),
         COMMAND,
     )

@@ -54,6 +54,8 @@ def symmetric_fold(branch: Branch) -> Point:
         if following.direction[-1] < 0.0:
             break
         point = following
+    else:
+        raise ArithmeticError(f"the arch's upper branch is lost at {point.left:g} rad")
     moved = following.state[branch.arch.free] - point.state[branch.arch.free]
     length = float(np.append(moved, following.left - point.left) @ point.direction)
 
@@ -72,6 +74,8 @@ def turned_back(branch: Branch, after: Equilibrium) -> Point:
         if following.eigenvalue <= 0.0:
             break
         point = following
+    else:
+        raise ArithmeticError(f"the snapped arch's branch is lost at {point.left:g} rad")
     return refine(branch, point, following)
 
 

@@ -51,7 +51,7 @@ class Bifurcation(Part):
     sources = ("experiments.paper.bifurcation.compute",)
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
-        """Branches and shapes at the run's tier; landmarks at each tier's mesh."""
+        """Branches and shapes at `standard`; landmarks at each tier's mesh."""
         groups = groups_at(groups, "standard")
         cells = [
             Cell(f"branches {e:g}", {"kind": "branches", "groups": groups, "epsilon": e})

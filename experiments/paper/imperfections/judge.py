@@ -14,6 +14,9 @@ ERROR = 0.2
 # mass, 20 % less makes 25 % more: within that limit.
 PROPORTION, INVERSE = ERROR, 1.0 / (1.0 - ERROR) - 1.0
 MOST = 0.95  # of the other designs, for which the limit has to hold too if there is to be none
+# The limit of "within a limit" is the test design, the paper's own. Elsewhere an error may then be
+# magnified, but less than twofold at half of the designs: otherwise the test design tells nothing.
+MAGNIFIED = 2.0 * ERROR
 HELD = (0.01, 0.05, 0.2)  # errors at which straight lines are compared
 PLAIN = {name: symbol.removesuffix(" (rad)") for name, symbol in SYMBOLS.items()}
 COMMAND = "task=paper figure=imperfections"
@@ -86,34 +89,39 @@ def ordered(values: Array) -> str:
 
 def robust(curves: Mapping[str, Changes], others: Sequence[Row]) -> Statement:
     """The statement about errors. Confirmed if 20 % move neither x nor y of the test design by more
-    than 20 %, and 95 % of other designs by no more than 25 %; within a limit if they move those of
-    the test design by no more than 25 %."""
+    than 20 %, and 95 % of other designs by no more than 25 %; within a limit, which is the test
+    design, if they move those of the test design by no more than 25 %, and half of the other
+    designs by less than 40 %."""
     here = curves["standard"].largest
     largest = float(here.max())
     k, j = np.unravel_index(int(here.argmax()), here.shape)
     there = [largest_elsewhere(others, f"{axis}_change", ERROR) for axis in "xy"]
-    most = [float(np.quantile(one.max(axis=0), MOST)) for one in there]
+    worst = [one.max(axis=0) for one in there]
+    most = [float(np.quantile(one, MOST)) for one in worst]
+    half = [float(np.median(one)) for one in worst]
+    beyond = [100.0 * float(np.mean(one > INVERSE)) for one in worst]
     halves = [np.median(one, axis=1) for one in there]
     at_paper = curves["paper"].largest
     a, b = np.unravel_index(int(at_paper.argmax()), at_paper.shape)
     return Statement(
         says=(
             "The jump is robust against manufacturing errors: 20 % in a parameter moves the apex "
-            "in proportion, no more."
+            "in proportion, no more (our reading)."
         ),
         verdict=verdict(
             largest <= PROPORTION and max(most) <= INVERSE,
-            largest <= INVERSE,
+            largest <= INVERSE and max(half) < MAGNIFIED,
         ),
         found=(
-            "At the paper's test design errors of up to 20 % move x by at most "
+            f"At the test design, errors of up to {100 * ERROR:g} % move x by at most "
             f"{ordered(here[:, 0])}; y by {ordered(here[:, 1])}. The largest is that of "
             f"{'xy'[j]} by {PLAIN[NAMES[k]]}, {100 * largest:.3g} % (paper's settings: {'xy'[b]} "
-            f"by {PLAIN[NAMES[a]]}, {100 * at_paper[a, b]:.2g} %). Over the paper's ranges the "
-            "medians of x are "
-            f"{ordered(halves[0])}; of y {ordered(halves[1])}; 95 % of the designs stay below "
-            f"{100 * most[0]:.2g} % in x and {100 * most[1]:.2g} % in y. An apex in inverse "
-            f"proportion to a parameter moves by {100 * INVERSE:g} %."
+            f"by {PLAIN[NAMES[a]]}, {100 * at_paper[a, b]:.2g} %). An apex in inverse proportion "
+            f"to a parameter moves by {100 * INVERSE:g} %: over the paper's ranges {beyond[0]:.0f} "
+            f"% of the designs move more in x, {beyond[1]:.0f} % in y. The medians of x are "
+            f"{ordered(halves[0])}; of y {ordered(halves[1])}; by the worst parameter half of the "
+            f"designs move by less than {100 * half[0]:.2g} % in x and {100 * half[1]:.2g} % in y, "
+            f"{100 * MOST:g} % by less than {100 * most[0]:.2g} and {100 * most[1]:.2g} %."
         ),
         accuracy=accuracy(curves),
         command=COMMAND,

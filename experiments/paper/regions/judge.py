@@ -93,13 +93,14 @@ def shrinks(masses: Sequence[Region], paper: Sequence[Region], accuracy: str) ->
         says="The achievable region shrinks as the robot gets heavier.",
         verdict=verdict(all_fall and narrower, all_fall),
         found=(
-            f"From m̄ = {first.mass_bar:g} to {last.mass_bar:g} the area falls "
-            f"{'at every step ' if falls(areas) else ''}from {areas[0]:.3g} to {areas[-1]:.2g} L², "
+            f"From m̄ = {first.mass_bar:g} to {last.mass_bar:g} the area "
+            f"{'falls at every step' if falls(areas) else 'goes'} from {areas[0]:.3g} to "
+            f"{areas[-1]:.2g} L², "
             f"as m̄ to the power {mass_exponent(masses):.2f} "
-            f"(paper's settings: {others[0]:.3g} to {others[-1]:.2g} L²). The regions do not lie "
-            f"within each other: they move towards the ground, and a heavier robot's has "
-            f"{100 * min(shares):.0f} to {100 * max(shares):.0f} % of its area within the next "
-            "lighter one's."
+            f"(paper's settings: {others[0]:.3g} to {others[-1]:.2g} L²). Of its area a heavier "
+            f"robot's region has {100 * min(shares):.0f} to {100 * max(shares):.0f} % within the "
+            f"next lighter one's; the least y goes from {first.outline.bounds[1]:.2g} to "
+            f"{last.outline.bounds[1]:.2g} L."
         ),
         accuracy=accuracy,
         command=COMMAND,

@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from experiments.paper.baseline import RANGES
+from experiments.paper.regions.judge import mass_exponent
 from experiments.paper.regions.outlines import Region
 
 CAPTION = (
@@ -36,12 +37,10 @@ def paragraphs(
         f"[{low_lag:g}, {high_lag:g}] rad and ε in [{low:g}, {high:g}], here by {points} × "
         f"{points} simulated jumps, mapped linearly in between.",
         "The energy that a snap releases does not depend on the mass, so that a heavier robot "
-        "rises less: places go as 1/m̄, and the region shrinks about as m̄⁻² and moves towards the "
-        "ground. With both axes times m̄ the areas differ by a factor of "
-        f"{scaled.max() / scaled.min():.2g} instead of {areas.max() / areas.min():.2g}. What is "
-        "left has two causes: heights count from the ground, not from where the centre of mass is "
-        "before the jump, and the quicker jump of a light robot loses more energy to the beam's "
-        "damping.",
+        "rises less. Places would go as 1/m̄, and areas as m̄⁻², if all of the energy were height; "
+        f"the areas go as m̄ to the power {mass_exponent(masses):.2f}. With both axes times m̄ they "
+        f"differ by a factor of {scaled.max() / scaled.min():.2g} instead of "
+        f"{areas.max() / areas.min():.2g}. What is left is not taken apart here.",
         "Friction limits how oblique a jump can be: the ground pushes sideways at most μ times as "
         "hard as upwards, so that apexes stay this side of x = 2μy. The largest x/(2μy) is "
         f"{shares[0]:.2f} at μ = {frictions[0].mu:g}, where friction alone draws the boundary, and "

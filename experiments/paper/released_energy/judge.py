@@ -45,8 +45,8 @@ def energy_statement(alike: Sequence[Row], own_mesh: Sequence[Row], accuracy: st
         f"{straight_line(own_mesh).deviation_percent:.2g} %); down to ε = {first:g}, with "
         f"{told(whole.slope, whole.intercept)}, by up to {whole.deviation_percent:.2g} % (at "
         f"ε = {whole.worst_epsilon:g}). A shallow arch releases {shallow_slope():.3g} ε exactly in "
-        f"proportion; what is released at ε = {HIGH:g} is {ratio[-1]:.2g} % more than that, at "
-        f"ε = {LOW:g} {ratio[place(alike, LOW)]:.2g} % more: the curve bends upwards",
+        f"proportion; what is released differs from that by {ratio[place(alike, LOW)]:+.2g} % at "
+        f"ε = {LOW:g} and by {ratio[-1]:+.2g} % at ε = {HIGH:g}",
         accuracy,
         COMMAND,
     )
@@ -89,18 +89,16 @@ def heights_statement(
     factor = exact.released_factor()
     gaps = factor * exact.released_height("h1", column(paper, "epsilon")) - column(paper, "h1_bar")
     return Statement(
-        "The released program's polynomials give the depth h1(ε) of the critical arch's lowest "
+        "(released program) Its polynomials give the depth h1(ε) of the critical arch's lowest "
         "point and the depth h2(ε) of the snapped arch's middle",
         verdict(largest(converged) < FIT_PERCENT, largest(own) < OWN_MESH_PERCENT),
         f"against the converged arch h1 is off by {span(converged['h1'])} % (with the factor of "
         f"{factor:g} that the program adds, the clamps stand up to {gaps.max():.2g} L too high) "
         f"and h2 by {span(converged['h2'])} %. On the program's own mesh, whose clamps are two "
-        f"fixed nodes, h1 is off by {span(own['h1'])} %: its error is that of the clamps. That of "
-        f"h2 is not ({span(own['h2'])} % there): any quadratic is off by "
-        f"{left_by_quadratics(own_mesh, 'h2'):.2g} %, and a mismatch of "
-        f"{lagging[0]['delta_alpha_rad']:g} rad would make up for the rest "
-        f"({span(tilted['h2'])} %), but put h1 off by {span(tilted['h1'])} %, so that the cause "
-        "is open",
+        f"fixed nodes, h1 is off by {span(own['h1'])} % and h2 by {span(own['h2'])} % (the best "
+        f"quadratic through h2 by {left_by_quadratics(own_mesh, 'h2'):.2g} %); there, with a "
+        f"mismatch of {lagging[0]['delta_alpha_rad']:g} rad, h1 by {span(tilted['h1'])} % and h2 "
+        f"by {span(tilted['h2'])} %. The cause of what h2 is off by is open",
         accuracy,
         COMMAND,
     )

@@ -6,16 +6,18 @@ from pathlib import Path
 
 import numpy as np
 
+from experiments.paper.snap_settings import RATE_RAD_S
 from experiments.paper.snaps.judge import SET_BY_HAND_RAD, VISIBLE_RAD
+from experiments.paper.snaps.setting import EPSILON
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
 from snapjump.studies.base import Row
 
 STYLES = {
     ("standard", 200.0): (palette.SKY, "-", "^"),
-    ("standard", 20.0): (palette.BEAM, "-", "o"),
-    ("undamped", 20.0): (palette.CENTRE, "--", "D"),
-    ("paper", 20.0): (palette.FORCE, ":", "s"),
+    ("standard", RATE_RAD_S): (palette.BEAM, "-", "o"),
+    ("undamped", RATE_RAD_S): (palette.CENTRE, "--", "D"),
+    ("paper", RATE_RAD_S): (palette.FORCE, ":", "s"),
     ("standard", 2.0): (palette.PLUM, "-", "v"),
     ("standard", 0.2): (palette.CLAMP, "-", "P"),
 }
@@ -25,7 +27,7 @@ LOWEST = 1e-15  # rad: what is below is drawn there
 
 def draw_imperfections(tiny: Mapping[tuple[str, float], Sequence[Row]], path: Path) -> None:
     """Largest tilt against mismatch, both logarithmic."""
-    title = "How small a mismatch makes the snap asymmetric (ε = 0.1)"
+    title = f"How small a mismatch makes the snap asymmetric (ε = {EPSILON:g})"
     with picture(path, (10.0, 5.6), title) as figure:
         axes = figure.add_axes((0.09, 0.12, 0.62, 0.77))
         for key, (colour, line, mark) in STYLES.items():

@@ -5,6 +5,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from experiments.paper.snap_settings import RATE_RAD_S
+from experiments.paper.snaps.setting import EPSILON
 from experiments.paper.statement import Statement, verdict
 from snapjump.studies.base import Row
 
@@ -69,13 +71,13 @@ def symmetry_statement(
     return Statement(
         "With equal clamps the beam snaps symmetrically, with a mismatch asymmetrically",
         symmetry_verdict(equal, mismatched, list(limits.values())),
-        f"At 20 rad/s and ε = 0.1 the midpoint tilts by {equal:.1g} rad with equal clamps and by "
-        f"{mismatched:.3f} rad ({math.degrees(mismatched):.0f}°) at Δα = {lag:g} rad ({others}); "
-        f"it crosses the clamps' line at α = {symmetric['alpha_snap_rad']:.3f} and "
-        f"{tilted['alpha_snap_rad']:.3f} rad, and the snap takes "
-        f"{symmetric['snap_duration_ms']:.1f} and {tilted['snap_duration_ms']:.1f} ms. But "
-        "the arch always becomes unstable asymmetrically first; it snaps symmetrically only if its "
-        f"clamps are nearly equal and turn fast. A tilt of one degree takes {told}",
+        f"At {RATE_RAD_S:g} rad/s and ε = {EPSILON:g} the midpoint tilts by {equal:.1g} rad with "
+        f"equal clamps and by {mismatched:.3f} rad ({math.degrees(mismatched):.0f}°) at "
+        f"Δα = {lag:g} rad ({others}); it crosses the clamps' line at "
+        f"α = {symmetric['alpha_snap_rad']:.3f} and {tilted['alpha_snap_rad']:.3f} rad, and "
+        f"the snap takes {symmetric['snap_duration_ms']:.1f} and {tilted['snap_duration_ms']:.1f} "
+        "ms. How nearly equal the clamps have to be depends on how fast they turn: a tilt of "
+        f"{math.degrees(VISIBLE_RAD):g}° takes {told}",
         accuracy(motions, lag),
         COMMAND,
     )

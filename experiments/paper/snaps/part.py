@@ -9,9 +9,10 @@ from experiments.paper.snaps.agreement import agreement, exact_snaps, largest_pe
 from experiments.paper.snaps.compute import imperfection_rows, motion_rows
 from experiments.paper.snaps.judge import symmetric_until, symmetry_statement, tilt
 from experiments.paper.snaps.section import TITLE, make_section
-from snapjump.studies.base import OK, Cell, Done, Row, Section
+from experiments.paper.snaps.setting import EPSILON, MISMATCH
+from experiments.paper.unfinished import unfinished
+from snapjump.studies.base import Cell, Done, Row
 
-EPSILON, MISMATCH = 0.1, 0.1  # the paper's
 IMPERFECTIONS = (0.0, *(10.0**k for k in range(-8, 0)))  # rad
 TINY = (  # setting, rate in rad/s
     ("standard", 200.0),
@@ -52,8 +53,9 @@ class Snaps(Part):
 
     def conclude(self, done: Mapping[str, Done]) -> Found:
         """One statement; none if a cell failed."""
-        if any(one.status != OK for one in done.values()):
-            return Found(Section(TITLE, ["Not judged: some snaps could not be simulated."]), [])
+        missing = unfinished(TITLE, done)
+        if missing:
+            return missing
         motions = {name: done[motion_name(name)].rows for name in SETTINGS}
         numbers = {
             name: [row for row in rows if row["kind"] == "outcome"]

@@ -1,5 +1,6 @@
 """The section on snaps: text, figures, tables."""
 
+import math
 from collections.abc import Mapping, Sequence
 from functools import partial
 
@@ -7,7 +8,8 @@ from experiments.paper.snap_settings import RATE_RAD_S
 from experiments.paper.snaps.agreement import largest_percent
 from experiments.paper.snaps.figure import draw_snaps
 from experiments.paper.snaps.imperfections_figure import draw_imperfections
-from experiments.paper.snaps.judge import symmetric_until
+from experiments.paper.snaps.judge import VISIBLE_RAD, symmetric_until
+from experiments.paper.snaps.setting import EPSILON
 from snapjump.studies.base import Figure, Row, Section, Table
 
 TITLE = "Symmetric and asymmetric snaps"
@@ -34,11 +36,11 @@ def make_section(
     return Section(
         TITLE,
         [
-            "The beam alone in a frame that is held still, without gravity or ground, at ε = 0.1; "
-            f"both clamps turn at {RATE_RAD_S:g} rad/s from flat. The tilt is the tangent angle "
-            "at the midpoint; θ_max is the largest one of the snap, which ends where the midpoint "
-            "first comes to rest below the clamps (`theta_later_rad`: with the vibration after "
-            "that, which without damping goes on and whose details are chaotic).",
+            "The beam alone in a frame that is held still, without gravity or ground, at "
+            f"ε = {EPSILON:g}; both clamps turn at {RATE_RAD_S:g} rad/s from flat. The tilt is the "
+            "tangent angle at the midpoint; θ_max is the largest one of the snap, which ends "
+            "where the midpoint first comes to rest below the clamps (`theta_later_rad`: with the "
+            "vibration after that, which without damping goes on and whose details are chaotic).",
             "Without damping, the snaps are those of an independent solution within "
             f"{largest_percent(against, 'undamped reference'):.1g} %; that solution's own "
             f"uncertainty is {largest_percent(against, 'own'):.1g} %.",
@@ -75,7 +77,8 @@ def make_section(
                 "Differences from the independent solution, which has no damping (%)", against
             ),
             "snap_limits": Table(
-                "Mismatch that tilts the midpoint by one degree, and tilt with equal clamps",
+                f"Mismatch that tilts the midpoint by {math.degrees(VISIBLE_RAD):g}°, and tilt "
+                "with equal clamps",
                 [
                     {
                         "setting": name,

@@ -23,6 +23,7 @@ from experiments.paper.asymmetry.section import make_section
 from experiments.paper.snap_settings import snap_groups
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.composition import with_tier
+from snapjump.studies.base import FAILED, Done
 
 BASE = described(with_tier("standard"))
 GOOD = Saturation(
@@ -110,6 +111,13 @@ def test_mismatches_are_shared_among_settings() -> None:
     for setting in SWEEPS:
         assert len({*mismatches(setting)} & {*mismatches("standard")}) >= 9
     assert len(Asymmetry().plan(BASE, 0)) == len(SWEEPS) * len(EPSILONS)
+
+
+def test_a_cell_that_failed_leaves_no_verdict() -> None:
+    cell = Asymmetry().plan(BASE, 0)[0]
+    found = Asymmetry().conclude({cell.name: Done(cell, FAILED, "it broke", [], "", "", "")})
+    assert not found.statements
+    assert f"{cell.name} ({FAILED}: it broke)" in found.section.paragraphs[0]
 
 
 def test_a_sweep_saturates() -> None:

@@ -2,6 +2,7 @@
 
 import copy
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +13,13 @@ from experiments.compositions import changed, composed, described
 from experiments.paper import exact
 from experiments.paper.bifurcation import compare, judge
 from experiments.paper.bifurcation.compute import branch_rows, compared_rows, shape_rows
+from experiments.paper.bifurcation.landmarks import symmetric_fold, turned_back
 from experiments.paper.bifurcation.part import TIERS, Bifurcation
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.composition import with_tier
-from snapjump.statics.critical import find_snap
+from snapjump.statics.arch import StaticArch
+from snapjump.statics.branch import Branch, Point
+from snapjump.statics.critical import find_snap, start_point
 from snapjump.studies.base import Cell, Done
 
 COARSE = changed(described(with_tier("standard")), {"discretization": {"elements": 32}})
@@ -68,6 +72,21 @@ def test_landmarks_on_a_coarse_mesh(landmarks: Rows) -> None:
     assert 0.1 < compare.overall(landmarks, compare.STRETCHES)[0] < 2.0
 
 
+def test_a_branch_that_is_lost_is_named() -> None:
+    simulation = composed(COARSE)
+    arch = StaticArch(simulation.robot, simulation.discretization, EPSILON)
+
+    class Lost(Branch):
+        def follow(self, point: Point, length: float) -> Iterator[Point]:
+            return iter(())
+
+    with pytest.raises(ArithmeticError, match="upper branch is lost at 0 rad"):
+        symmetric_fold(Lost(arch, 0.0))
+    snapped = arch.equilibrium(start_point(Branch(arch, 0.0), False).state, 0.0, 0.0)
+    with pytest.raises(ArithmeticError, match="snapped arch's branch is lost at 0 rad"):
+        turned_back(Lost(arch, 0.0), snapped)
+
+
 def test_a_row_of_exact_numbers_differs_in_nothing() -> None:
     rows = [{"epsilon": e, **compare.exact_row(e)} for e in exact.COMPARED]
     for beam in (compare.STRETCHES, compare.RIGID):
@@ -117,7 +136,8 @@ def test_angles_that_do_not_grow(landmarks: Rows) -> None:
 def test_the_fold_may_come_first_in_made_up_arches(landmarks: Rows) -> None:
     exactly = [{**row, **compare.exact_row(row["epsilon"])} for row in landmarks]
     tiers = dict.fromkeys(("standard", "reference", "paper"), exactly)
-    assert judge.fold_statement(exactly, tiers).verdict == NOT_CONFIRMED
+    first = judge.fold_statement(exactly, tiers)
+    assert first.verdict == NOT_CONFIRMED and "at 3 of 3 pre-compressions" in first.found
     folding = copy.deepcopy(exactly)
     folding[0]["alpha_fold_rad"] = folding[0]["alpha_critical_rad"]
     # The error of exact angles is none; what comes at the same angle counts as the fold even so.
@@ -125,7 +145,8 @@ def test_the_fold_may_come_first_in_made_up_arches(landmarks: Rows) -> None:
     assert judge.fold_statement(folding, {**tiers, "standard": coarse}).verdict == LIMITED
     for row in folding:
         row["alpha_fold_rad"] = row["alpha_critical_rad"]
-    assert judge.fold_statement(folding, {**tiers, "standard": coarse}).verdict == CONFIRMED
+    last = judge.fold_statement(folding, {**tiers, "standard": coarse})
+    assert last.verdict == CONFIRMED and "at 0 of 3 pre-compressions" in last.found
 
 
 def finished(name: str, rows: Rows, status: str = "ok") -> Done:

@@ -59,6 +59,25 @@ def test_millimetres_or_not() -> None:
     assert verdict(None, 6.0) == NOT_CONFIRMED
 
 
+def test_each_method_has_to_hold() -> None:
+    good = [row(0.1)] * 3
+    wide = [row(5.0)] * 3  # together with good ones 2.6 mm in the mean
+
+    def of(adam: Any, gauss_newton: Any) -> str:
+        methods = {"adam": adam, "gauss_newton": gauss_newton, "physics": good}
+        return judge.millimetres(methods).verdict
+
+    assert of(good, good) == CONFIRMED
+    assert of(good, wide) == of(wide, good) == NOT_CONFIRMED
+    assert of(good, [*good, row(None)]) == LIMITED
+
+
+def test_the_accuracy_is_how_far_the_tiers_are_apart() -> None:
+    rows = [{**row(0.5), "miss_reference_mm": 0.8, "miss_paper_mm": 7.5}, row(0.2), row(None)]
+    told = judge.millimetres(dict.fromkeys(METHODS, rows)).accuracy
+    assert "at `reference` differ by up to 0.3 mm" in told and "at `paper` by up to 7 mm" in told
+
+
 def test_two_robots_share_a_target() -> None:
     targets = [(case.x_bar, case.y_bar) for case in MANY_ROBOTS]
     assert len(targets) - len(set(targets)) == 1

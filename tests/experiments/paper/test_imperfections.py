@@ -52,7 +52,8 @@ def test_in_proportion_or_not() -> None:
     assert verdict(0.5, 0.1) == CONFIRMED
     assert verdict(1.0, 0.1) == CONFIRMED
     assert verdict(-1.0, 0.1) == LIMITED  # 25 % by 20 % less
-    assert verdict(0.5, 0.4) == LIMITED  # but not elsewhere
+    assert verdict(0.5, 0.39) == LIMITED  # but not elsewhere
+    assert verdict(0.5, 0.41) == NOT_CONFIRMED  # where errors are magnified more than twofold
     assert verdict(2.0, 0.1) == NOT_CONFIRMED
 
 

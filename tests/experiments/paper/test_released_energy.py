@@ -89,6 +89,7 @@ def test_energy_that_is_more_or_less_linear() -> None:
 
     assert [verdict(c) for c in (1.0, 30.0, 200.0)] == [CONFIRMED, LIMITED, NOT_CONFIRMED]
     assert "80 ε" in judge.energy_statement(bent(0.0), own, "").found
+    assert "by -" in judge.energy_statement(bent(-200.0), own, "").found
 
 
 def test_polynomials_that_hold_for_an_arch_or_for_a_mesh() -> None:

@@ -24,6 +24,7 @@ from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.swing import follow, outcome
 from snapjump.composition import with_tier
 from snapjump.simulation import simulate
+from snapjump.studies.base import FAILED, Done
 
 BASE = described(with_tier("standard"))
 
@@ -103,6 +104,13 @@ def test_the_statement_tells_the_limit(undamped: list[dict[str, Any]]) -> None:
     told = symmetry_statement(numbers, rates, 0.1)
     assert told.verdict == LIMITED
     assert "0.2 rad/s (0.59 rad from rounding)" in told.found and "2.9e-05 rad at 20" in told.found
+
+
+def test_a_cell_that_failed_leaves_no_verdict() -> None:
+    cell = Snaps().plan(BASE, 0)[0]
+    found = Snaps().conclude({cell.name: Done(cell, FAILED, "it broke", [], "", "", "")})
+    assert not found.statements
+    assert f"{cell.name} ({FAILED}: it broke)" in found.section.paragraphs[0]
 
 
 def test_the_plan() -> None:
