@@ -100,11 +100,11 @@ class Causes(Part):
             ),
         ]
         lost = [incomplete(name, one) for name, one in done.items() if failed(one.rows)]
-        told = [f"Failed jumps count as infinitely far: {'; '.join(lost)}."] if lost else []
+        texts = paragraphs(moved, apart)
+        if lost:
+            texts.append(f"Failed jumps count as infinitely far: {'; '.join(lost)}.")
         return Found(
-            Section(
-                TITLE, [*paragraphs(moved, apart), *told], figures, tables(moved, by_step, rows)
-            ),
+            Section(TITLE, texts, figures, tables(moved, by_step, rows)),
             statements,
             summary(apart, ladder[STIFFNESSES[0]], by_step[STEPS_S[0]]),
         )

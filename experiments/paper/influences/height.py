@@ -83,11 +83,11 @@ def stop_verdict(found: Height, h2: float) -> str:
 
 
 def plateau_limit(found: Height) -> str:
-    """What a limited verdict on the plateau is limited to, as a sentence's beginning."""
+    """What a limited verdict on the plateau is limited to, in front of what is found."""
     if plateau_verdict(found) != LIMITED:
         return ""
     whole = found.x_range <= ROUGHLY_CONSTANT
-    return f"{'About so' if whole else 'In y_c only'}, to within {percent(ROUGHLY_CONSTANT)}: "
+    return f"{'About so' if whole else 'In y_c only'}, to within {percent(ROUGHLY_CONSTANT)}. "
 
 
 def kept(found: Height) -> str:
@@ -143,9 +143,9 @@ def height_statements(
             "From h2 on, the depth of the snapped arch, the robot does not jump.",
             stop_verdict(own, h2),
             f"Here h2 = {h2:.4f} L, the lowest point; the middle of the arch is {middle:.4f} L "
-            f"deep. The last jump of more than {JUMP:g} L is at h = {own.last_jump:.4f} L (the paper's "
-            f"settings: {papers.last_jump:.4f} L); from h2 on the centre of mass rises by at most "
-            f"{own.rise_beyond:.1g} L, though the barrier begins {BARRIER:g} L above the ground.",
+            f"deep. The last jump of more than {JUMP:g} L is at h = {own.last_jump:.4f} L (the "
+            f"paper's settings: {papers.last_jump:.4f} L); from h2 on the centre of mass rises by "
+            f"at most {own.rise_beyond:.1g} L, though the barrier begins {BARRIER:g} L above the ground.",
             accuracy,
             COMMAND,
         ),

@@ -63,7 +63,7 @@ def shares(rows: Sequence[Row]) -> str:
         "rise": "becomes height above where the robot stands",
         "friction": "goes to friction",
         "damping": "to the material's damping",
-        "numerical": "to the integrator's",
+        "numerical": "to the integrator",
         "turning": "to turning and vibration",
     }
     told = ", ".join(

@@ -55,15 +55,15 @@ def levels_off(*found: Plateau) -> str:
 
 
 def limit_of_level(came: str, found: Mapping[str, Plateau]) -> str:
-    """What a limited verdict of :func:`levels_off` is limited to, as a sentence's beginning.
+    """What a limited verdict of :func:`levels_off` is limited to, in front of what is found.
 
     found: the curves by their symbols."""
     if came != LIMITED:
         return ""
     kept = [name for name, one in found.items() if one.relative_swing <= ROUGHLY_FLAT]
-    swing = max(found[name].relative_swing for name in kept)
-    only = " only" if len(kept) < len(found) else ""
-    return f"In {' and '.join(kept)}{only}, to within {percent(swing)} from lowest to highest: "
+    if len(kept) < len(found):
+        return f"In {' and '.join(kept)} only. "
+    return f"To within {percent(max(found[name].relative_swing for name in kept))}. "
 
 
 def independent(values: Array) -> str:

@@ -69,12 +69,12 @@ def tuned(found: Slant, most_lean_deg: float) -> str:
 
 
 def limit(came: str, most_lean_deg: float) -> str:
-    """What a limited verdict is limited to, as a sentence's beginning."""
+    """What a limited verdict is limited to, in front of what is found."""
     if came != LIMITED:
         return ""
     if most_lean_deg < OBLIQUE_DEG:
-        return "Oblique, not near horizontal: "
-    return "Not throughout: "
+        return "Oblique, not near horizontal. "
+    return "Not throughout. "
 
 
 def trajectory_statement(
@@ -102,11 +102,7 @@ def trajectory_statement(
         f"{spread[most]['delta_alpha_rad']:.2g} rad, ε {spread[most]['epsilon']:.2g}, "
         f"m̄ {spread[most]['mass_bar']:.2g}, μ {spread[most]['mu']:.2g}"
         + (f"; {len(lost)} failed)" if lost else ")")
-        + (
-            ": oblique, and far from horizontal, since friction is all that drives it sideways."
-            if steepest < OBLIQUE_DEG
-            else "."
-        )
+        + (": friction is all that drives it sideways." if steepest < OBLIQUE_DEG else ".")
     )
     reference = sweeps["reference"]
     off = [

@@ -93,8 +93,8 @@ def test_rules() -> None:
     storm = plateau(v, level + 0.05 * np.sin(60.0 * v))
     assert rules.levels_off(waves) == rules.levels_off(waves, storm) == LIMITED
     assert rules.levels_off(storm) == NOT_CONFIRMED
-    assert rules.limit_of_level(LIMITED, {"x_c": storm, "y_c": waves}).startswith("In y_c only,")
-    assert rules.limit_of_level(LIMITED, {"x_c": waves}).startswith("In x_c, to within")
+    assert rules.limit_of_level(LIMITED, {"x_c": storm, "y_c": waves}).startswith("In y_c only.")
+    assert rules.limit_of_level(LIMITED, {"x_c": waves}).startswith("To within")
     assert rules.limit_of_level(CONFIRMED, {"x_c": waves}) == ""
     assert rules.levels_off(plateau(v, level + 0.5 * v)) == NOT_CONFIRMED
     assert rules.power(v[1:], 3.0 * v[1:] ** -0.7) == pytest.approx(-0.7)
@@ -128,6 +128,17 @@ def test_sweeps_are_of_the_jumps_they_name() -> None:
     standing = rows_of({"groups": COARSE, "kind": MOUNT_HEIGHT, "values": [0.1, 0.4]})
     assert standing[0]["y_bar"] > 5.0 > 0.5 > standing[1]["y_bar"] > 0.3
     assert furthest([row], [{**row, "x_bar": row["x_bar"] + 0.5}], "x_bar", "mu") == 0.5
+
+
+def test_energies_are_those_of_the_jump_they_name() -> None:
+    row = rows_of({"groups": COARSE, "kind": "energies", "values": [1.0]})[0]
+    jump = rows_of({"groups": COARSE, "kind": "mass_bar", "values": [1.0]})[0]
+    standing = rows_of({"groups": COARSE, "kind": MOUNT_HEIGHT, "values": [0.4]})[0]["y_bar"]
+    # A robot of lower mounts stands a little lower.
+    rise = row["rise_share"] * row["energy_released_bar"]
+    assert rise == pytest.approx(jump["y_bar"] - standing, abs=0.1)
+    told = sum(value for key, value in row.items() if key.endswith("_share"))
+    assert 0.9 < told < 1.15
 
 
 def test_report(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
