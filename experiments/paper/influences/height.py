@@ -145,7 +145,8 @@ def height_statements(
             f"Here h2 = {h2:.4f} L, the lowest point; the middle of the arch is {middle:.4f} L "
             f"deep. The last jump of more than {JUMP:g} L is at h = {own.last_jump:.4f} L (the "
             f"paper's settings: {papers.last_jump:.4f} L); from h2 on the centre of mass rises by "
-            f"at most {own.rise_beyond:.1g} L, though the barrier begins {BARRIER:g} L above the ground.",
+            f"at most {own.rise_beyond:.1g} L, though the barrier begins {BARRIER:g} L above "
+            "the ground.",
             accuracy,
             COMMAND,
         ),
