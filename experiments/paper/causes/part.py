@@ -30,7 +30,8 @@ from experiments.paper.causes.judge import (
 from experiments.paper.causes.shifts import Shift, shift
 from experiments.paper.causes.tables import tables
 from experiments.paper.causes.texts import TITLE, paragraphs
-from experiments.paper.unfinished import unfinished
+from experiments.paper.failures import failed
+from experiments.paper.unfinished import incomplete, unfinished
 from snapjump.studies.base import Cell, Done, Figure, Row, Section
 
 
@@ -62,6 +63,8 @@ class Causes(Part):
         }
         apart = shift(rows[PAPER], rows[REFERENCE])
         ladder = {ratio: shift(rows[frame(ratio)], rows[RIGID]) for ratio in STIFFNESSES}
+        soft = rows[frame(STIFFNESSES[0])]
+        off = shift(soft, rows[exchange(REFERENCE, FRAME)])
         limit = rows[step(STEPS_S[-1])]
         by_step = {STEPS_S[0]: shift(rows[PAPER], limit)} | {
             s: shift(rows[step(s)], limit) for s in STEPS_S[1:-1]
@@ -78,17 +81,30 @@ class Causes(Part):
                 moved[PAPER, FRAME],
                 ladder,
                 (BASELINE[1], rows[STARTS][0]["epsilon_left"]),
-                f"`standard` and the paper's settings, {DESIGNS} designs",
+                (len(failed(soft)), len(soft)),
+                f"`standard`, {DESIGNS} designs, against `reference` within {off.x_median:.1g} % "
+                f"in x and {off.y_median:.1g} % in y in the median, {off.x_p95:.1g} and "
+                f"{off.y_p95:.1g} % in 95 % of them; the paper's settings",
             ),
-            step_statement(by_step, STEPS_S[-1], f"the paper's settings, {DESIGNS} designs"),
+            step_statement(
+                by_step,
+                STEPS_S[-1],
+                f"the paper's settings, {DESIGNS} designs; the two smallest steps are "
+                f"{by_step[STEPS_S[-2]].x_median:.2g} % apart in x and "
+                f"{by_step[STEPS_S[-2]].y_median:.2g} % in y",
+            ),
             stability_statement(
                 rows[many(STEPS_S[0])],
                 {s: rows[many(s)] for s in LONG_STEPS_S},
                 groups[PAPER]["contact"]["distance_m"],
             ),
         ]
+        lost = [incomplete(name, one) for name, one in done.items() if failed(one.rows)]
+        texts = paragraphs(moved, apart)
+        if lost:
+            texts.append(f"Failed jumps count as infinitely far: {'; '.join(lost)}.")
         return Found(
-            Section(TITLE, paragraphs(moved, apart), figures, tables(moved, by_step, rows)),
+            Section(TITLE, texts, figures, tables(moved, by_step, rows)),
             statements,
             summary(apart, ladder[STIFFNESSES[0]], by_step[STEPS_S[0]]),
         )

@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 
 from experiments.paper.causes.cells import LONG_STEPS_S, STEPS_S, many
 from experiments.paper.causes.choices import PAPER, REFERENCE
-from experiments.paper.causes.judge import failures
 from experiments.paper.causes.shifts import Shift
+from experiments.paper.failures import failed
 from experiments.paper.jumps import numbers
 from snapjump.studies.base import Row, Table
 
@@ -39,7 +39,7 @@ def tables(
         {
             "step_s": step_s,
             "jumps": len(jumps),
-            "failed": failures(jumps),
+            "failed": len(failed(jumps)),
             "smallest_gap_mm": float(1e3 * numbers(jumps, "min_gap_m").min()),
         }
         for step_s, jumps in found.items()

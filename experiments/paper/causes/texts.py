@@ -22,11 +22,11 @@ def paragraphs(moved: Moved, apart: Shift) -> list[str]:
         "frame; the paper's own is elastic, which comes on top.",
         f"The paper's settings are {apart.x_median:.2g} % off in x_c and {apart.y_median:.2g} % in "
         f"y_c in the median (at most {apart.x_p95:.2g} and {apart.y_p95:.2g} % in 95 % of them). "
-        f"They throw the robot too high, by {apart.y_signed:.2g} %, because nothing in the "
-        f"material damps: without damping the converged y_c rises by "
-        f"{moved[REFERENCE, DAMPING].y_signed:.2g} %, and with it the paper's falls by "
-        f"{-moved[PAPER, DAMPING].y_signed:.2g} %. The paper's implicit Euler at 1e-5 s does not "
-        f"stand in for that: put into the converged settings it moves y_c by "
+        f"Their y_c is {apart.y_signed:+.2g} % from the converged one in the median. Without "
+        f"material damping the converged y_c moves by "
+        f"{moved[REFERENCE, DAMPING].y_signed:+.2g} %, and with it the paper's by "
+        f"{moved[PAPER, DAMPING].y_signed:+.2g} %; the paper's implicit Euler at 1e-5 s, which "
+        f"damps what oscillates, moves the converged y_c by "
         f"{moved[REFERENCE, EULER].y_signed:+.2g} %. {most(moved)}",
         noise(moved),
     ]

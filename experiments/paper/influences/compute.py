@@ -7,6 +7,7 @@ from typing import Any
 from experiments.compositions import composed
 from experiments.paper.baseline import BASELINE, NAMES
 from experiments.paper.influences.contact import pressed_row, sliding_row
+from experiments.paper.influences.energy import energy_row
 from experiments.paper.influences.sweeps import MOUNT_HEIGHT
 from experiments.paper.jumps import LANES, THREADS, batch_rows, jump_rows
 from snapjump.batch import simulate_batch, variant
@@ -27,6 +28,9 @@ def rows_of(inputs: Mapping[str, Any]) -> list[Row]:
         return [statics_row(base)]
     if kind == "sliding":
         return [{"mu": mu, **sliding_row(variant(base, (*BASELINE[:3], mu)))} for mu in values]
+    if kind == "energies":
+        masses = [variant(base, (*BASELINE[:2], m, BASELINE[3])) for m in values]
+        return [{"mass_bar": m, **energy_row(one)} for m, one in zip(values, masses, strict=True)]
     if kind == "pressed":
         return [{MOUNT_HEIGHT: h, **pressed_row(mounted(base, h))} for h in values]
     if kind == MOUNT_HEIGHT:

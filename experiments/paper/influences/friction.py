@@ -9,6 +9,7 @@ from experiments.paper.influences.rules import (
     columns,
     independent,
     levels_off,
+    limit_of_level,
     percent,
     relative_range,
 )
@@ -43,7 +44,8 @@ def friction_statements(sweeps: Sweeps, sliding: Sequence[Row], accuracy: str) -
         Statement(
             "x_c grows with μ up to a threshold, and no more beyond.",
             levels_off(own),
-            f"x_c grows in proportion to μ, by {own.slope_before:.0f} L, up to μ = "
+            limit_of_level(levels_off(own), {"x_c": own})
+            + f"x_c grows in proportion to μ, by {own.slope_before:.0f} L, up to μ = "
             f"{own.threshold:.2g}, then stays within {percent(own.relative_swing)} from lowest "
             f"to highest about {own.level:.2g} L up to {last:g} (the paper's settings: "
             f"{papers.threshold:.2g}, {percent(papers.relative_swing)}). "

@@ -8,7 +8,7 @@ import numpy as np
 from experiments.paper.influences.rules import COMMAND, percent
 from experiments.paper.influences.sweeps import MOUNT_HEIGHT
 from experiments.paper.jumps import numbers
-from experiments.paper.statement import Statement, verdict
+from experiments.paper.statement import LIMITED, Statement, verdict
 from experiments.paper.trends import counter_step
 from snapjump.studies.base import Row
 
@@ -30,8 +30,8 @@ class Height:
 
     x_range, y_range: largest deviation below h1 from the apex at h1 (share); close_from: the
     lowest h from which on both stay within ROUGHLY_CONSTANT up to h1; x_back, y_back: ways back
-    between h1 and h2; last_jump: the highest h with a jump; rise_beyond: the largest rise (L) of
-    the centre of mass from h2 on.
+    between h1 and h2; last_jump: the highest h with a jump, NaN without any; rise_beyond: the
+    largest rise (L) of the centre of mass from h2 on.
     """
 
     x_range: float
@@ -52,13 +52,14 @@ def height(rows: Sequence[Row], h1: float, h2: float) -> Height:
     x_off, y_off = np.abs(x / x1 - 1.0), np.abs(y / y1 - 1.0)
     far = np.flatnonzero(below & (np.maximum(x_off, y_off) > ROUGHLY_CONSTANT))
     rise = y - y.min()
+    jumps = h[rise > JUMP]
     return Height(
         float(x_off[below].max()),
         float(y_off[below].max()),
         float(h[far[-1] + 1] if len(far) else h[0]),
         counter_step(x[between], rising=False),
         counter_step(y[between], rising=False),
-        float(h[rise > JUMP].max()),
+        float(jumps.max()) if len(jumps) else float("nan"),
         float(rise[beyond].max()),
     )
 
@@ -76,8 +77,24 @@ def decline_verdict(found: Height) -> str:
 
 
 def stop_verdict(found: Height, h2: float) -> str:
-    """No jump from h2 on; or from within the barrier's reach beyond it."""
-    return verdict(found.rise_beyond <= JUMP, found.last_jump <= h2 + BARRIER)
+    """Jumps, but none from h2 on; or none from within the barrier's reach beyond it."""
+    jumps = not np.isnan(found.last_jump)
+    return verdict(jumps and found.rise_beyond <= JUMP, jumps and found.last_jump <= h2 + BARRIER)
+
+
+def plateau_limit(found: Height) -> str:
+    """What a limited verdict on the plateau is limited to, in front of what is found."""
+    if plateau_verdict(found) != LIMITED:
+        return ""
+    whole = found.x_range <= ROUGHLY_CONSTANT
+    return f"{'About so' if whole else 'In y_c only'}, to within {percent(ROUGHLY_CONSTANT)}. "
+
+
+def kept(found: Height) -> str:
+    """What remains below h1 and what does not."""
+    if found.x_range > ROUGHLY_CONSTANT >= found.y_range:
+        return ": the height remains, the direction changes"
+    return ""
 
 
 def height_statements(
@@ -100,15 +117,16 @@ def height_statements(
         Statement(
             "For mounts no higher than h1 the apex does not depend on their height h.",
             plateau_verdict(own),
-            f"h1 = {h1:.3f} L. From h = {sweeps['standard'][0][MOUNT_HEIGHT]:g} L to h1, y_c "
-            f"stays within {percent(own.y_range)} of its value at h1, x_c only within "
-            f"{percent(own.x_range)}; both within {percent(ROUGHLY_CONSTANT)} from "
-            f"{own.close_from:.3f} L on (the paper's settings: {percent(papers.y_range)}, "
-            f"{percent(papers.x_range)}, from {papers.close_from:.3f} L). The beam then touches "
+            f"{plateau_limit(own)}h1 = {h1:.3f} L. From h = "
+            f"{sweeps['standard'][0][MOUNT_HEIGHT]:g} L to h1, y_c stays within "
+            f"{percent(own.y_range)} of its value at h1, x_c within {percent(own.x_range)}; both "
+            f"within {percent(ROUGHLY_CONSTANT)} from {own.close_from:.3f} L on (the paper's "
+            f"settings: {percent(papers.y_range)}, {percent(papers.x_range)}, from "
+            f"{papers.close_from:.3f} L). The beam then touches "
             "the ground before it snaps, the clamps press it down until it bears "
             f"{min(loads):.0f} to {max(loads):.0f} times the robot's weight and lifts the feet, "
             f"and it snaps at {min(angles):.2f} to {max(angles):.2f} rad instead of "
-            f"{still['alpha_critical_rad']:.2f}: energy and height remain, the direction changes.",
+            f"{still['alpha_critical_rad']:.2f}{kept(own)}.",
             accuracy,
             COMMAND,
         ),
@@ -124,10 +142,11 @@ def height_statements(
         Statement(
             "From h2 on, the depth of the snapped arch, the robot does not jump.",
             stop_verdict(own, h2),
-            f"h2 = {h2:.4f} L, the middle of the arch ({middle:.4f} L) being its lowest point. "
-            f"The last jump of more than {JUMP:g} L is at h = {own.last_jump:.4f} L (the paper's "
-            f"settings: {papers.last_jump:.4f} L); from h2 on the centre of mass rises by at most "
-            f"{own.rise_beyond:.1g} L, though the barrier begins {BARRIER:g} L above the ground.",
+            f"Here h2 = {h2:.4f} L, the lowest point; the middle of the arch is {middle:.4f} L "
+            f"deep. The last jump of more than {JUMP:g} L is at h = {own.last_jump:.4f} L (the "
+            f"paper's settings: {papers.last_jump:.4f} L); from h2 on the centre of mass rises by "
+            f"at most {own.rise_beyond:.1g} L, though the barrier begins {BARRIER:g} L above "
+            "the ground.",
             accuracy,
             COMMAND,
         ),

@@ -7,6 +7,7 @@ from experiments.paper.influences.rules import (
     Sweeps,
     columns,
     levels_off,
+    limit_of_level,
     one_way,
     percent,
 )
@@ -38,8 +39,8 @@ def mismatch_statements(sweeps: Sweeps, accuracy: str) -> list[Statement]:
         Statement(
             "A larger mismatch Δα raises x_c and lowers y_c, up to a threshold.",
             verdicts["standard"][0],
-            f"x_c rises by {in_x.slope_before:.0f} L/rad up to {in_x.threshold:.2g} rad and y_c "
-            f"falls by {-in_y.slope_before:.0f} L/rad up to {in_y.threshold:.2g} rad; the "
+            f"The apex's x_c rises by {in_x.slope_before:.0f} L/rad up to {in_x.threshold:.2g} rad "
+            f"and y_c falls by {-in_y.slope_before:.0f} L/rad up to {in_y.threshold:.2g} rad; the "
             f"largest way back is {percent(back[0])} and {percent(back[1])} of the change (the "
             f"paper's settings: up to {paper_x.threshold:.2g} and {paper_y.threshold:.2g} rad).",
             accuracy,
@@ -48,7 +49,8 @@ def mismatch_statements(sweeps: Sweeps, accuracy: str) -> list[Statement]:
         Statement(
             "Beyond the threshold x_c and y_c are on a plateau.",
             verdicts["standard"][1],
-            f"Up to {v[-1]:g} rad y_c stays within {percent(in_y.relative_swing)} from lowest to "
+            limit_of_level(verdicts["standard"][1], {"x_c": in_x, "y_c": in_y})
+            + f"Up to {v[-1]:g} rad y_c stays within {percent(in_y.relative_swing)} from lowest to "
             f"highest about {in_y.level:.3g} L, x_c within {percent(in_x.relative_swing)} about "
             f"{in_x.level:.2g} L, where it lies between {in_x.level - low:.2g} L below and "
             f"{high - in_x.level:.2g} L above. With the paper's settings the swings are "

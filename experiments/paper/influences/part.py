@@ -16,6 +16,7 @@ from experiments.paper.influences.height_figure import draw_heights
 from experiments.paper.influences.judge import epsilon_statement, mass_statement
 from experiments.paper.influences.mismatch import mismatch_statements
 from experiments.paper.influences.sweeps import (
+    ENERGY_MASSES,
     MOUNT_HEIGHT,
     PRESSED_HEIGHTS,
     SLIDING_MU,
@@ -27,7 +28,8 @@ from experiments.paper.tiers import groups_at
 from experiments.paper.unfinished import unfinished
 from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
 
-STATICS, SLIDING, PRESSED = "statics", "sliding", "pressed"
+STATICS, SLIDING, PRESSED, ENERGIES = "statics", "sliding", "pressed", "energies"
+FOLLOWED = ("standard", "paper")  # tiers at which the energy is followed
 MISMATCH = "delta_alpha_rad"
 # The paper's settings with a shorter step, where that changes what is seen of its plateau.
 SHORT, SHORT_CHANGES = "paper, short step", {"stepping": {"step_s": 1e-6}}
@@ -40,7 +42,7 @@ class Influences(Part):
     sources = ("experiments.paper.influences.compute",)
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
-        """Sweeps and statics by tier; the contact at standard."""
+        """Sweeps and statics by tier; the contact at standard; the energy."""
         at = {tier: groups_at(groups, tier) for tier in TIERS}
 
         def cell(kind: str, tier: str, values: Sequence[float] = ()) -> Cell:
@@ -66,6 +68,7 @@ class Influences(Part):
             *(cell(STATICS, tier) for tier in TIERS),
             cell(SLIDING, "standard", SLIDING_MU),
             cell(PRESSED, "standard", PRESSED_HEIGHTS),
+            *(cell(ENERGIES, tier, ENERGY_MASSES) for tier in FOLLOWED),
         ]
 
     def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
@@ -74,11 +77,12 @@ class Influences(Part):
 
     def conclude(self, done: Mapping[str, Done]) -> Found:
         """Nine statements, from all cells."""
-        missing = unfinished(TITLE, done)
+        missing = unfinished(TITLE, done, jumps=True)
         if missing is not None:
             return missing
         sweeps = {kind: {tier: done[f"{kind}, {tier}"].rows for tier in TIERS} for kind in SWEEPS}
         statics = {tier: done[f"{STATICS}, {tier}"].rows[0] for tier in TIERS}
+        energies = {tier: done[f"{ENERGIES}, {tier}"].rows for tier in FOLLOWED}
         sliding, pressed = (done[f"{kind}, standard"].rows for kind in (SLIDING, PRESSED))
         accuracy = {kind: accuracy_of(kind, rows) for kind, rows in sweeps.items()}
         lagging = {**sweeps[MISMATCH], SHORT: done[f"{MISMATCH}, {SHORT}"].rows}
@@ -106,6 +110,10 @@ class Influences(Part):
                 "Depths of the arch under slow loading, and the energy released",
                 [{"tier": tier, **row} for tier, row in statics.items()],
             ),
+            "influences_energies": Table(
+                "Shares of the energy that the baseline's slow snap releases, by mass",
+                [{"tier": tier, **row} for tier, rows in energies.items() for row in rows],
+            ),
             "influences_pressed": Table("The ground under the beam before it snaps", pressed),
             "influences_sliding": Table("The beam's contact during the strike", sliding),
         }
@@ -114,7 +122,7 @@ class Influences(Part):
             epsilon_statement(sweeps["epsilon"], accuracy["epsilon"]),
             *mismatch_statements(lagging, accuracy[MISMATCH]),
             *friction_statements(sweeps["mu"], sliding, accuracy["mu"]),
-            mass_statement(sweeps["mass_bar"], statics["standard"], accuracy["mass_bar"]),
+            mass_statement(sweeps["mass_bar"], energies, accuracy["mass_bar"]),
         ]
         return Found(Section(TITLE, paragraphs(sweeps), figures, tables), statements)
 

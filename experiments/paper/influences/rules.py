@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from experiments.paper.jumps import numbers
-from experiments.paper.statement import verdict
+from experiments.paper.statement import LIMITED, verdict
 from experiments.paper.trends import Plateau, counter_step
 from snapjump.studies.base import Row
 
@@ -18,6 +18,8 @@ Sweeps = Mapping[str, Sequence[Row]]
 MONOTONE, WAVY = 0.02, 0.1
 # A plateau: its swing as a share of its level; or at least its slope as a share of the ramp's.
 FLAT, LEVELLING = 0.05, 0.2
+# And of one that is about flat: a twentieth of its level either way.
+ROUGHLY_FLAT = 0.1
 # Of a value that does not depend on something: its range as a share of its mean; and about so.
 CONSTANT, ROUGHLY_CONSTANT = 0.02, 0.1
 COMMAND = "task=paper figure=influences"
@@ -38,16 +40,30 @@ def ways_back(rows: Sequence[Row], key: str, x_rises: bool, y_rises: bool) -> tu
 
 def one_way(back: tuple[float, float]) -> str:
     """Both coordinates run one way throughout; or with waves."""
-    return verdict(max(back) <= MONOTONE, max(back) <= WAVY)
+    worst = float(np.max(back))  # NaN whatever the order, where max() is not
+    return verdict(worst <= MONOTONE, worst <= WAVY)
 
 
 def levels_off(*found: Plateau) -> str:
-    """All level off to a constant; or at least to a much smaller slope."""
+    """All level off to a constant; or to a much smaller slope, and one to about a constant."""
     levelling = all(one.levelling <= LEVELLING for one in found)
+    swings = np.array([one.relative_swing for one in found])
     return verdict(
-        levelling and all(one.relative_swing <= FLAT for one in found),
-        levelling,
+        levelling and bool((swings <= FLAT).all()),
+        levelling and bool((swings <= ROUGHLY_FLAT).any()),
     )
+
+
+def limit_of_level(came: str, found: Mapping[str, Plateau]) -> str:
+    """What a limited verdict of :func:`levels_off` is limited to, in front of what is found.
+
+    found: the curves by their symbols."""
+    if came != LIMITED:
+        return ""
+    kept = [name for name, one in found.items() if one.relative_swing <= ROUGHLY_FLAT]
+    if len(kept) < len(found):
+        return f"In {' and '.join(kept)} only. "
+    return f"To within {percent(max(found[name].relative_swing for name in kept))}. "
 
 
 def independent(values: Array) -> str:

@@ -34,3 +34,5 @@ SWEEPS = {
 # ground bears the beam before it snaps.
 SLIDING_MU = (0.1, 0.2, 0.25, 0.3, 0.45, 0.6)
 PRESSED_HEIGHTS = (0.03, 0.05, 0.07, 0.15)
+# Of these the energy is followed: the ends of the paper's range, and the baseline.
+ENERGY_MASSES = (0.3, 0.768, 2.0)

@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from experiments.paper.failures import failed
 from experiments.paper.jumps import furthest, numbers
-from experiments.paper.statement import Statement, verdict
+from experiments.paper.statement import LIMITED, Statement, verdict
 from experiments.paper.trends import counter_step
 from snapjump.studies.base import Row
 
@@ -67,12 +68,21 @@ def tuned(found: Slant, most_lean_deg: float) -> str:
     )
 
 
+def limit(came: str, most_lean_deg: float) -> str:
+    """What a limited verdict is limited to, in front of what is found."""
+    if came != LIMITED:
+        return ""
+    if most_lean_deg < OBLIQUE_DEG:
+        return "Oblique, not near horizontal. "
+    return "Not throughout. "
+
+
 def trajectory_statement(
     sweeps: Mapping[str, Sequence[Row]], spread: Sequence[Row]
 ) -> tuple[Statement, dict[str, float]]:
     """The statement, and its numbers."""
     own, papers = slant(sweeps["standard"]), slant(sweeps["paper"])
-    leans = leans_deg(spread)
+    leans, lost = leans_deg(spread), failed(spread)
     most = int(np.nanargmax(leans))
     steepest = float(leans[most])
     grows = (
@@ -81,20 +91,18 @@ def trajectory_statement(
         else f"up to {own.grows_until_rad:.2g} rad, then to and fro (the largest way back is "
         f"{100 * own.back:.0f} % of the growth)"
     )
+    came = tuned(own, steepest)
     found = (
-        f"Without a mismatch the apex is {own.off_vertical:.1g} of its height off the vertical. "
-        f"x_c/y_c grows with the mismatch {grows}, to {own.ratio:.2g} at "
+        f"{limit(came, steepest)}Without a mismatch the apex is {own.off_vertical:.1g} of its "
+        f"height off the vertical. x_c/y_c grows with the mismatch {grows}, to {own.ratio:.2g} at "
         f"{numbers(sweeps['standard'], 'delta_alpha_rad')[-1]:.2g} rad. The baseline leaves the "
         f"ground at most {own.lean_deg:.0f}° from the vertical (the paper's settings: "
         f"{papers.lean_deg:.0f}°, x_c/y_c up to {papers.ratio:.2g}); over {len(spread)} designs "
         f"of the paper's ranges at most {steepest:.0f}° (Δα "
         f"{spread[most]['delta_alpha_rad']:.2g} rad, ε {spread[most]['epsilon']:.2g}, "
-        f"m̄ {spread[most]['mass_bar']:.2g}, μ {spread[most]['mu']:.2g})"
-        + (
-            ": oblique, and far from horizontal, since friction is all that drives it sideways."
-            if steepest < OBLIQUE_DEG
-            else "."
-        )
+        f"m̄ {spread[most]['mass_bar']:.2g}, μ {spread[most]['mu']:.2g}"
+        + (f"; {len(lost)} failed)" if lost else ")")
+        + (": friction is all that drives it sideways." if steepest < OBLIQUE_DEG else ".")
     )
     reference = sweeps["reference"]
     off = [
@@ -103,7 +111,7 @@ def trajectory_statement(
     statement = Statement(
         "The mismatch Δα tunes the trajectory from vertical, for a symmetric snap, to oblique and "
         "near horizontal.",
-        tuned(own, steepest),
+        came,
         found,
         f"`standard`, within {off[0]:.1g} L in x and {off[1]:.1g} L in y of `reference` at "
         f"{len(reference)} mismatches",

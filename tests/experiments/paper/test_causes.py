@@ -1,5 +1,6 @@
 """Choices that lead from one end to the other, and the verdicts on made-up shifts."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -89,12 +90,23 @@ def test_verdicts() -> None:
     assert judge.stable(good) == CONFIRMED
     assert judge.stable(good + rows((np.nan, np.nan), status="step_underflow")) == LIMITED
     assert judge.stable(rows((1.0, 2.0), status="not_finite")) == NOT_CONFIRMED
-    assert judge.stable(good + rows((1.0, 10.0), gap=0.0)) == NOT_CONFIRMED
+
+
+def test_failures_in_a_frame_are_told() -> None:
+    ladder = {1e3: shifted(2.0, 1.0), 1e4: shifted(0.2, 0.1)}
+
+    def found(lost: int) -> str:
+        own = ladder[1e3]
+        return judge.frame_statement(own, ladder, (0.2, 0.19), (lost, 32), "").found
+
+    assert "1 of 32 jumps fail and count as infinitely far." in found(1)
+    assert "0 of 32 jumps fail." in found(0)
 
 
 def test_steps_that_do_not_help_are_told() -> None:
     slow = judge.step_statement({1e-5: shifted(6.0, 2.0), 1e-6: shifted(4.0, 1.0)}, 1e-7, "")
     fast = judge.step_statement({1e-5: shifted(6.0, 2.0), 1e-6: shifted(0.6, 0.2)}, 1e-7, "")
+    assert "agree: to 4 % in x_c and 1 % in y_c" in slow.found
     assert "slowly" in slow.found and "slowly" not in fast.found
 
 
@@ -130,5 +142,10 @@ def test_report(tmp_path: Path) -> None:
     for name, figure in found.section.figures.items():
         figure.draw(tmp_path / f"{name}.png")
         assert (tmp_path / f"{name}.png").stat().st_size > 10_000
+    assert "Failed jumps" not in " ".join(found.section.paragraphs)
+    one = done[PAPER]
+    gained = [*one.rows[:-1], *rows((np.nan, np.nan), status="energy_gained")]
+    told = part.conclude({**done, PAPER: replace(one, rows=gained)}).section.paragraphs[-1]
+    assert "paper (1 of 32 jumps failed: energy_gained)" in told
     lost = Done(done[PAPER].cell, FAILED, "no memory", [], "", "", "")
     assert "no memory" in part.conclude({**done, PAPER: lost}).section.paragraphs[0]

@@ -17,6 +17,8 @@ from experiments.paper.influences.friction import friction_statements, why
 from experiments.paper.influences.height import (
     decline_verdict,
     height,
+    kept,
+    plateau_limit,
     plateau_verdict,
     stop_verdict,
 )
@@ -62,17 +64,38 @@ def test_height_otherwise() -> None:
     assert stop_verdict(found, H2) == NOT_CONFIRMED
 
 
+def test_limits_of_the_plateau_are_told() -> None:
+    rising = np.where(HEIGHTS < H1, 0.5 + 0.5 * HEIGHTS / H1, 1.0) * ramp(H2)
+    found = height(heights(5.0 * rising, 14.0 * ramp(H2) + 0.4), H1, H2)
+    assert plateau_verdict(found) == LIMITED
+    assert plateau_limit(found).startswith("In y_c only") and "height remains" in kept(found)
+    same = height(heights(5.0 * ramp(H2), 14.0 * ramp(H2) + 0.4), H1, H2)
+    assert plateau_limit(same) == kept(same) == ""
+
+
+def test_robots_that_never_jump_confirm_nothing() -> None:
+    found = height(heights(0.0 * HEIGHTS + 1.0, 0.0 * HEIGHTS + 0.4), H1, H2)
+    assert np.isnan(found.last_jump) and stop_verdict(found, H2) == NOT_CONFIRMED
+
+
 def test_rules() -> None:
     assert rules.one_way((0.0, 0.01)) == CONFIRMED
     assert rules.one_way((0.0, 0.05)) == LIMITED
     assert rules.one_way((0.2, 0.0)) == NOT_CONFIRMED
+    assert rules.one_way((0.0, np.nan)) == rules.one_way((np.nan, 0.0)) == NOT_CONFIRMED
     assert rules.independent(np.array([10.0, 10.1])) == CONFIRMED
     assert rules.independent(np.array([10.0, 10.8])) == LIMITED
     assert rules.independent(np.array([10.0, 12.0])) == NOT_CONFIRMED
     v = np.linspace(0.0, 1.0, 101)
     level = np.minimum(v, 0.3)
     assert rules.levels_off(plateau(v, level)) == CONFIRMED
-    assert rules.levels_off(plateau(v, level + 0.02 * np.sin(60.0 * v))) == LIMITED
+    waves = plateau(v, level + 0.01 * np.sin(60.0 * v))
+    storm = plateau(v, level + 0.05 * np.sin(60.0 * v))
+    assert rules.levels_off(waves) == rules.levels_off(waves, storm) == LIMITED
+    assert rules.levels_off(storm) == NOT_CONFIRMED
+    assert rules.limit_of_level(LIMITED, {"x_c": storm, "y_c": waves}).startswith("In y_c only.")
+    assert rules.limit_of_level(LIMITED, {"x_c": waves}).startswith("To within")
+    assert rules.limit_of_level(CONFIRMED, {"x_c": waves}) == ""
     assert rules.levels_off(plateau(v, level + 0.5 * v)) == NOT_CONFIRMED
     assert rules.power(v[1:], 3.0 * v[1:] ** -0.7) == pytest.approx(-0.7)
 
@@ -107,6 +130,17 @@ def test_sweeps_are_of_the_jumps_they_name() -> None:
     assert furthest([row], [{**row, "x_bar": row["x_bar"] + 0.5}], "x_bar", "mu") == 0.5
 
 
+def test_energies_are_those_of_the_jump_they_name() -> None:
+    row = rows_of({"groups": COARSE, "kind": "energies", "values": [1.0]})[0]
+    jump = rows_of({"groups": COARSE, "kind": "mass_bar", "values": [1.0]})[0]
+    standing = rows_of({"groups": COARSE, "kind": MOUNT_HEIGHT, "values": [0.4]})[0]["y_bar"]
+    # A robot of lower mounts stands a little lower.
+    rise = row["rise_share"] * row["energy_released_bar"]
+    assert rise == pytest.approx(jump["y_bar"] - standing, abs=0.1)
+    told = sum(value for key, value in row.items() if key.endswith("_share"))
+    assert 0.9 < told < 1.15
+
+
 def test_report(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """The whole part, every tier coarse and few values of each parameter."""
     few = {kind: replace(sweep, count=17) for kind, sweep in SWEEPS.items()}
@@ -120,6 +154,12 @@ def test_report(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     found = part.conclude(done)
     assert len(found.statements) == 9
     assert "h1 = 0.0" in found.statements[0].found
+    swept = done["epsilon, standard"]
+    broken = {**swept.rows[3], "status": "step_underflow", "x_bar": None, "y_bar": None}
+    lost = replace(swept, rows=[*swept.rows[:3], broken, *swept.rows[4:]])
+    none = part.conclude({**done, "epsilon, standard": lost})
+    assert not none.statements
+    assert "epsilon, standard (1 of 17 jumps failed: step_underflow)" in none.section.paragraphs[0]
     for name, figure in found.section.figures.items():
         figure.draw(tmp_path / f"{name}.png")
         assert (tmp_path / f"{name}.png").stat().st_size > 10_000

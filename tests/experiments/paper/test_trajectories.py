@@ -1,5 +1,6 @@
 """Trajectories of coarse jumps, and the verdict on how the mismatch tunes them."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,7 @@ from experiments.paper.trajectories import part as module
 from experiments.paper.trajectories.compute import rows_of
 from experiments.paper.trajectories.families import varied
 from experiments.paper.trajectories.figure import flight
-from experiments.paper.trajectories.judge import slant, tuned
+from experiments.paper.trajectories.judge import limit, slant, tuned
 from experiments.paper.trajectories.part import Trajectories
 from snapjump.simulation import build
 from snapjump.studies.base import FAILED, OK, Cell, Done
@@ -41,6 +42,8 @@ def test_verdicts() -> None:
     assert np.isnan(growing.grows_until_rad) and growing.lean_deg == pytest.approx(20.0)
     assert tuned(growing, 60.0) == CONFIRMED
     assert tuned(growing, 30.0) == LIMITED
+    assert limit(LIMITED, 30.0).startswith("Oblique, not near horizontal")
+    assert limit(LIMITED, 60.0).startswith("Not throughout") and limit(CONFIRMED, 60.0) == ""
     turning = slant(sweep([0.0, 0.4, 0.3, 0.5], 20.0))
     assert turning.grows_until_rad == pytest.approx(0.01)
     assert turning.back == pytest.approx(0.2)
@@ -74,5 +77,12 @@ def test_report(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     for name, figure in found.section.figures.items():
         figure.draw(tmp_path / f"{name}.png")
         assert (tmp_path / f"{name}.png").stat().st_size > 10_000
+    few_rows = [{**done["ranges"].rows[0], "status": "not_finite", "liftoff_vx_m_s": None}]
+    spread = replace(done["ranges"], rows=[*done["ranges"].rows, *few_rows])
+    assert "1 failed)" in part.conclude({**done, "ranges": spread}).statements[0].found
+    swept = done["mismatches, standard"]
+    broken = replace(swept, rows=[*swept.rows[:-1], *few_rows])
+    none = part.conclude({**done, "mismatches, standard": broken})
+    assert not none.statements and "not_finite" in none.section.paragraphs[0]
     lost = {**done, "ranges": Done(Cell("ranges", {}), FAILED, "no memory", [], "", "", "")}
     assert "no memory" in part.conclude(lost).section.paragraphs[0]
