@@ -40,7 +40,8 @@ def paragraphs(
         "rises less. Places would go as 1/m̄, and areas as m̄⁻², if all of the energy were height; "
         f"the areas go as m̄ to the power {mass_exponent(masses):.2f}. With both axes times m̄ they "
         f"differ by a factor of {scaled.max() / scaled.min():.2g} instead of "
-        f"{areas.max() / areas.min():.2g}. What is left is not taken apart here.",
+        f"{areas.max() / areas.min():.2g}. Where the rest of the energy "
+        "goes is followed at three masses among the influences of the parameters.",
         "Friction limits how oblique a jump can be: the ground pushes sideways at most μ times as "
         "hard as upwards, so that apexes stay this side of x = 2μy. The largest x/(2μy) is "
         f"{shares[0]:.2f} at μ = {frictions[0].mu:g}, where friction alone draws the boundary, and "
