@@ -33,6 +33,9 @@ class Paper(Study):
         """The cells of the part that is asked for, or of all."""
         figure = config["figure"]
         check_choice("figure", figure, (ALL, *PARTS))
+        if config["publish"] is not None and figure != ALL:
+            allowed = f"{ALL} with publish={config['publish']}, whose report is of all parts"
+            raise ParameterError("figure", figure, allowed)
         groups = groups_of(config)
         check_standard(groups)
         self.parts: dict[str, Part] = {

@@ -85,8 +85,8 @@ class Conclusion:
     ``summary``: flat numbers for result.json; ``findings``: sentences; ``metrics``: further
     numbers of single cells, for their records; ``blocks``: Markdown that replaces what stands
     between ``<!-- name:begin -->`` and ``<!-- name:end -->`` in README.md or docs/*.md when it is
-    published;
-    ``sections``: what follows in the report, no name of a figure or table being used twice.
+    published; ``sections``: what follows in the report, where no name of a figure or a table may
+    be used twice.
     """
 
     title: str

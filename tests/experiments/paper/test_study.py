@@ -27,6 +27,7 @@ def configured(figure: Any) -> dict[str, Any]:
         "figure": figure,
         "effort": "quick",
         "figures": False,
+        "publish": None,
         "seed": 0,
     }
 
@@ -89,6 +90,8 @@ def test_one_part_and_then_all_of_them() -> None:
 def test_the_parts_there_are() -> None:
     with pytest.raises(ParameterError, match="figure = 'trees' .* one of all, letters, others"):
         Paper().prepare(configured("trees"))
+    with pytest.raises(ParameterError, match="figure = 'letters' .* all with publish=docs"):
+        Paper().prepare({**configured("letters"), "publish": "docs"})
 
 
 @pytest.mark.parametrize(
