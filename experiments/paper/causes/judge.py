@@ -49,7 +49,7 @@ def frame_statement(
     )
     own = ladder[softest]
     return Statement(
-        "A frame of 1000 EI is rigid.",
+        "A frame of 1000 EI is rigid (our reading)",
         matters(own),
         f"Against a rigid frame x_c moves by {own.x_median:.2g} % and y_c by {own.y_median:.2g} % "
         f"in the median, by at most {own.x_p95:.2g} and {own.y_p95:.2g} % in 95 % of the designs "
@@ -77,7 +77,7 @@ def step_statement(steps: Mapping[float, Shift], finest_s: float, accuracy: str)
         if step < own
     )
     return Statement(
-        f"A time step of {own:g} s is small enough.",
+        f"A time step of {own:g} s is small enough (our reading)",
         matters(found),
         f"Against a step of {finest_s:g} s, all else as in the paper, x_c moves by "
         f"{found.x_median:.2g} % and y_c by {found.y_median:.2g} % in the median, by at most "
@@ -102,7 +102,8 @@ def stability_statement(
         for step, rows in coarse.items()
     )
     return Statement(
-        "Implicit Euler is stable, and with the logarithmic barrier no gap becomes negative.",
+        "Implicit Euler is stable, and with the logarithmic barrier no gap becomes negative (our "
+        "reading)",
         stable(jumps),
         f"{len(failed(jumps))} of {len(jumps)} jumps over the paper's ranges fail. The smallest "
         f"gap at the end of any step is {1e3 * gap_m:.2g} mm, {gap_m / barrier_m:.2g} of the "
