@@ -17,9 +17,9 @@ INTRODUCTION = [
     "Machine Learning* (Tong, Hao, Liu, Huang, arXiv 2408.10470). Every figure below is simulated "
     "anew by this library and every number is computed by the command above, at the tier "
     "`standard` unless it says otherwise; `paper` is the tier of the paper's settings: "
-    f"{SETTINGS}. A verdict is decided by the program from the numbers beside it. What still counts "
-    "as linear, flat or alike is our choice, in places made when the numbers were known: read the "
-    "numbers, not the verdict alone.",
+    f"{SETTINGS}. A verdict is decided by the program from the numbers beside it. What still "
+    "counts as linear, flat or alike is our choice, in places made when the numbers were known: "
+    "read the numbers, not the verdict alone.",
     "Statements are in our words. Where the paper assumes something, or draws a curve without a "
     "claim, the statement is our reading of it, and says so.",
     "The converged model differs from the paper's in three respects. Its material damps "
