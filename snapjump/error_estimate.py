@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from snapjump.accuracy import TIERS
 from snapjump.composition import Simulation
+from snapjump.number.portable import power
 
 Array = NDArray[np.float64]
 
@@ -67,10 +68,10 @@ def mesh_percent(discretization: Any, damping: Any) -> tuple[float, float]:
     ratio = BASE_ELEMENTS / discretization.elements
     damped = getattr(damping, "relaxation_time_s", 0.0) >= LITTLE_DAMPING_S
     waves = 1.0 if damped else UNDAMPED
-    x, y = (waves * value * ratio**order for value, order in (MESH_X, MESH_Y))
+    x, y = (waves * value * power(ratio, order) for value, order in (MESH_X, MESH_Y))
     if getattr(discretization, "clamp", "") == "two_nodes":
         value, order = TWO_NODES
-        extra = value * ratio**order
+        extra = value * power(ratio, order)
         x, y = x + extra, y + extra
     return x, y
 

@@ -21,7 +21,7 @@ class Scales:
 
     @property
     def acceleration_m_s2(self) -> float:
-        return self.length_m / self.time_s**2
+        return self.length_m / (self.time_s * self.time_s)
 
     @property
     def force_N(self) -> float:  # noqa: N802 (the unit is a capital)

@@ -4,7 +4,6 @@ The library's scene keeps books of energy at every sample, which take a second a
 step is to be kept; sweeps of the midpoint's motion do without.
 """
 
-import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -28,7 +27,6 @@ from snapjump.statics.arch import StaticArch
 Array = NDArray[np.float64]
 INTERVAL_S = 9e-6  # below the fixed step of the paper, and the steps of a snap at standard
 MOST_SAMPLES = 60_000  # many times the steps of any snap, in memory that is there
-LAG_STEP = 0.02  # rad, between equilibria
 
 
 @dataclass(frozen=True)
@@ -91,10 +89,7 @@ def follow(simulation: Simulation) -> Swing:
         load=NoLoad(),
     )
     arch = StaticArch(robot, simulation.discretization, epsilon)
-    state = arch.settle(arch.guess(), 0.0, 0.0)
-    turns = max(1, math.ceil(abs(lag) / LAG_STEP))
-    for k in range(1, turns + 1):
-        state = arch.settle(state, 0.0, -lag * k / turns)
+    state = arch.flat(lag)
     duration, interval = scene.duration_s / scales.time_s, INTERVAL_S / scales.time_s
     march = March(
         models=[model],

@@ -1,6 +1,5 @@
 """A snap without ground, with contact compiled out and compiled in but out of reach."""
 
-import math
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
@@ -22,7 +21,6 @@ from snapjump.statics.arch import StaticArch
 from snapjump.studies.base import Row
 
 ABOVE = 2.0  # L: mounts so high that nothing comes near the ground
-LAG_STEP = 0.02  # rad, between equilibria
 
 
 def snap_rows(
@@ -63,11 +61,7 @@ def snap_march(simulation: Any, law: Any) -> March:
     robot, scene, scales = simulation.robot, simulation.sim, simulation.robot.scales
     arch = StaticArch(robot, simulation.discretization, simulation.design.epsilon)
     lag = simulation.design.delta_alpha
-    state = arch.settle(arch.guess(), 0.0, 0.0)
-    turns = max(1, math.ceil(abs(lag) / LAG_STEP))
-    for k in range(1, turns + 1):
-        state = arch.settle(state, 0.0, -lag * k / turns)
-    state = state.copy()
+    state = arch.flat(lag)
     state[1 :: arch.node_dofs] += ABOVE
     model = Model(
         discretization=simulation.discretization.member(robot),

@@ -42,7 +42,9 @@ def model_derivatives(base: Simulation, designs: Array, curve: ThresholdCurve) -
             f"in [{curve.low:g}, {curve.high:g}], which the curve covers",
         )
     angles, depths = curve.values(table[0, EPSILON])
-    model = jump_model(variant(base, table[0]), Threshold(float(angles), float(depths)))
+    model = jump_model(
+        variant(base, table[0]), Threshold(float(angles), float(depths), curve.angle_error)
+    )
     slopes = np.zeros((len(table), len(numbers_of(model)), 4))
     by_angle, _ = curve.slopes(table[:, EPSILON])
     if base.sim.start_fraction > 0.0:

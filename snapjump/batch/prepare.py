@@ -54,7 +54,7 @@ def thresholds(
     inside = curve.covers(shortenings)
     angles, depths = curve.values(np.clip(shortenings, curve.low, curve.high))
     for covered, angle, depth in zip(inside, angles, depths, strict=True):
-        yield Threshold(float(angle), float(depth)) if covered else None
+        yield Threshold(float(angle), float(depth), curve.angle_error) if covered else None
 
 
 def prepare_designs(

@@ -57,6 +57,12 @@ def has_elements(discretization: Any) -> Any:
 
 
 @family_function
+def axial_stiffness(discretization: Any) -> Any:
+    """EA over an element's length (EI/L^3), the largest stiffness of all: so many times the last
+    bit of a coordinate is what rounding leaves of a residual. 0 for loose nodes."""
+
+
+@family_function
 def node_dofs(discretization: Any) -> Any:
     """Coordinates of a node, a constant while compiling: 2 (x, y) or 3 (x, y, l theta)."""
 

@@ -11,6 +11,7 @@ from snapjump.discretization.base import (
     ChainPowers,
     EndHinge,
     add_node_forces,
+    axial_stiffness,
     begin_chain,
     chain_powers,
     clamp_offset,
@@ -90,6 +91,10 @@ def put_node(node: Any, before: Element, after: Element, residual: Any, band: An
 
 def _has_elements(beam: Any) -> bool:
     return True
+
+
+def _axial_stiffness(beam: Any) -> Any:
+    return beam.stretching_stiffness / beam.element_length
 
 
 def _node_dofs(beam: Any) -> int:
@@ -193,6 +198,7 @@ def _chain_powers(beam: Any, damping: Any, position: Any, velocity: Any, tangent
 
 SWEEP = (
     (has_elements, _has_elements),
+    (axial_stiffness, _axial_stiffness),
     (node_dofs, _node_dofs),
     (turn_length, _turn_length),
     (clamp_offset, _clamp_offset),

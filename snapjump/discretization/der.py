@@ -16,6 +16,7 @@ from snapjump.discretization.base import (
     ChainPowers,
     EndHinge,
     add_node_forces,
+    axial_stiffness,
     begin_chain,
     chain_powers,
     clamp_offset,
@@ -58,6 +59,11 @@ class DiscreteElasticRod(NamedTuple):
 @has_elements.member(DiscreteElasticRod)
 def _has_elements(rod: DiscreteElasticRod) -> bool:
     return True
+
+
+@axial_stiffness.member(DiscreteElasticRod)
+def _axial_stiffness(rod: DiscreteElasticRod) -> Any:
+    return rod.stretching_stiffness / rod.element_length
 
 
 @node_dofs.member(DiscreteElasticRod)

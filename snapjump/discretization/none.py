@@ -6,6 +6,7 @@ from snapjump.discretization.base import (
     ChainPowers,
     EndHinge,
     add_node_forces,
+    axial_stiffness,
     begin_chain,
     chain_powers,
     clamp_offset,
@@ -25,6 +26,11 @@ class LooseNodes(NamedTuple):
 @has_elements.member(LooseNodes)
 def _has_elements(discretization: LooseNodes) -> bool:
     return False
+
+
+@axial_stiffness.member(LooseNodes)
+def _axial_stiffness(discretization: LooseNodes) -> float:
+    return 0.0
 
 
 @node_dofs.member(LooseNodes)

@@ -4,10 +4,13 @@ from typing import Any
 
 from numba import njit
 
+from snapjump.clamp.base import clamp_angles
 from snapjump.engine.assemble import Motion, assemble
+from snapjump.engine.clock import SIZE
 from snapjump.engine.equilibrium import settle
 from snapjump.engine.model import with_numbers
 from snapjump.engine.view import view_work
+from snapjump.frame.base import place_ends
 
 
 @njit(cache=True, error_model="numpy")
@@ -15,7 +18,8 @@ def equilibrate(template: Any, numbers: Any, masses: Any, memory: Any, iterate: 
     """Settle the state in ``memory`` at time 0, or only assemble there if not ``iterate``.
 
     Afterwards ``memory.system`` holds residual and tangent (width 1). Returns the number of
-    negative pivots at the last iteration and whether Newton's method failed.
+    negative pivots at the last iteration, the last correction (L), which is how well the state is
+    known, and whether Newton's method failed.
     """
     work = view_work(memory, (0,))
     for k in range(numbers.shape[0]):
@@ -25,5 +29,8 @@ def equilibrate(template: Any, numbers: Any, masses: Any, memory: Any, iterate: 
     failed = False
     if iterate:
         negative, failed = settle(model, masses, work, 0.0)
+    else:
+        angles = clamp_angles(model.clamp, 0.0)
+        place_ends(model.frame, work.mesh, model.discretization, angles, work.state)
     assemble(model, Motion(0.0, 0.0, 0.0, 0.0), masses, work)
-    return negative, failed
+    return negative, work.clock[SIZE], failed

@@ -4,7 +4,12 @@ from typing import Any, NamedTuple
 
 from snapjump.clamp.base import clamp_angles
 from snapjump.contact.base import has_contact, keeps_open
-from snapjump.discretization.base import NODES_COUPLED, has_elements, node_dofs
+from snapjump.discretization.base import (
+    NODES_COUPLED,
+    axial_stiffness,
+    has_elements,
+    node_dofs,
+)
 from snapjump.engine.assemble import (
     Assembly,
     Motion,
@@ -36,6 +41,8 @@ from snapjump.number.functions import absolute, any_true, maximum, minimum, nega
 GAP_FRACTION = 0.15  # of its gap that every point keeps in one correction
 GROWTH_LIMIT = 2.0  # of the correction, above which the last one is halved
 LARGEST_CORRECTION = 0.3  # of the beam's length
+ROUNDING = 2.0**-50  # of the length: what rounding of a point's few coordinates adds up to
+LARGEST_SHAKE = 1e-6  # of the length: corrections beyond are more than rounding
 
 
 class Correction(NamedTuple):
@@ -172,7 +179,12 @@ def newton_iteration(
     # that was cut short says nothing: a huge one would make the next look converged.
     unknown = first | (clock[SHARE] < 1.0)
     rate = where(unknown, 1.0, minimum(correction / maximum(clock[SIZE], tiny), 1.0 + 0.0 * tiny))
-    converged = (rate * correction <= tolerance) & (share >= 1.0) & negate(back) & finite
+    # Corrections that shrink no more, while the residual is what rounding leaves of its terms,
+    # shake the best state that there is.
+    shaken = (correction >= clock[SIZE]) & (correction <= LARGEST_SHAKE) & negate(first)
+    shaken = shaken & (solution.residual <= ROUNDING * axial_stiffness(model.discretization))
+    exact = (rate * correction <= tolerance) | shaken
+    converged = exact & (share >= 1.0) & negate(back) & finite
     iteration = clock[ITERATION] + 1.0
     failed = (iteration >= most_iterations) & negate(converged) | negate(finite)
     clock[ITERATION] = iteration

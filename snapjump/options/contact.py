@@ -1,5 +1,6 @@
 """Options of the contact laws."""
 
+import math
 from dataclasses import dataclass
 
 from snapjump.checks import check_choice, check_number
@@ -8,6 +9,7 @@ from snapjump.contact.logbarrier import LogBarrier
 from snapjump.contact.none import NoContact
 from snapjump.contact.penalty import Penalty
 from snapjump.contact.signorini import Signorini
+from snapjump.number.portable import log1p
 from snapjump.options.discretization import DiscretizationOptions
 from snapjump.units import Scales
 
@@ -110,7 +112,7 @@ class HuntCrossleyOptions:
         secant = self.stiffness_N_m / scales.stiffness_N_m
         speed = self.impact_speed_m_s / scales.velocity_m_s
         return HuntCrossley(
-            stiffness=secant / (self.penetration_m / scales.length_m) ** 0.5,
+            stiffness=secant / math.sqrt(self.penetration_m / scales.length_m),
             damping=damping_number(self.restitution) / speed,
             clearance=CLEARANCE_M / scales.length_m,
             node_weight=node_weight(self.weighting, discretization),
@@ -120,8 +122,6 @@ class HuntCrossleyOptions:
 
 def damping_number(restitution: float) -> float:
     """Damping times impact speed, u, for which (1 + e) u = log((1 + u) / (1 - e u))."""
-    from math import log1p
-
     from scipy.optimize import brentq
 
     if restitution == 1.0:

@@ -90,7 +90,7 @@ class GeneralizedAlphaOptions:
         alpha_m = (2.0 * rho - 1.0) / (rho + 1.0)
         alpha_f = rho / (rho + 1.0)
         drift = alpha_f - alpha_m
-        return GeneralizedAlpha(0.25 * (1.0 + drift) ** 2, 0.5 + drift, alpha_m, alpha_f)
+        return GeneralizedAlpha(0.25 * (1.0 + drift) * (1.0 + drift), 0.5 + drift, alpha_m, alpha_f)
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,8 @@
 """Options of Runge-Kutta methods: each is a YAML file in ``snapjump/tableaux``."""
 
+from collections.abc import Iterable
 from dataclasses import MISSING, dataclass, field, fields, make_dataclass
+from fractions import Fraction
 from importlib.resources import files
 from itertools import pairwise
 from typing import Any, ClassVar
@@ -88,12 +90,27 @@ class Dirk:
         if self.embedded is not None:
             comparison = np.array(self.embedded)
         else:
-            powers = np.arange(len(nodes))
-            moments = 1.0 / (powers + 1.0)
-            comparison = np.linalg.solve(nodes[None, :] ** powers[:, None], moments)
+            comparison = np.array(quadrature_weights(nodes))
             order += 1.0
         error = matrix[-1] - comparison
         return Tableau(gamma, lower, nodes, matrix[-1].copy(), tuple(error.tolist()), order)
+
+
+def quadrature_weights(nodes: Iterable[float]) -> list[float]:
+    """Weights of the quadrature over a step that is exact for polynomials through the nodes.
+
+    Integrals of Lagrange's polynomials, in fractions: rounded once, on every processor alike.
+    """
+    places = [Fraction(float(node)) for node in nodes]
+    weights = []
+    for k, here in enumerate(places):
+        polynomial = [Fraction(1)]  # its coefficients, of 1, t, t^2, ...
+        for other in places[:k] + places[k + 1 :]:
+            raised = [Fraction(0), *polynomial]
+            lowered = [*(other * c for c in polynomial), Fraction(0)]
+            polynomial = [(a - b) / (here - other) for a, b in zip(raised, lowered, strict=True)]
+        weights.append(float(sum(c / (n + 1) for n, c in enumerate(polynomial))))
+    return weights
 
 
 def checked_row(key: str, row: Any, length: int) -> tuple[float, ...]:

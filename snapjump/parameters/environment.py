@@ -30,7 +30,8 @@ class Environment:
                 f"at least {SMALLEST:g}, since without gravity a jump has no apex, and "
                 "m_bar = m g L^2/EI defines no mass",
             )
-        per_mass = robot.gravity_m_s2 * robot.length_m**2 / robot.bending_stiffness_N_m2
+        square = robot.length_m * robot.length_m
+        per_mass = robot.gravity_m_s2 * square / robot.bending_stiffness_N_m2
         lightest = robot.beam_mass_kg * per_mass
         if self.mass_bar <= lightest:
             raise ParameterError(

@@ -1,4 +1,8 @@
-"""The robot: what is built once, in SI units, with the values of the paper's table."""
+"""The robot: what is built once, in SI units, with the values of the paper's table.
+
+Powers are products, here and wherever a jump's numbers come from: the bits of ``**`` depend on the
+processor.
+"""
 
 import math
 from dataclasses import dataclass
@@ -69,7 +73,8 @@ class Robot:
 
     @property
     def bending_stiffness_N_m2(self) -> float:  # noqa: N802
-        return self.youngs_modulus_Pa * self.width_m * self.thickness_m**3 / 12.0
+        area = self.width_m * self.thickness_m
+        return self.youngs_modulus_Pa * area * self.thickness_m * self.thickness_m / 12.0
 
     @property
     def beam_mass_kg(self) -> float:
@@ -78,10 +83,12 @@ class Robot:
     @property
     def stretching_stiffness_bar(self) -> float:
         """EA L^2 / EI = 12 (L/b)^2."""
-        return 12.0 * (self.length_m / self.thickness_m) ** 2
+        slenderness = self.length_m / self.thickness_m
+        return 12.0 * slenderness * slenderness
 
     @property
     def scales(self) -> Scales:
         """Length L, time T = L^2 sqrt(rho A / EI), mass rho A L."""
-        time_s = math.sqrt(self.beam_mass_kg * self.length_m**3 / self.bending_stiffness_N_m2)
+        cube = self.length_m * self.length_m * self.length_m
+        time_s = math.sqrt(self.beam_mass_kg * cube / self.bending_stiffness_N_m2)
         return Scales(self.length_m, time_s, self.beam_mass_kg)

@@ -72,9 +72,10 @@ def leg_top_leg(width: Any, height: Any, mass: Any, end: Any, mount: Any) -> Rig
     total = mass + 2.0 * end
     centre = (leg * height + top * height + 2.0 * end * mount) / total
     half = 0.5 * width
-    legs = 2.0 * leg * (height**2 / 12.0 + (0.5 * height - centre) ** 2 + half**2)
-    beam_ends = 2.0 * end * (half**2 + (mount - centre) ** 2)
-    inertia = legs + top * (width**2 / 12.0 + (height - centre) ** 2) + beam_ends
+    to_leg, to_mount, to_top = 0.5 * height - centre, mount - centre, height - centre
+    legs = 2.0 * leg * (height * height / 12.0 + to_leg * to_leg + half * half)
+    beam_ends = 2.0 * end * (half * half + to_mount * to_mount)
+    inertia = legs + top * (width * width / 12.0 + to_top * to_top) + beam_ends
     return RigidFrame(
         half_span=half,
         mount_y=mount - centre,
@@ -118,7 +119,7 @@ def elastic_frame(simulation: Simulation, mount_height_bar: float) -> ElasticFra
         foot_y=0.0,
         top_y=height,
         mass=mass,
-        bouncing_mass=1.0 / (1.0 / rigid.mass + rigid.half_span**2 / rigid.inertia),
+        bouncing_mass=1.0 / (1.0 / rigid.mass + rigid.half_span * rigid.half_span / rigid.inertia),
         low_length=low / below,
         mount_length=leg_edge,
         high_length=high / above,

@@ -2,8 +2,6 @@
 
 from typing import Any
 
-import numpy as np
-
 from snapjump.checks import ParameterError
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
@@ -11,6 +9,7 @@ from snapjump.engine.model import Model
 from snapjump.load.gravity import Gravity
 from snapjump.scenes.frame_body import compression, frame_model
 from snapjump.statics.arch import StaticArch
+from snapjump.statics.rounding import LostToRoundingError
 from snapjump.statics.threshold import Threshold, symmetric_threshold
 
 
@@ -24,7 +23,9 @@ def critical(simulation: Simulation) -> Threshold:
     shortening = compression(simulation)
     try:
         return symmetric_threshold(robot, mesh, shortening)
-    except (ArithmeticError, ValueError) as error:  # numpy's LinAlgError is a ValueError
+    except LostToRoundingError:
+        raise
+    except ArithmeticError as error:
         raise NoThresholdError(
             "design.epsilon",
             simulation.design.epsilon,
@@ -35,7 +36,7 @@ def critical(simulation: Simulation) -> Threshold:
 
 def fitted_mount_height_bar(epsilon: Any) -> Any:
     """The released program's heights of the clamps (in L): a fit of its own h1(epsilon)."""
-    return 1.01 * (0.02951 + 0.3156 * epsilon - 0.3707 * epsilon**2)
+    return 1.01 * (0.02951 + 0.3156 * epsilon - 0.3707 * epsilon * epsilon)
 
 
 def mount_height_bar(simulation: Simulation, threshold: Threshold | None = None) -> float:
@@ -64,11 +65,8 @@ def check_mount_height(simulation: Simulation, start: float) -> None:
     if isinstance(robot.mount_height, str):
         return
     arch = StaticArch(robot, simulation.discretization, compression(simulation))
-    state = arch.settle(arch.guess(), 0.0, 0.0)
-    steps = max(8, int(np.ceil(start / 0.05)))
     right = start - simulation.design.delta_alpha
-    for k in range(1, steps + 1):
-        state = arch.settle(state, start * k / steps, right * k / steps)
+    state = arch.turn(arch.flat(), (0.0, 0.0), (start, right))
     depth_m = -arch.equilibrium(state, start, right).lowest * robot.length_m
     if robot.mount_height <= depth_m:
         raise ParameterError(

@@ -28,10 +28,7 @@ def simulate_snap_scene(simulation: Simulation, progress: Progress | None = None
     scales = robot.scales
     arch = StaticArch(robot, simulation.discretization, simulation.design.epsilon)
     lag = simulation.design.delta_alpha
-    state = arch.settle(arch.guess(), 0.0, 0.0)
-    steps = max(1, math.ceil(abs(lag) / 0.02))
-    for k in range(1, steps + 1):
-        state = arch.settle(state, 0.0, -lag * k / steps)
+    state = arch.flat(lag)
     model = Model(
         discretization=simulation.discretization.member(robot),
         frame=FixedFrame(0.5 * (1.0 - simulation.design.epsilon), 0.0),

@@ -48,6 +48,7 @@ def simulate_static_scene(simulation: Simulation, progress: Progress | None = No
     summary = {
         "status": "ok",
         "alpha_critical_rad": snap.alpha_rad,
+        "alpha_critical_error_rad": snap.alpha_error_rad,
         "h1_bar": snap.h1_bar,
         "h2_bar": snap.h2_bar,
         "energy_before_bar": snap.before.energy,
@@ -110,6 +111,6 @@ def _asymmetric(arch: StaticArch, snap: Any, steps: int) -> dict[str, Array]:
     state = snap.before.state
     arch.residual(state, snap.alpha_rad, snap.alpha_rad)
     mode = np.append(arch.critical_mode(), 0.0)
-    seed = Point(state, snap.alpha_rad, 0.0, 0, mode)
+    seed = Point(state, snap.alpha_rad, 0.0, 0.0, 0, mode)
     walk = branch.follow(seed, LENGTH / steps)
     return _collect(arch, branch, islice(walk, steps), np.inf)

@@ -4,16 +4,21 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import eig_banded, solveh_banded
 
 from snapjump.clamp.base import ClampAngles
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.base import clamp_offset, internal_energy, node_dofs, turn_length
+from snapjump.discretization.base import (
+    axial_stiffness,
+    clamp_offset,
+    internal_energy,
+    node_dofs,
+)
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import Model, numbers_of
+from snapjump.engine.newton import ROUNDING
 from snapjump.engine.work import NO_MESH, make_work
 from snapjump.frame.base import STILL, end_tangents
 from snapjump.frame.fixed import FixedFrame
@@ -21,17 +26,22 @@ from snapjump.friction.none import NoFriction
 from snapjump.load.none import NoLoad
 from snapjump.options.discretization import DiscretizationOptions
 from snapjump.parameters.robot import Robot
+from snapjump.statics.band import smallest_eigenvalue
 from snapjump.statics.chain_state import chain_state
 from snapjump.statics.elastica import buckled_arch, resampled
 from snapjump.statics.lowest_point import lowest_height
 
 Array = NDArray[np.float64]
+Angles = tuple[float, float]
+LONGEST_TURN_RAD = 0.05
+SHORTEST_TURN_RAD = 1e-4
 
 
 @dataclass(frozen=True)
 class Equilibrium:
     """A settled shape: nodes x, y (in L, from the middle of the mounts), clamp angles (rad),
-    elastic energy (EI/L), the number of negative pivots (0: stable), and the state vector."""
+    elastic energy (EI/L), the number of negative pivots (0: stable), the state vector, and how well
+    it is known (L): the last correction of Newton's method."""
 
     x: Array
     y: Array
@@ -40,6 +50,7 @@ class Equilibrium:
     energy: float
     negative_pivots: int
     state: Array
+    accuracy: float
 
     @property
     def midpoint(self) -> float:
@@ -54,7 +65,11 @@ class Equilibrium:
 
 
 class StaticArch:
-    """The beam in a fixed frame. Raises ArithmeticError where Newton's method fails."""
+    """The beam in a fixed frame. Raises ArithmeticError where Newton's method fails.
+
+    ``negative_pivots`` and ``accuracy`` (L) are those of the state that was settled last;
+    ``rounding`` (EI/L^2) is what rounding may leave of any residual.
+    """
 
     def __init__(self, robot: Robot, discretization: DiscretizationOptions, epsilon: float):
         self.epsilon = epsilon
@@ -65,6 +80,8 @@ class StaticArch:
         self.node_dofs = node_dofs(self.rod)
         self.size = self.node_dofs * len(self.masses)
         self.free = slice(self.node_dofs, self.size - self.node_dofs)
+        self.rounding = ROUNDING * axial_stiffness(self.rod)
+        self.negative_pivots, self.accuracy = 0, 0.0
         model = self._model(0.0, 0.0)
         self.memory = make_work(
             len(self.masses), 0, 2, ROWS, len(numbers_of(model)), 1, self.node_dofs
@@ -85,65 +102,66 @@ class StaticArch:
             resampled(y if upward else -y, skipped, chain),
         )
 
-    def _run(self, state: Array, left: float, right: float, iterate: bool) -> tuple[float, bool]:
+    def _run(
+        self, state: Array, left: float, right: float, iterate: bool
+    ) -> tuple[float, float, bool]:
         model = self._model(left, right)
         self.memory.state[:, 0] = state
         return equilibrate(model, numbers_of(model), self.masses, self.memory, iterate)
 
     def settle(self, state: Array, left: float, right: float) -> Array:
         """The equilibrium state near ``state`` at the given clamp angles (rad)."""
-        negative, failed = self._run(state, left, right, True)
+        negative, accuracy, failed = self._run(state, left, right, True)
         if failed:
             raise ArithmeticError(f"no equilibrium found at clamp angles {left:g}, {right:g} rad")
-        self.negative_pivots = int(negative)
+        self.negative_pivots, self.accuracy = int(negative), float(accuracy)
         return self.memory.state[:, 0].copy()
+
+    def flat(self, lag: float = 0.0, upward: bool = True) -> Array:
+        """The equilibrium between a flat left clamp and a right one turned by -lag (rad)."""
+        state = self.settle(self.guess(upward), 0.0, 0.0)
+        return self.turn(state, (0.0, 0.0), (0.0, -lag))
+
+    def turn(self, state: Array, begin: Angles, end: Angles) -> Array:
+        """The equilibrium that ``state``, settled at clamp angles ``begin`` (left, right; rad),
+        becomes while the clamps turn to ``end``: in steps that are halved where Newton fails."""
+        length = max(abs(end[0] - begin[0]), abs(end[1] - begin[1]))
+        longest = LONGEST_TURN_RAD / max(length, LONGEST_TURN_RAD)  # shares of the way
+        past, back, done, step = state, 0.0, 0.0, longest
+        while done < 1.0:
+            ahead = min(done + step, 1.0)
+            guess = state if back == 0.0 else state + (state - past) * ((ahead - done) / back)
+            left, right = (b + ahead * (e - b) for b, e in zip(begin, end, strict=True))
+            try:
+                settled = self.settle(guess, left, right)
+            except ArithmeticError:
+                step *= 0.5
+                if step * length < SHORTEST_TURN_RAD:
+                    raise
+                continue
+            past, state, back, done = state, settled, ahead - done, ahead
+            step = min(1.5 * step, longest)
+        return state
 
     def residual(self, state: Array, left: float, right: float) -> Array:
         """Gradient of the energy with respect to the free coordinates."""
-        placed = state.copy()
-        offset = clamp_offset(self.rod)
-        half = self.frame.half_span
-        last = self.size - self.node_dofs
-        placed[:2] = -half + offset * np.cos(left), -offset * np.sin(left)
-        placed[last : last + 2] = half - offset * np.cos(right), -offset * np.sin(right)
-        if self.node_dofs == 3:
-            placed[2], placed[last + 2] = turn_length(self.rod) * np.array([-left, right])
-        self._run(placed, left, right, False)
+        self._run(state, left, right, False)
         return self.memory.system.residual[self.free, 0].copy()
 
     def tangent_band(self) -> Array:
-        """Tangent (lower band, (6, free)) of the last state that was settled or evaluated."""
-        return np.ascontiguousarray(self.memory.system.band[self.free, :, 0].T)
+        """Tangent (lower band, (free, 6)) of the last state that was settled or evaluated."""
+        return np.ascontiguousarray(self.memory.system.band[self.free, :, 0])
 
-    def stability(self) -> tuple[float, int]:
-        """Smallest eigenvalue of the last tangent and the number of negative ones (of the first
-        three): a state is stable if there is none."""
-        values = eig_banded(
-            self.tangent_band(), lower=True, eigvals_only=True, select="i", select_range=(0, 2)
-        )
-        return float(values[0]), int(np.sum(values < 0.0))
-
-    def asymmetric_stiffness(self) -> float:
-        """1 / (c K^-1 c) of the last tangent K, c being one full wave of the heights.
-
-        On the symmetric branch only antisymmetric modes answer to c: this is positive where they
-        are stable and vanishes with the smallest of their eigenvalues, and costs far less than
-        that. Raises ArithmeticError if the state is unstable.
-        """
-        nodes = len(self.masses)
-        wave = np.zeros((nodes - 2, self.node_dofs))
-        wave[:, 1] = np.sin(2.0 * np.pi * np.arange(1, nodes - 1) / (nodes - 1))
-        push = wave.ravel()
-        try:
-            answer = solveh_banded(self.tangent_band(), push, lower=True)
-        except np.linalg.LinAlgError as error:
-            raise ArithmeticError("the arch is not stable") from error
-        return 1.0 / float(push @ answer)
+    def stability(self) -> tuple[float, float, int]:
+        """Smallest eigenvalue of the last tangent, what rounding makes of it, and the number of
+        negative ones: a state is stable if there is none."""
+        return smallest_eigenvalue(self.tangent_band(), np.empty(self.size - 2 * self.node_dofs))
 
     def critical_mode(self) -> Array:
         """Unit eigenvector of the last tangent's smallest eigenvalue, over free coordinates."""
-        _, vectors = eig_banded(self.tangent_band(), lower=True, select="i", select_range=(0, 0))
-        return np.asarray(vectors[:, 0])
+        vector = np.empty(self.size - 2 * self.node_dofs)
+        smallest_eigenvalue(self.tangent_band(), vector)
+        return vector
 
     def equilibrium(self, state: Array, left: float, right: float) -> Equilibrium:
         """Describe a settled state."""
@@ -158,4 +176,5 @@ class StaticArch:
             energy,
             self.negative_pivots,
             state.copy(),
+            self.accuracy,
         )

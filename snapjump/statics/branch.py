@@ -1,65 +1,35 @@
 """Branches of equilibria: pseudo-arclength continuation in the clamp angle (Keller 1977)."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import solveh_banded
-from scipy.sparse import block_array, diags_array, eye_array
-from scipy.sparse.linalg import splu
 
+from snapjump.engine.newton import LARGEST_SHAKE
 from snapjump.statics.arch import StaticArch
+from snapjump.statics.band import dot, solve_bordered
 
 Array = NDArray[np.float64]
 ANGLE_DIFFERENCE = 1e-6
-ROUNDING = 1e-15  # of the largest entry
 TOLERANCE = 1e-9
 MOST_ITERATIONS = 25
-SAFELY_STABLE = 4.0  # smallest eigenvalue from which the tangent is well conditioned
 
 
 @dataclass(frozen=True)
 class Point:
-    """A point of a branch: state, left clamp angle (rad), smallest eigenvalue of the
-    tangent and number of negative ones, and the branch's unit tangent (free coordinates, angle).
+    """A point of a branch: state, left clamp angle (rad), smallest eigenvalue of the tangent, what
+    rounding makes of it, the number of negative ones, and the branch's unit tangent (free
+    coordinates, angle).
     """
 
     state: Array
     left: float
     eigenvalue: float
+    eigenvalue_rounding: float
     negative_eigenvalues: int
     direction: Array
-
-
-def solve_bordered(
-    band: Array, column: Array, row: Array, corner: float, right: Array, last: float, stable: bool
-) -> tuple[Array, float]:
-    """Solve [[K, column], [row, corner]] (x, z) = (right, last), K being a lower band (6, size).
-
-    Far from an instability K is eliminated as a block. The whole matrix is regular at a fold,
-    where K alone is not: there it is factored as a whole.
-    """
-    size = band.shape[1]
-    if stable:
-        both = solveh_banded(band, np.column_stack([right, column]), lower=True)
-        z = (last - row @ both[:, 0]) / (corner - row @ both[:, 1])
-        return both[:, 0] - z * both[:, 1], float(z)
-    diagonals = [band[k, : size - k] for k in range(6)]
-    square = diags_array(
-        diagonals + diagonals[1:], offsets=[0, -1, -2, -3, -4, -5, 1, 2, 3, 4, 5], format="csc"
-    )
-    bordered = block_array(
-        [[square, column[:, None]], [row[None, :], np.array([[corner]])]], format="csc"
-    )
-    try:
-        factors = splu(bordered)
-    except RuntimeError:
-        # Singular to the last bit: the very pitchfork, whose direction the caller leaves out.
-        rounding = ROUNDING * float(np.abs(band[0]).max())
-        factors = splu(bordered + rounding * eye_array(size + 1, format="csc"))
-    solution = factors.solve(np.append(right, last))
-    return solution[:-1], float(solution[-1])
 
 
 class Branch:
@@ -74,11 +44,11 @@ class Branch:
     def _residual(self, state: Array, left: float) -> Array:
         return self.arch.residual(state, left, left - self.delta_alpha)
 
-    def _linear(self, state: Array, left: float) -> tuple[Array, Array]:
-        """Residual and d(residual)/d(left); the tangent stays in the arch's memory."""
+    def _slope(self, state: Array, left: float) -> Array:
+        """d(residual)/d(left)."""
         ahead = self._residual(state, left + ANGLE_DIFFERENCE)
         behind = self._residual(state, left - ANGLE_DIFFERENCE)
-        return self._residual(state, left), (ahead - behind) / (2.0 * ANGLE_DIFFERENCE)
+        return (ahead - behind) / (2.0 * ANGLE_DIFFERENCE)
 
     def _mirrored(self, change: Array) -> Array:
         """A change of the free coordinates without its antisymmetric part, on symmetric branches:
@@ -90,61 +60,57 @@ class Branch:
         mirror = np.array([-1.0, 1.0, -1.0])[: self.arch.node_dofs]
         return (0.5 * (nodes + mirror * nodes[::-1])).ravel()
 
-    def _direction(self, state: Array, left: float, towards: Array, stable: bool) -> Array:
-        """Unit tangent of the branch, on the side of ``towards``."""
-        _, slope = self._linear(state, left)
-        size = len(slope)
+    def _described(self, state: Array, left: float, towards: Array) -> Point:
+        """The point of a settled state, with the branch's tangent on the side of ``towards``."""
+        slope = self._slope(state, left)
+        self._residual(state, left)
         free, turn = solve_bordered(
-            self.arch.tangent_band(), slope, towards[:-1], towards[-1], np.zeros(size), 1.0, stable
+            self.arch.tangent_band(), slope, towards[:-1], towards[-1], np.zeros(len(slope)), 1.0
         )
         direction = np.append(self._mirrored(free), turn)
-        direction /= np.linalg.norm(direction)
-        return direction if direction @ towards >= 0.0 else -direction
+        direction /= math.sqrt(dot(direction, direction))
+        if dot(direction, towards) < 0.0:
+            direction = -direction
+        state = self.arch.memory.state[:, 0].copy()
+        return Point(state, left, *self.arch.stability(), direction)
 
     def point(self, state: Array, left: float, towards: Array | None = None) -> Point:
         """The settled point of the branch at a given angle; by default facing larger angles."""
         state = self.arch.settle(state, left, left - self.delta_alpha)
         if towards is None:
             towards = np.append(np.zeros(self.arch.size - 2 * self.arch.node_dofs), 1.0)
-        direction = self._direction(state, left, towards, stable=False)
-        self._residual(state, left)
-        return Point(state, left, *self.arch.stability(), direction)
+        return self._described(state, left, towards)
 
     def step(self, point: Point, length: float) -> Point:
         """The next point, ``length`` further along the branch.
 
-        Raises ArithmeticError if Newton's method fails.
+        Raises ArithmeticError if Newton's method fails: if its corrections grow small neither
+        against the length nor, with the residual, down to what rounding leaves of them.
         """
         free = self.arch.free
+        ahead = point.direction
         state = point.state.copy()
-        state[free] += length * point.direction[:-1]
-        left = point.left + length * point.direction[-1]
-        stable = point.eigenvalue > SAFELY_STABLE
+        state[free] += length * ahead[:-1]
+        left = point.left + length * ahead[-1]
+        last = math.inf
         for _ in range(MOST_ITERATIONS):
-            residual, slope = self._linear(state, left)
-            moved = np.append(state[free] - point.state[free], left - point.left)
-            excess = moved @ point.direction - length
-            ahead = point.direction
+            slope = self._slope(state, left)
+            residual = self._residual(state, left)
+            excess = dot(np.append(state[free] - point.state[free], left - point.left), ahead)
             change, turn = solve_bordered(
-                self.arch.tangent_band(),
-                slope,
-                ahead[:-1],
-                ahead[-1],
-                -residual,
-                -float(excess),
-                stable,
+                self.arch.tangent_band(), slope, ahead[:-1], ahead[-1], -residual, length - excess
             )
             change = self._mirrored(change)
             state[free] += change
-            left += turn
+            left = float(left + turn)
             size = max(float(np.abs(change).max()), abs(turn))
             if not size < 1.0:
                 break
-            if size < TOLERANCE:
-                direction = self._direction(state, left, point.direction, stable)
-                self._residual(state, left)
-                state = self.arch.memory.state[:, 0].copy()
-                return Point(state, left, *self.arch.stability(), direction)
+            shaken = last <= size <= LARGEST_SHAKE
+            if size < TOLERANCE or shaken and np.abs(residual).max() <= self.arch.rounding:
+                self.arch.accuracy = size
+                return self._described(state, left, ahead)
+            last = size
         raise ArithmeticError(f"the branch was lost at a clamp angle of {left:g} rad")
 
     def follow(self, point: Point, length: float) -> Iterator[Point]:
@@ -153,7 +119,7 @@ class Branch:
         while True:
             try:
                 point = self.step(point, step)
-            except (ArithmeticError, np.linalg.LinAlgError):
+            except ArithmeticError:
                 step *= 0.5
                 if step < 1e-6 * length:
                     return

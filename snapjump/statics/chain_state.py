@@ -3,11 +3,25 @@
 from typing import Any
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
 from snapjump.discretization.base import node_dofs, turn_length
+from snapjump.number.functions import arctan, sqrt
 
 Array = NDArray[np.float64]
+
+
+@njit(cache=True, error_model="numpy")
+def chord_angles(x: Any, y: Any) -> Any:
+    """Directions (N - 2, between -pi and pi) of the chords between each inner node's neighbours."""
+    inner = x.shape[0] - 2
+    angles = np.empty(inner)
+    for j in range(inner):
+        dx = x[j + 2] - x[j]
+        dy = y[j + 2] - y[j]
+        angles[j] = 2.0 * arctan(dy / (sqrt(dx * dx + dy * dy) + dx))
+    return angles
 
 
 def chain_state(discretization: Any, x: Array, y: Array) -> Array:
@@ -18,6 +32,5 @@ def chain_state(discretization: Any, x: Array, y: Array) -> Array:
     state[0::dofs] = x
     state[1::dofs] = y
     if dofs == 3:
-        directions = np.unwrap(np.arctan2(y[2:] - y[:-2], x[2:] - x[:-2]))
-        state[5:-3:3] = turn_length(discretization) * directions
+        state[5:-3:3] = turn_length(discretization) * chord_angles(x, y)
     return state

@@ -2,25 +2,30 @@
 
 import math
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 
 from snapjump.options.discretization import DiscretizationOptions
 from snapjump.parameters.robot import Robot
 from snapjump.statics.arch import Equilibrium, StaticArch
+from snapjump.statics.band import dot
 from snapjump.statics.branch import Branch, Point
+from snapjump.statics.rounding import COVERAGE, check_angle_error
 
 LONGEST_STEP = 0.12  # of the continuation (norm of free coordinates and angle)
-ANGLE_TOLERANCE = 1e-10
+LENGTH_TOLERANCE = 1e-12
 MOST_STEPS = 2000
 
 
 @dataclass(frozen=True)
 class Snap:
-    """The equilibrium at which the arch loses stability, and the one it snaps to."""
+    """The equilibrium at which the arch loses stability, the one it snaps to, and how well its
+    angle is known (rad): what rounding makes of it."""
 
     before: Equilibrium
     after: Equilibrium
+    alpha_error_rad: float
 
     @property
     def alpha_rad(self) -> float:
@@ -40,45 +45,67 @@ class Snap:
 
 def start_point(branch: Branch, upward: bool = True) -> Point:
     """The branch's point at a left angle of zero, reached from the symmetric arch."""
-    arch = branch.arch
-    state = arch.settle(arch.guess(upward), 0.0, 0.0)
-    steps = max(1, int(np.ceil(abs(branch.delta_alpha) / 0.02)))
-    for k in range(1, steps + 1):
-        state = arch.settle(state, 0.0, -branch.delta_alpha * k / steps)
-    return branch.point(state, 0.0)
+    return branch.point(branch.arch.flat(branch.delta_alpha, upward), 0.0)
+
+
+def arclength(branch: Branch, stable: Point, unstable: Point) -> float:
+    """Distance of two points along the first one's direction."""
+    moved = unstable.state[branch.arch.free] - stable.state[branch.arch.free]
+    return dot(np.append(moved, unstable.left - stable.left), stable.direction)
 
 
 def refine(branch: Branch, stable: Point, unstable: Point) -> Point:
-    """The point between two where the smallest eigenvalue vanishes.
+    """The point between two where the smallest eigenvalue vanishes, to what rounding makes of it.
 
-    Regula falsi (Illinois) in the arclength from the stable point, to ANGLE_TOLERANCE in the
-    angle. At a fold the eigenvalue, at a pitchfork eigenvalue and angle, are linear in it.
+    Its root in the arclength from the stable point: at a fold the eigenvalue, at a pitchfork
+    eigenvalue and angle, are linear in that.
     """
-    length = float(
-        np.append(
-            unstable.state[branch.arch.free] - stable.state[branch.arch.free],
-            unstable.left - stable.left,
-        )
-        @ stable.direction
-    )
-    low, high = 0.0, length
-    f_low, f_high = stable.eigenvalue, unstable.eigenvalue
-    point = stable
-    for _ in range(60):
-        middle = (low * f_high - high * f_low) / (f_high - f_low)
-        previous = point
-        point = branch.step(stable, middle)
-        if abs(point.left - previous.left) < ANGLE_TOLERANCE and abs(high - low) < 1e-6 * length:
+    from scipy.optimize import brentq  # plain arithmetic: equal bits on every processor
+
+    points = [stable]
+
+    def eigenvalue(length: float) -> float:
+        if length == 0.0:
+            return stable.eigenvalue
+        points.append(branch.step(stable, length))
+        value = points[-1].eigenvalue
+        return value if abs(value) > points[-1].eigenvalue_rounding else 0.0
+
+    brentq(eigenvalue, 0.0, arclength(branch, stable, unstable), xtol=LENGTH_TOLERANCE)
+    return min(points, key=lambda point: abs(point.eigenvalue))
+
+
+def angle_error(branch: Branch, stable: Point, unstable: Point, critical: Point) -> float:
+    """What rounding of the smallest eigenvalue makes of the critical angle (rad)."""
+    length = arclength(branch, stable, unstable)
+    slope = (unstable.eigenvalue - stable.eigenvalue) / length
+    along = critical.eigenvalue_rounding / abs(slope)
+    return COVERAGE * (along * abs(float(critical.direction[-1])) + branch.arch.accuracy)
+
+
+def instability(branch: Branch, start: Point) -> tuple[Equilibrium, float]:
+    """Where the branch, followed from a stable point on, loses its stability first, and how well
+    its angle is known (rad).
+
+    Raises ArithmeticError if no instability is found, or if rounding spoils its angle.
+    """
+    if start.eigenvalue <= 0.0:
+        raise ArithmeticError(f"the arch is not stable at {start.left:g} rad")
+    # A shallow arch snaps at an angle of about 2 sqrt(epsilon).
+    step = min(LONGEST_STEP, 0.5 * math.sqrt(branch.arch.epsilon))
+    point = start
+    for following in islice(branch.follow(start, step), MOST_STEPS):
+        if following.eigenvalue <= 0.0:
             break
-        if abs(point.eigenvalue) < 1e-9 * max(abs(f_low), abs(f_high), 1.0):
-            break
-        if point.eigenvalue > 0.0:
-            low, f_low = middle, point.eigenvalue
-            f_high *= 0.5
-        else:
-            high, f_high = middle, point.eigenvalue
-            f_low *= 0.5
-    return point
+        point = following
+    else:
+        raise ArithmeticError(f"no instability found up to {point.left:g} rad")
+    critical = refine(branch, point, following)
+    error = angle_error(branch, point, following, critical)
+    check_angle_error(branch.arch.discretization, error)
+    branch.arch.negative_pivots = 0
+    right = critical.left - branch.delta_alpha
+    return branch.arch.equilibrium(critical.state, critical.left, right), error
 
 
 def find_snap(
@@ -86,31 +113,15 @@ def find_snap(
 ) -> Snap:
     """Where the arch with the right clamp lagging by ``delta_alpha`` snaps under slow loading.
 
-    Raises ArithmeticError if no instability is found.
+    Raises ArithmeticError if no instability is found, or if rounding spoils its angle.
     """
     arch = StaticArch(robot, discretization, epsilon)
     branch = Branch(arch, delta_alpha)
-    point = start_point(branch)
-    # A shallow arch snaps at an angle of about 2 sqrt(epsilon).
-    step = min(LONGEST_STEP, 0.5 * math.sqrt(epsilon))
-    for count, following in enumerate(branch.follow(point, step)):
-        if following.eigenvalue <= 0.0:
-            break
-        point = following
-        if count > MOST_STEPS:
-            raise ArithmeticError(f"no instability found up to {point.left:g} rad")
-    critical = refine(branch, point, following)
-    arch.negative_pivots = 0
-    before = arch.equilibrium(critical.state, critical.left, critical.left - delta_alpha)
-    after = snapped_state(arch, critical.left, delta_alpha)
-    return Snap(before, after)
+    before, error = instability(branch, start_point(branch))
+    return Snap(before, snapped_state(arch, before.left, delta_alpha), error)
 
 
 def snapped_state(arch: StaticArch, left: float, delta_alpha: float) -> Equilibrium:
     """The stable equilibrium on the other side at the given angles."""
-    state = arch.settle(arch.guess(upward=False), 0.0, 0.0)
-    steps = max(8, int(np.ceil(left / 0.02)))
-    for k in range(1, steps + 1):
-        share = k / steps
-        state = arch.settle(state, share * left, share * (left - delta_alpha))
+    state = arch.turn(arch.flat(upward=False), (0.0, 0.0), (left, left - delta_alpha))
     return arch.equilibrium(state, left, left - delta_alpha)

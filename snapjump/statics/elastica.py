@@ -1,22 +1,66 @@
 """The exact clamped-clamped elastica, as a first guess for Newton's method."""
 
+from typing import Any
+
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
+
+from snapjump.number.functions import arctan, sin, sqrt
 
 Array = NDArray[np.float64]
 HALVINGS = 60
+LANDEN_STEPS = 6  # each squares the distance of the two means: five are exact up to m = 0.99
+LARGEST_PARAMETER = 0.99
 
 
-def modulus(epsilon: Array) -> Array:
-    """The parameter m of the elastica whose end shortening is 2 - 2 E(m)/K(m) = epsilon."""
-    from scipy.special import ellipe, ellipk
+@njit(cache=True, error_model="numpy")
+def landen(m: float, a: Any, c: Any) -> float:
+    """Arithmetic-geometric means of the parameter m, a_n and c_n; returns the end shortening.
 
-    low, high = np.full_like(epsilon, 1e-12), np.full_like(epsilon, 0.99)
+    It is 2 - 2 E(m)/K(m) = sum of 2^n c_n^2 (Abramowitz and Stegun 17.6).
+    """
+    a[0] = 1.0
+    b = sqrt(1.0 - m)
+    c[0] = sqrt(m)
+    shortening = m
+    for n in range(1, LANDEN_STEPS + 1):
+        a[n] = 0.5 * (a[n - 1] + b)
+        c[n] = 0.5 * (a[n - 1] - b)
+        b = sqrt(a[n - 1] * b)
+        shortening += 2.0**n * c[n] * c[n]
+    return shortening
+
+
+@njit(cache=True, error_model="numpy")
+def place_arch(epsilon: float, x: Any, y: Any) -> None:
+    """Fill the nodes (elements + 1) of one arch of end shortening epsilon."""
+    elements = x.shape[0] - 1
+    a = np.empty(LANDEN_STEPS + 1)
+    c = np.empty(LANDEN_STEPS + 1)
+    low, high = 0.0, LARGEST_PARAMETER
     for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        beyond = 2.0 - 2.0 * ellipe(middle) / ellipk(middle) > epsilon
-        low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
-    return 0.5 * (low + high)
+        m = 0.5 * (low + high)
+        if landen(m, a, c) > epsilon:
+            high = m
+        else:
+            low = m
+    m = 0.5 * (low + high)
+    landen(m, a, c)
+    x[0] = 0.0
+    y[0] = 0.0
+    for j in range(elements):
+        # sn(4 K s) by descending Landen transformations (Abramowitz and Stegun 16.4).
+        phase = 2.0 ** (LANDEN_STEPS + 1) * np.pi * ((j + 0.5) / elements)
+        for n in range(LANDEN_STEPS, 0, -1):
+            t = c[n] / a[n] * sin(phase)
+            phase = 0.5 * (phase + arctan(t / sqrt(1.0 - t * t)))
+        half = sqrt(m) * sin(phase)  # sine of half the tangent's angle
+        x[j + 1] = x[j] + (1.0 - 2.0 * half * half) / elements
+        y[j + 1] = y[j] + 2.0 * half * sqrt(1.0 - half * half) / elements
+    stretch = (1.0 - epsilon) / x[elements]
+    for j in range(elements + 1):
+        x[j] = x[j] * stretch - 0.5 * (1.0 - epsilon)
 
 
 def buckled_arch(epsilon: float | Array, elements: int) -> tuple[Array, Array]:
@@ -25,18 +69,11 @@ def buckled_arch(epsilon: float | Array, elements: int) -> tuple[Array, Array]:
     Of end shortenings epsilon (...), with the tangent 2 asin(sqrt(m) sn(4 K s)); x runs from
     -(1 - epsilon)/2 to (1 - epsilon)/2 and y is measured from the clamps.
     """
-    from scipy.special import ellipj, ellipk
-
-    shortening = np.asarray(epsilon, dtype=float)[..., None]
-    m = modulus(shortening)
-    s = (np.arange(elements) + 0.5) / elements
-    sine = ellipj(4.0 * ellipk(m) * s, m)[0]
-    tangent = 2.0 * np.arcsin(np.sqrt(m) * sine)
-    origin = np.zeros_like(shortening)
-    x = np.concatenate([origin, np.cumsum(np.cos(tangent), axis=-1)], axis=-1) / elements
-    y = np.concatenate([origin, np.cumsum(np.sin(tangent), axis=-1)], axis=-1) / elements
-    span = 1.0 - shortening
-    return x * (span / x[..., -1:]) - 0.5 * span, y
+    shortening = np.asarray(epsilon, dtype=float)
+    x, y = np.empty((2, *shortening.shape, elements + 1))
+    for k in np.ndindex(shortening.shape):
+        place_arch(shortening[k], x[k], y[k])
+    return x, y
 
 
 def resampled(values: Array, skipped: float, elements: int) -> Array:

@@ -14,7 +14,9 @@ from numpy.polynomial import Chebyshev
 from numpy.typing import ArrayLike, NDArray
 
 from snapjump.checks import ParameterError
+from snapjump.number.functions import cos
 from snapjump.parameters.robot import Robot
+from snapjump.statics.rounding import LostToRoundingError
 from snapjump.statics.threshold import symmetric_threshold
 
 Array = NDArray[np.float64]
@@ -26,6 +28,20 @@ def direct(robot: Robot, discretization: Any, compressions: Array) -> Array:
     """Angle (rad) and depth (L) of every compression's threshold, each computed: (2, R)."""
     found = [symmetric_threshold(robot, discretization, float(value)) for value in compressions]
     return np.array([[t.alpha_rad for t in found], [t.h1_bar for t in found]])
+
+
+def chebyshev_through(values: Array, ends: Array) -> Chebyshev:
+    """The polynomial through values (n) at Chebyshev's nodes, largest first, between two ends.
+
+    Its coefficients are sums (Trefethen 2019, chapter 3), whose bits depend on no LAPACK.
+    """
+    count = len(values)
+    coefficients = []
+    for order in range(count):
+        waves = [cos(np.pi * order * k / (2 * count)) for k in range(1, 2 * count, 2)]
+        total = sum(wave * value for wave, value in zip(waves, values, strict=True))
+        coefficients.append(total * ((1.0 if order == 0 else 2.0) / count))
+    return Chebyshev(coefficients, domain=ends)
 
 
 @dataclass(frozen=True)
@@ -57,20 +73,20 @@ class ThresholdCurve:
             raise ParameterError("low, high", (low, high), "0 < low < high <= 0.4")
         ends = np.sqrt([low, high])
         # Every other point is one of Chebyshev's nodes, those between are for the check.
-        cosines = np.cos(0.5 * np.pi * np.arange(1, 2 * nodes) / nodes)
+        cosines = np.array([cos(np.pi * k / (2 * nodes)) for k in range(1, 2 * nodes)])
         roots = 0.5 * (ends[0] + ends[1]) + 0.5 * (ends[1] - ends[0]) * cosines
         try:
             values = direct(robot, discretization, roots**2)
-        except (ArithmeticError, ValueError) as error:
+        except LostToRoundingError:
+            raise
+        except ArithmeticError as error:
             raise ParameterError(
                 "low, high",
                 (low, high),
                 f"pre-compressions that all buckle the beam of this robot and mesh "
                 f"({discretization.elements} elements), and snap back when its clamps turn",
             ) from error
-        angle, depth = (
-            Chebyshev.fit(roots[::2], row[::2], nodes - 1, domain=ends) for row in values
-        )
+        angle, depth = (chebyshev_through(row[::2], ends) for row in values)
         between = slice(1, None, 2)
         return cls(
             robot,

@@ -69,7 +69,7 @@ def leaning(arch: StaticArch, critical: Equilibrium) -> Iterator[Point]:
     branch = Branch(arch, 0.0, symmetric=False)
     arch.residual(critical.state, critical.left, critical.right)
     mode = np.append(arch.critical_mode(), 0.0)
-    seed = Point(critical.state, critical.left, 0.0, 1, mode)
+    seed = Point(critical.state, critical.left, 0.0, 0.0, 1, mode)
     yield seed
     for point in islice(branch.follow(seed, STEP), MOST_POINTS):
         if point.direction[-1] > 0.0:

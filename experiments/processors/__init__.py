@@ -1,0 +1,1 @@
+"""Whether results are the same to the last bit on other processors."""

@@ -1,0 +1,24 @@
+"""Powers and logarithms for Python code whose bits must not depend on the processor.
+
+``**``, ``math.pow`` and ``math.log1p`` are the system library's, which picks among versions by the
+processor and rounds differently in each. These are the kernels' own, compiled.
+"""
+
+from numba import njit
+
+from snapjump.number.exponentials import exp, log
+
+
+@njit(cache=True, error_model="numpy")
+def power(base: float, exponent: float) -> float:
+    """A positive number to any power, good to a few units in the last place."""
+    return exp(exponent * log(base))
+
+
+@njit(cache=True, error_model="numpy")
+def log1p(x: float) -> float:
+    """Logarithm of 1 + x, of small x too (Kahan): what 1 + x loses, the quotient gives back."""
+    y = 1.0 + x
+    if y == 1.0:
+        return x
+    return log(y) * (x / (y - 1.0))
