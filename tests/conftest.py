@@ -9,6 +9,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "support"))
+pytest_plugins = ["perturbation"]
 Command = Callable[..., subprocess.CompletedProcess[str]]
 
 

@@ -50,7 +50,7 @@ def bend_cantilever(
     for k in range(1, steps + 1):
         load = TipLoad(*(value * k / steps for value in (force_x, force_y, moment)))
         loaded = model._replace(load=load)
-        negative, failed = equilibrate(loaded, numbers_of(loaded), masses, memory, True)
+        negative, _, failed = equilibrate(loaded, numbers_of(loaded), masses, memory, True)
         if failed:
             raise ArithmeticError(f"no equilibrium at {k} / {steps} of the tip load")
     state = memory.state[:, 0].copy()

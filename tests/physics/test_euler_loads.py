@@ -68,7 +68,7 @@ def clamped(arch, elements: int, clamp: str) -> float:
         state = np.zeros(straight.size)
         state[0::2] = np.linspace(-half, half, chain + 1)
         assert np.abs(straight.residual(state, 0.0, 0.0)).max() < 1e-8
-        return smallest(straight.tangent_band())
+        return smallest(straight.tangent_band().T)
 
     return vanishing(eigenvalue, 20.0, 60.0, 100)
 

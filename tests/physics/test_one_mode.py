@@ -34,7 +34,7 @@ def straight(arch):
     state = np.zeros(beam.size)
     state[0::2] = np.linspace(-0.5, 0.5, 81)
     beam.residual(state, 0.0, 0.0)
-    band = beam.tangent_band()
+    band = beam.tangent_band().T
     size = band.shape[1] // 2
     tangent = np.zeros((size, size))
     for k in range(3):
