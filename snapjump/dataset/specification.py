@@ -17,7 +17,7 @@ from snapjump.simulation import build, construct
 
 FORMAT = 1  # of the files; another number for other columns or another hash
 LARGEST_SHARD = 1_000_000
-# Lanes and threads change nothing to the last bit; another kind of processor does.
+# Lanes, threads and the kind of processor change nothing to the last bit.
 CPU = ("scalar", "lanes")
 
 

@@ -15,7 +15,7 @@ from snapjump.discretization.base import HALF_BANDWIDTH
 
 WIDTH = HALF_BANDWIDTH + 1
 ROUNDING = 2.0**-52
-BISECTIONS = 14
+BISECTIONS = 24
 INVERSE_ITERATIONS = 8
 
 
