@@ -56,7 +56,7 @@ def shake_guesses(seed: int) -> None:
         state = plain(arch, upward)
         return state * (1.0 + NOISE * random.uniform(-1.0, 1.0, len(state)))
 
-    StaticArch.guess = guess  # type: ignore[method-assign]
+    StaticArch.guess = guess  # type: ignore[assignment, method-assign]
 
 
 def spread(way: Callable[..., Any], arch: Arch, tries: int) -> tuple[list[float], list[float], int]:
@@ -105,7 +105,8 @@ def main() -> None:
             "largest_share": round(float(np.max(shares)), 3),
             "largest_stated_rad": float(np.nanmax(stated[name])),
         }
-    apart = np.abs(np.subtract(*medians.values())) / np.sum(list(stated.values()), axis=0)
+    first, second = medians.values()
+    apart = np.abs(np.subtract(first, second)) / np.sum(list(stated.values()), axis=0)
     report["apart_beyond_what_is_stated"] = int(np.sum(apart > 1.0))
     print(json.dumps(report, indent=2))
 

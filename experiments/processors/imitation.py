@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Mapping
+from importlib import import_module
 
 AVX512 = "X86_V4 AVX512F AVX512CD AVX512_SKX AVX512_CLX AVX512_CNL AVX512_ICL AVX512_SPR"
 SETTINGS: Mapping[str, Mapping[str, str]] = {
@@ -33,7 +34,8 @@ def check_imitation(name: str) -> None:
 
     numpy passes over names that it does not know in silence.
     """
-    from numpy._core._multiarray_umath import __cpu_features__ as features
+    umath = import_module("numpy._core._multiarray_umath")
+    features: Mapping[str, bool] = umath.__cpu_features__
 
     level, feature = FORBIDDEN[name]
     lacking = level if level in features else feature

@@ -2,19 +2,18 @@
 
 from typing import Any
 
-from numba import njit
-
 from snapjump.contact.base import (
     at_rest,
     contact_reach,
     force_if_acting,
     keeps_open,
 )
+from snapjump.number.dispatch import compiled
 
 HALVINGS = 60
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def resting_gap(contact: Any, weight: float, points: float) -> float:
     """Gap (in L) at which a law carries a weight (in EI/L^2) at so many points.
 

@@ -2,8 +2,6 @@
 
 from typing import Any
 
-from numba import njit
-
 from snapjump.clamp.base import clamp_angles
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.clock import SIZE
@@ -11,9 +9,10 @@ from snapjump.engine.equilibrium import settle
 from snapjump.engine.model import with_numbers
 from snapjump.engine.view import view_work
 from snapjump.frame.base import place_ends
+from snapjump.number.dispatch import compiled
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def equilibrate(template: Any, numbers: Any, masses: Any, memory: Any, iterate: bool) -> Any:
     """Settle the state in ``memory`` at time 0, or only assemble there if not ``iterate``.
 

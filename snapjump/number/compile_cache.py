@@ -26,6 +26,7 @@ KERNEL_PACKAGES = (
     "load",
     "number",
     "recorder",
+    "statics",
     "stepping",
 )
 

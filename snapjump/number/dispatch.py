@@ -9,6 +9,7 @@ import functools
 from collections.abc import Callable
 from typing import Any
 
+from numba import njit
 from numba.extending import overload, register_jitable
 
 Function = Callable[..., Any]
@@ -21,6 +22,8 @@ COMPILED = {"no_cfunc_wrapper": True}
 INLINED = {"forceinline": True, "no_cfunc_wrapper": True}
 kernel = register_jitable(**INLINED)
 routine = register_jitable(**COMPILED)
+# A function that Python calls, compiled for its arguments once and kept on disk.
+compiled = njit(cache=True, error_model="numpy")
 
 
 def member_class(kind: Any) -> Any:

@@ -4,18 +4,17 @@
 processor and rounds differently in each. These are the kernels' own, compiled.
 """
 
-from numba import njit
-
+from snapjump.number.dispatch import compiled
 from snapjump.number.exponentials import exp, log
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def power(base: float, exponent: float) -> float:
     """A positive number to any power, good to a few units in the last place."""
     return exp(exponent * log(base))
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def log1p(x: float) -> float:
     """Logarithm of 1 + x, of small x too (Kahan): what 1 + x loses, the quotient gives back."""
     y = 1.0 + x

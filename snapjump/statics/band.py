@@ -1,7 +1,7 @@
 """Symmetric band matrices: factors, solutions, quadratic forms, the smallest eigenvalue.
 
 In plain loops, compiled once: what LAPACK returns depends on the processor in its last bits, and
-for slender arches its eigenvalues are a hundred times less accurate than the Rayleigh quotient
+for slender arches its eigenvalues are some fifty times less accurate than the Rayleigh quotient
 of :func:`smallest_eigenvalue`. A matrix is a lower band (n, 6): ``band[j, k]`` is the entry of row
 j + k and column j; what would lie below the last row is not read.
 """
@@ -9,9 +9,9 @@ j + k and column j; what would lie below the last row is not read.
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from snapjump.discretization.base import HALF_BANDWIDTH
+from snapjump.number.dispatch import compiled
 
 WIDTH = HALF_BANDWIDTH + 1
 ROUNDING = 2.0**-52
@@ -19,7 +19,7 @@ BISECTIONS = 24
 INVERSE_ITERATIONS = 8
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def factor(band: Any, shift: float, factors: Any) -> int:
     """L D L^T of ``band`` less ``shift`` on its diagonal; returns how many pivots are negative.
 
@@ -47,7 +47,7 @@ def factor(band: Any, shift: float, factors: Any) -> int:
     return negative
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def substitute(factors: Any, x: Any) -> None:
     """Replace a right-hand side (n) by the solution."""
     size = factors.shape[0]
@@ -60,7 +60,7 @@ def substitute(factors: Any, x: Any) -> None:
             x[j] -= factors[j, k] * x[j + k]
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def dot(a: Any, b: Any) -> float:
     """Sum of products, one after the other."""
     total = 0.0
@@ -69,7 +69,7 @@ def dot(a: Any, b: Any) -> float:
     return total
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def subtract_product(band: Any, x: Any, values: Any) -> None:
     """Subtract K x from ``values`` (n)."""
     size = band.shape[0]
@@ -80,7 +80,7 @@ def subtract_product(band: Any, x: Any, values: Any) -> None:
             values[j] -= band[j, k] * x[j + k]
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def quadratic_form(band: Any, x: Any) -> tuple[float, float]:
     """x K x, and the size of what rounding of the matrix's entries makes of it.
 
@@ -101,7 +101,7 @@ def quadratic_form(band: Any, x: Any) -> tuple[float, float]:
     return value, ROUNDING * np.sqrt(squares)
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def solve_bordered(
     band: Any, column: Any, row: Any, corner: float, right: Any, last: float
 ) -> tuple[Any, float]:
@@ -130,7 +130,7 @@ def solve_bordered(
     return x, z
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def smallest_eigenvalue(band: Any, vector: Any) -> tuple[float, float, int]:
     """Smallest eigenvalue, what rounding makes of it, and the number of negative eigenvalues.
 

@@ -3,16 +3,16 @@
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from snapjump.discretization.base import node_dofs, turn_length
+from snapjump.number.dispatch import compiled
 from snapjump.number.functions import arctan, sqrt
 
 Array = NDArray[np.float64]
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def chord_angles(x: Any, y: Any) -> Any:
     """Directions (N - 2, between -pi and pi) of the chords between each inner node's neighbours."""
     inner = x.shape[0] - 2

@@ -3,9 +3,9 @@
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from snapjump.number.dispatch import compiled
 from snapjump.number.functions import arctan, sin, sqrt
 
 Array = NDArray[np.float64]
@@ -14,7 +14,7 @@ LANDEN_STEPS = 6  # each squares the distance of the two means: five are exact u
 LARGEST_PARAMETER = 0.99
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def landen(m: float, a: Any, c: Any) -> float:
     """Arithmetic-geometric means of the parameter m, a_n and c_n; returns the end shortening.
 
@@ -32,7 +32,7 @@ def landen(m: float, a: Any, c: Any) -> float:
     return shortening
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def place_arch(epsilon: float, x: Any, y: Any) -> None:
     """Fill the nodes (elements + 1) of one arch of end shortening epsilon."""
     elements = x.shape[0] - 1
