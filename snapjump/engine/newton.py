@@ -43,6 +43,7 @@ GROWTH_LIMIT = 2.0  # of the correction, above which the last one is halved
 LARGEST_CORRECTION = 0.3  # of the beam's length
 ROUNDING = 2.0**-50  # of the length: what rounding of a point's few coordinates adds up to
 LARGEST_SHAKE = 1e-6  # of the length: corrections beyond are more than rounding
+SHRINKING = 0.5  # of the last correction: a smaller one still converges
 
 
 class Correction(NamedTuple):
@@ -152,7 +153,10 @@ def newton_iteration(
     correction = solution.correction
     clock[GAP] = assembly.smallest_gap
     clock[FASTEST] = assembly.contact_rate_squared
-    clock[RESIDUAL] = solution.residual / maximum(assembly.largest_force, tiny)
+    force = maximum(assembly.largest_force, tiny)
+    residual = solution.residual / force
+    larger = maximum(residual, clock[RESIDUAL])  # of this iteration's and the last one's
+    clock[RESIDUAL] = residual
     finite = correction < 1e30
     first = clock[ITERATION] == 0.0
     grew = (correction > GROWTH_LIMIT * clock[SIZE]) & negate(first)
@@ -179,10 +183,11 @@ def newton_iteration(
     # that was cut short says nothing: a huge one would make the next look converged.
     unknown = first | (clock[SHARE] < 1.0)
     rate = where(unknown, 1.0, minimum(correction / maximum(clock[SIZE], tiny), 1.0 + 0.0 * tiny))
-    # Corrections that shrink no more, while the residual is what rounding leaves of its terms,
-    # shake the best state that there is.
-    shaken = (correction >= clock[SIZE]) & (correction <= LARGEST_SHAKE) & negate(first)
-    shaken = shaken & (solution.residual <= ROUNDING * axial_stiffness(model.discretization))
+    # Corrections that shrink no more, while residuals are what rounding leaves of their terms,
+    # shake the best state that there is. Twice, since Newton's method on a stiff chain stretches
+    # and straightens it in turn.
+    shaken = (larger * force <= ROUNDING * axial_stiffness(model.discretization)) & negate(first)
+    shaken = shaken & (correction >= SHRINKING * clock[SIZE]) & (correction <= LARGEST_SHAKE)
     exact = (rate * correction <= tolerance) | shaken
     converged = exact & (share >= 1.0) & negate(back) & finite
     iteration = clock[ITERATION] + 1.0

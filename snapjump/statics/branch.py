@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.engine.newton import LARGEST_SHAKE
+from snapjump.engine.newton import LARGEST_SHAKE, SHRINKING
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.band import dot, solve_bordered
 
@@ -92,7 +92,7 @@ class Branch:
         state = point.state.copy()
         state[free] += length * ahead[:-1]
         left = point.left + length * ahead[-1]
-        last = math.inf
+        last, largest = math.inf, math.inf
         for _ in range(MOST_ITERATIONS):
             slope = self._slope(state, left)
             residual = self._residual(state, left)
@@ -106,8 +106,9 @@ class Branch:
             size = max(float(np.abs(change).max()), abs(turn))
             if not size < 1.0:
                 break
-            shaken = last <= size <= LARGEST_SHAKE
-            if size < TOLERANCE or shaken and np.abs(residual).max() <= self.arch.rounding:
+            before, largest = largest, float(np.abs(residual).max())
+            shaken = SHRINKING * last <= size <= LARGEST_SHAKE
+            if size < TOLERANCE or (shaken and max(before, largest) <= self.arch.rounding):
                 self.arch.accuracy = size
                 return self._described(state, left, ahead)
             last = size
