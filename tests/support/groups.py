@@ -11,13 +11,18 @@ from typing import Any
 import pytest
 from xdist.scheduler import LoadScopeScheduling
 
-# In the order in which they begin.
+# In the order in which they begin: robots one at a time, side by side, and what needs both.
 GROUPS = {
-    "physics": ("physics", "recorder", "stepping"),
-    "batches": ("engine", "batch", "targets"),
+    "single": (
+        "physics",
+        "recorder",
+        "stepping",
+        "tracking",
+        "test_command_line.py",
+        "docs/test_tutorial.py",
+    ),
+    "lanes": ("engine", "batch", "targets", "dataset", "executor", "cuda", "tasks"),
     "studies": ("experiments",),
-    "datasets": ("dataset", "executor", "cuda"),
-    "commands": ("tracking", "tasks", "docs/test_tutorial.py", "test_command_line.py"),
 }
 
 
