@@ -10,7 +10,7 @@ jump: $(STAMP)  ## one jump: numbers, figures, film
 	$(VENV)/bin/python run.py sim=jump contact=logbarrier
 
 test: $(STAMP)  ## all tests that take less than a minute
-	$(VENV)/bin/python -m pytest -n 2 -m "not slow"
+	$(VENV)/bin/python -m pytest -n 2 --dist loadgroup -m "not slow"
 
 check: $(STAMP)  ## style, types, import layers
 	$(VENV)/bin/ruff check .

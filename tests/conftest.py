@@ -1,29 +1,73 @@
 """What tests of several folders share."""
 
-import subprocess
+import gc
+import os
+import shutil
 import sys
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "support"))
+
+from command_line import Done, apart, here  # noqa: E402
+from groups import GroupScheduling, in_order  # noqa: E402
+
+Command = Callable[..., Done]
 pytest_plugins = ["perturbation"]
-Command = Callable[..., subprocess.CompletedProcess[str]]
+# Which MLflow reads once, when it is imported by whichever test comes first.
+os.environ["MLFLOW_DISABLE_TELEMETRY"] = "true"
+# A tenth of the time of compiling goes into colours of messages that nobody sees, and into looking
+# through all objects of all libraries for garbage.
+os.environ["NUMBA_DISABLE_ERROR_MESSAGE_HIGHLIGHTING"] = "1"
+gc.set_threshold(100_000, 50, 100)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Begin with the tests that compile most."""
+    items[:] = in_order(items, ROOT / "tests")
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """With ``--dist loadgroup``: groups by the files of the tests, without marks in them."""
+    return GroupScheduling(config, log) if config.getvalue("dist") == "loadgroup" else None
 
 
 @pytest.fixture
 def command(tmp_path: Path) -> Command:
-    """Runs ``python run.py`` with the given arguments in an empty folder of its own."""
+    """Runs ``python run.py`` with the given arguments in a folder of its own, in this process."""
+    return partial(here, tmp_path)
 
-    def run(*arguments: str, timeout_s: float = 300.0, python: tuple[str, ...] = ()):
-        return subprocess.run(
-            [sys.executable, *python, str(ROOT / "run.py"), *arguments],
-            cwd=tmp_path,
-            capture_output=True,
-            text=True,
-            timeout=timeout_s,
-        )
 
-    return run
+@pytest.fixture
+def process(tmp_path: Path) -> Command:
+    """The same in a process of its own, where it matters that it is one."""
+    return partial(apart, tmp_path)
+
+
+@pytest.fixture(scope="session")
+def tables(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A tracking database without records: making one takes longer than most tests.
+
+    The first of the processes that tests are spread over makes it for all.
+    """
+    from snapjump.files.lock import FileLock
+    from snapjump.tracking.sqlite import Sqlite
+
+    folder = tmp_path_factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        folder = folder.parent
+    with FileLock(folder / "tables.lock"):
+        Sqlite(str(folder / "tables.db")).prepare()
+    return folder / "tables.db"
+
+
+@pytest.fixture
+def database(tables: Path, tmp_path: Path) -> Path:
+    """The tracking database of the folder that commands run in, its tables made."""
+    return Path(shutil.copy(tables, tmp_path / "mlruns.db"))

@@ -96,8 +96,8 @@ def test_bad_input_is_one_line_and_leaves_nothing(
     assert not [path for path in tmp_path.rglob("*") if path.is_file()]
 
 
-def test_bad_input_is_found_before_anything_is_compiled(command, tmp_path: Path) -> None:
-    done = command("design.epsilon=0.9", "tracking=off", python=("-X", "importtime"))
+def test_bad_input_is_found_before_anything_is_compiled(process, tmp_path: Path) -> None:
+    done = process("design.epsilon=0.9", "tracking=off", python=("-X", "importtime"))
     assert done.returncode == 2
     assert "design.epsilon = 0.9 is not allowed" in done.stderr.splitlines()[-1]
     assert "compiling" not in done.stderr + done.stdout
@@ -116,9 +116,9 @@ def test_the_help_page_tells_every_group_and_member(
     assert max(len(line) for line in page.splitlines()) <= 120
 
 
-def test_help_is_quick(command) -> None:
+def test_help_is_quick(process) -> None:
     before = os.times()
-    assert command("--help").returncode == 0
+    assert process("--help").returncode == 0
     # Processor time, since others may keep this machine busy.
     assert os.times().children_user - before.children_user < 1.0
 
@@ -162,8 +162,8 @@ def test_two_runs_never_share_a_folder(tmp_path: Path) -> None:
     assert len(list(tmp_path.glob("outputs/*/*/result.json"))) == 2
 
 
-def test_without_tracking_the_heavy_libraries_stay_out(command) -> None:
-    done = command(*JUMP, "tracking=off", python=("-X", "importtime"))
+def test_without_tracking_the_heavy_libraries_stay_out(process) -> None:
+    done = process(*JUMP, "tracking=off", python=("-X", "importtime"))
     assert done.returncode == 0
     imported = {line.split("|")[-1].strip() for line in done.stderr.splitlines() if "|" in line}
     assert "snapjump.simulation" in imported

@@ -6,7 +6,7 @@ from itertools import combinations, product
 
 import numpy as np
 import pytest
-from plain_march import without_compiling
+from before_the_strike import begin_before_the_strike
 
 from snapjump.batch import Batch, simulate_batch
 from snapjump.checks import ParameterError
@@ -120,7 +120,8 @@ def test_what_cannot_be_combined_is_refused_with_a_reason() -> None:
 
 @pytest.mark.parametrize("choice", CHOICES, ids=lambda c: "-".join(c[f] for f in SWEPT))
 def test_every_pair_of_members_jumps(choice: Choice, monkeypatch: pytest.MonkeyPatch) -> None:
-    without_compiling(monkeypatch)
+    usual = {family: choice[family] for family in ("discretization", "frame")}
+    begin_before_the_strike(monkeypatch, composed(usual))
     simulation = composed(choice)
     if choice["integrator"] == "central_difference":
         # Ten thousands of steps are for the compiled program: here its first few hundred.

@@ -4,6 +4,8 @@ import sys
 import threading
 from typing import Any
 
+from snapjump.number.once import one_process_compiles
+
 TYPICAL_SECONDS = 15
 PATIENCE_SECONDS = 2.0  # longer than loading a compiled kernel from disk takes
 
@@ -11,6 +13,7 @@ PATIENCE_SECONDS = 2.0  # longer than loading a compiled kernel from disk takes
 def load(kernel: Any, *args: Any, typical_seconds: int = TYPICAL_SECONDS) -> None:
     """Call a numba function, announcing on stderr that it is being compiled if that takes time.
 
+    Of several processes that need it one compiles, and the others wait for that.
     Meant for a first call that does no work, so that compilation is not timed as simulation.
     """
     before = len(kernel.signatures)
@@ -27,6 +30,7 @@ def load(kernel: Any, *args: Any, typical_seconds: int = TYPICAL_SECONDS) -> Non
     timer.daemon = True
     timer.start()
     try:
-        kernel(*args)
+        with one_process_compiles(kernel, *args):
+            kernel(*args)
     finally:
         timer.cancel()

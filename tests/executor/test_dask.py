@@ -88,9 +88,9 @@ def test_a_killed_worker_costs_nothing_but_time(cluster, tmp_path: Path) -> None
     assert not list((path / "shards").glob(".*.json.*"))
 
 
-def test_workers_started_here_by_the_command_line(command, tmp_path: Path) -> None:
+def test_workers_started_here_by_the_command_line(process, tmp_path: Path) -> None:
     plan = ("plan=latin_hypercube", "plan.count=24", "dataset.shard_size=8")
-    done = command(
+    done = process(
         *OVERRIDES, *plan, "executor=dask", "dataset.path=d", "tracking=off", "figures=false"
     )
     assert done.returncode == 0, done.stderr

@@ -71,7 +71,9 @@ def test_other_scenes_are_refused() -> None:
     assert groups_of(config)["integrator"]["name"] == "tr_bdf2"
 
 
-def test_from_the_command_line_to_record_and_documentation(command: Any, tmp_path: Path) -> None:
+def test_from_the_command_line_to_record_and_documentation(
+    command: Any, database: Path, tmp_path: Path
+) -> None:
     (tmp_path / "docs").mkdir()
     done = command(*TINY, "publish=docs/studies")
     assert done.returncode == 0, done.stderr

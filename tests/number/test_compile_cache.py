@@ -1,6 +1,10 @@
+import os
 import shutil
+import subprocess
+import sys
 
 import pytest
+from numba import njit
 
 from snapjump.number import compile_cache
 
@@ -40,3 +44,49 @@ def test_folder_follows_the_environment(monkeypatch, tmp_path):
     assert compile_cache.cache_folder().parent == tmp_path / "xdg" / "snapjump"
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "own"))
     assert compile_cache.cache_folder().parent == tmp_path / "own"
+
+
+# The smallest kernel that is kept, compiled by the package in the current folder.
+COMPILE = """
+from snapjump.contact.resting import resting_gap
+from snapjump.contact.logbarrier import LogBarrier
+from snapjump.number import compile_cache
+assert str(compile_cache.PACKAGE.parent) == {root!r}, compile_cache.PACKAGE
+resting_gap(LogBarrier(*5 * [1.0]), 1.0, 1.0)
+print(sum(resting_gap.stats.cache_hits.values()), sum(resting_gap.stats.cache_misses.values()))
+"""
+
+
+def compiled_in(root, cache):
+    """How often the kernel was found and not found by the package there."""
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(cache), "PYTHONPATH": str(root)}
+    done = subprocess.run(
+        [sys.executable, "-c", COMPILE.format(root=str(root))],
+        cwd=root,
+        env=environment,
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+    return tuple(int(count) for count in done.stdout.split())
+
+
+def test_a_copy_finds_what_was_compiled_and_an_edited_one_does_not(copied, tmp_path):
+    cache, elsewhere = tmp_path / "cache", tmp_path / "elsewhere"
+    shutil.copytree(copied, elsewhere / "snapjump")  # with other dates
+    assert compiled_in(tmp_path, cache) == (0, 1)
+    assert compiled_in(elsewhere, cache) == (1, 0)
+    # A function that the kernel calls, in a file of its own.
+    with (elsewhere / "snapjump" / "contact" / "logbarrier.py").open("a") as source:
+        source.write("\nEDITED = True\n")
+    assert compiled_in(elsewhere, cache) == (0, 1)
+
+
+def test_functions_of_others_are_left_to_numba():
+    assert compile_cache.KernelLocator.from_function(compiled_in, __file__) is None
+
+    @njit(cache=True)
+    def other(x):
+        return x + 1
+
+    assert other(1) == 2

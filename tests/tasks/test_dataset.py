@@ -34,7 +34,7 @@ def results(folder: Path) -> list[dict[str, Any]]:
     return [json.loads(file.read_text()) for file in files]
 
 
-def test_a_dataset_its_record_and_its_continuation(command, tmp_path: Path) -> None:
+def test_a_dataset_its_record_and_its_continuation(command, database, tmp_path: Path) -> None:
     done = command(*OVERRIDES, *PLAN)
     assert done.returncode == 0, done.stderr
     (result,) = results(tmp_path)
@@ -83,9 +83,9 @@ def check_record(folder: Path, sha256: str) -> None:
     assert {"dataset.png", "status.png"} <= {f.path for f in client.list_artifacts(run.info.run_id)}
 
 
-def test_parts_of_a_sweep_share_a_folder(command, tmp_path: Path) -> None:
+def test_parts_of_a_sweep_share_a_folder(process, tmp_path: Path) -> None:
     sweep = ("-m", *OVERRIDES, *PLAN, "figures=false", "tracking=off", "dataset.path=shared")
-    done = command(
+    done = process(
         *sweep, "dataset.parts=2", "dataset.part=1,2",
         "hydra/launcher=joblib", "hydra.launcher.n_jobs=2",
     )  # fmt: skip

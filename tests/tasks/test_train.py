@@ -59,7 +59,7 @@ def silent(share: float, text: str) -> None:
     """No progress."""
 
 
-def test_a_forward_model_and_its_record(command, dataset: Path, tmp_path: Path) -> None:
+def test_a_forward_model_and_its_record(command, database, dataset: Path, tmp_path: Path) -> None:
     done = command(*SMALL, f"dataset.path={dataset}")
     assert done.returncode == 0, done.stderr
     (folder,) = {file.parent for file in tmp_path.glob("outputs/20*/*/result.json")}

@@ -57,8 +57,8 @@ def wait_until_it_answers(process: "subprocess.Popen[bytes]", uri: str, log: Pat
     raise AssertionError(f"no answer from {uri}: {log.read_text()}")
 
 
-def test_a_sweep_on_a_server(command, server: str, check_sweep, tmp_path: Path) -> None:
-    done = command(*SWEEP, *TWO_AT_A_TIME, "tracking=server", f"tracking.uri={server}")
+def test_a_sweep_on_a_server(process, server: str, check_sweep, tmp_path: Path) -> None:
+    done = process(*SWEEP, *TWO_AT_A_TIME, "tracking=server", f"tracking.uri={server}")
     assert done.returncode == 0, done.stderr + done.stdout
     assert "4 cells: 4 ok" in done.stdout
     check_sweep(server, tmp_path)
