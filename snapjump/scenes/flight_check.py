@@ -16,10 +16,8 @@ def farthest_apex(model: Any, beam_mass: float) -> float:
     """Bound on how far (L) a robot can rise, and come while it does, with its beam's energy."""
     frame = model.frame
     compression = 1.0 - 2.0 * frame.half_span + 2.0 * getattr(frame, "inset", 0.0)
-    energy = (
-        ENERGY_PER_COMPRESSION * compression
-        + ENERGY_PER_RATE_SQUARED * model.clamp.rate * model.clamp.rate
-    )
+    turning = ENERGY_PER_RATE_SQUARED * model.clamp.rate * model.clamp.rate
+    energy = ENERGY_PER_COMPRESSION * compression + turning
     return float(1.0 + energy / ((frame.mass + beam_mass) * model.load.acceleration))
 
 

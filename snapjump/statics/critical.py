@@ -62,24 +62,23 @@ def refine(branch: Branch, stable: Point, unstable: Point) -> Point:
     """
     from scipy.optimize import brentq  # plain arithmetic: equal bits on every processor
 
-    points = [stable]
+    end = arclength(branch, stable, unstable)
+    points = {0.0: stable, end: unstable}
 
     def eigenvalue(length: float) -> float:
-        if length == 0.0:
-            return stable.eigenvalue
-        points.append(branch.step(stable, length))
-        value = points[-1].eigenvalue
-        return value if abs(value) > points[-1].eigenvalue_rounding else 0.0
+        point = points.get(length) or branch.step(stable, length)
+        points[length] = point
+        return point.eigenvalue if abs(point.eigenvalue) > point.eigenvalue_rounding else 0.0
 
-    brentq(eigenvalue, 0.0, arclength(branch, stable, unstable), xtol=LENGTH_TOLERANCE)
-    return min(points, key=lambda point: abs(point.eigenvalue))
+    brentq(eigenvalue, 0.0, end, xtol=LENGTH_TOLERANCE)
+    return min(points.values(), key=lambda point: abs(point.eigenvalue))
 
 
 def angle_error(branch: Branch, stable: Point, unstable: Point, critical: Point) -> float:
     """What rounding of the smallest eigenvalue makes of the critical angle (rad)."""
     length = arclength(branch, stable, unstable)
     slope = (unstable.eigenvalue - stable.eigenvalue) / length
-    along = critical.eigenvalue_rounding / abs(slope)
+    along = max(critical.eigenvalue_rounding, abs(critical.eigenvalue)) / abs(slope)
     return COVERAGE * (along * abs(float(critical.direction[-1])) + branch.arch.accuracy)
 
 
