@@ -36,11 +36,11 @@ def curve():
 
 @pytest.fixture(scope="module")
 def batch(curve):
-    return simulate_designs(BASE, DESIGNS, curve=curve, threads=1, lanes=4, sensitivities=True)
+    return simulate_designs(BASE, DESIGNS, curve=curve, threads=1, lanes=8, sensitivities=True)
 
 
 def test_jumps_are_the_same_without(batch, curve):
-    plain = simulate_designs(BASE, DESIGNS, curve=curve, threads=1, lanes=4)
+    plain = simulate_designs(BASE, DESIGNS, curve=curve, threads=1, lanes=8)
     assert plain.sensitivities is None
     assert batch.status == plain.status
     np.testing.assert_array_equal(batch.x_bar, plain.x_bar)
