@@ -1,5 +1,6 @@
 """What tests of several folders share."""
 
+import gc
 import os
 import shutil
 import sys
@@ -19,6 +20,10 @@ from groups import GroupScheduling, in_order  # noqa: E402
 Command = Callable[..., Done]
 # Which MLflow reads once, when it is imported by whichever test comes first.
 os.environ["MLFLOW_DISABLE_TELEMETRY"] = "true"
+# A tenth of the time of compiling goes into colours of messages that nobody sees, and into looking
+# through all objects of all libraries for garbage.
+os.environ["NUMBA_DISABLE_ERROR_MESSAGE_HIGHLIGHTING"] = "1"
+gc.set_threshold(100_000, 50, 100)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

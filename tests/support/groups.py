@@ -11,30 +11,35 @@ from typing import Any
 import pytest
 from xdist.scheduler import LoadScopeScheduling
 
-# In the order in which they begin.
+# In the order in which they and their members begin: robots one at a time, side by side, and what
+# needs both. What a process compiles itself it has for the next program; what it finds on disk, or
+# what a process of its own compiles, it has not.
 GROUPS = {
-    "physics": ("physics", "recorder", "stepping"),
-    "batches": ("engine", "batch", "targets"),
+    "single": (
+        "physics",
+        "recorder",
+        "stepping",
+        "test_command_line.py",
+        "tracking",
+        "docs/test_tutorial.py",
+    ),
+    "lanes": ("engine", "batch", "targets", "dataset", "executor", "cuda", "tasks"),
     "studies": ("experiments",),
-    "datasets": ("dataset", "executor", "cuda"),
-    "commands": ("tracking", "tasks", "docs/test_tutorial.py", "test_command_line.py"),
 }
+PLACES = [(group, start) for group, starts in GROUPS.items() for start in starts]
 
 
-def group_of(place: str) -> str | None:
-    """The group of a test file, named relative to the folder of all tests."""
-    for name, places in GROUPS.items():
-        if any(place == start or place.startswith(f"{start}/") for start in places):
-            return name
-    return None
+def place_of(file: str) -> int:
+    """The position of a test file, named relative to the folder of all tests, in PLACES."""
+    for position, (_, start) in enumerate(PLACES):
+        if file == start or file.startswith(f"{start}/"):
+            return position
+    return len(PLACES)
 
 
 def in_order(items: list[pytest.Item], root: Path) -> list[pytest.Item]:
-    """The tests in the order of their groups."""
-    order: dict[Any, list[pytest.Item]] = {name: [] for name in (*GROUPS, None)}
-    for item in items:
-        order[group_of(item.path.relative_to(root).as_posix())].append(item)
-    return [item for members in order.values() for item in members]
+    """The tests in the order of their places."""
+    return sorted(items, key=lambda item: place_of(item.path.relative_to(root).as_posix()))
 
 
 class GroupScheduling(LoadScopeScheduling):
@@ -45,4 +50,5 @@ class GroupScheduling(LoadScopeScheduling):
         super().__init__(config, log)
 
     def _split_scope(self, nodeid: str) -> str:
-        return group_of(nodeid.partition("::")[0].removeprefix("tests/")) or nodeid
+        place = place_of(nodeid.partition("::")[0].removeprefix("tests/"))
+        return PLACES[place][0] if place < len(PLACES) else nodeid
