@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from before_the_strike import go_on, to_the_strike
 from robots import DESIGNS, small_march
 
 from snapjump.engine import clock as c
@@ -15,13 +16,32 @@ from snapjump.engine.status import NO_EQUILIBRIUM, OK, TIME_LIMIT
 
 ROOT = Path(__file__).resolve().parents[2]
 ROBOTS = (DESIGNS[1], DESIGNS[3])
+RATES = ("velocity", "acceleration")
 
 
 @pytest.fixture(scope="module")
-def told():
+def striking():
+    """The robots in one queue, each just before its strike, and the states they started from."""
+    march = small_march(ROBOTS, 1)
+    march.find_starts()
+    starts = march.queue.state.copy()
+    for robot, design in enumerate(ROBOTS):
+        alone = small_march([design], 1, [values[[robot]] for values in march.queue[1:4]])
+        way = to_the_strike(alone)
+        go_on(alone, way)
+        for values, found in zip(march.queue[:4], alone.queue[:4], strict=True):
+            values[robot] = found[0]
+    return march, starts
+
+
+@pytest.fixture(scope="module")
+def told(striking, tmp_path_factory):
     pytest.importorskip("numba_cuda", reason="numba-cuda is not installed")
+    file = tmp_path_factory.mktemp("striking") / "queue.npz"
+    queue = striking[0].queue._asdict()
+    np.savez(file, **{name: queue[name] for name in ("numbers", "state", *RATES)})
     done = subprocess.run(
-        [sys.executable, ROOT / "tests" / "support" / "card_in_simulator.py"],
+        [sys.executable, ROOT / "tests" / "support" / "card_in_simulator.py", file],
         env=os.environ | {"NUMBA_ENABLE_CUDASIM": "1", "PYTHONPATH": str(ROOT)},
         capture_output=True,
         text=True,
@@ -31,11 +51,11 @@ def told():
     return json.loads(done.stdout)
 
 
-def test_whole_jumps_agree_with_compiled_ones(told):
+def test_jumps_agree_with_compiled_ones(told, striking):
     """In Python products and sums are rounded twice where compiled code does it once: what two
-    programs that round differently agree to after a jump."""
-    march = small_march(ROBOTS, 1)
-    march.find_starts()
+    programs that round differently agree to after a jump. It begins just before the strike."""
+    march, starts = striking
+    np.testing.assert_allclose(told["starts"], starts, rtol=0.0, atol=1e-9)
     expected = march.run()
     outcome = np.array(told["outcome"])
     assert (outcome[:, c.STATUS] == OK).all()

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from numba.core.runtime import _nrt_python, rtsys
-from robots import DESIGNS, small_march
+from robots import DESIGNS, number_of, small_march
 
 from snapjump.engine import clock as c
 from snapjump.engine import march as loop
@@ -114,13 +114,6 @@ def test_step_underflow_by_the_error_estimate(starts):
     assert outcome[c.REJECTED] > 0.0
 
 
-def number_of(march, member, name):
-    """Position of a member's number in the model's numbers."""
-    model = march.models[0]
-    before = list(model._fields).index(member)
-    return sum(len(part) for part in model[:before]) + getattr(model, member)._fields.index(name)
-
-
 def test_time_limit_while_the_clamps_still_turn(starts):
     march = one(starts, duration=0.05)
     assert go_on(march, 10_000)
@@ -132,7 +125,7 @@ def test_time_limit_while_the_clamps_still_turn(starts):
 
 def test_a_robot_whose_clamps_have_stopped_before_the_snap_has_not_jumped(starts):
     march = one(starts, duration=0.05)
-    march.queue.numbers[0, number_of(march, "clamp", "end")] = march.models[0].clamp.start
+    march.queue.numbers[0, number_of(march.models[0], "clamp", "end")] = march.models[0].clamp.start
     assert go_on(march, 10_000)
     assert march.queue.outcome[0, c.STATUS] == NO_JUMP
 
@@ -140,7 +133,7 @@ def test_a_robot_whose_clamps_have_stopped_before_the_snap_has_not_jumped(starts
 def test_a_start_beyond_the_fold_is_refused():
     """Followed past its critical angle the upper branch is lost."""
     march = small_march(DESIGNS[1:2], 1)
-    march.queue.numbers[0, number_of(march, "clamp", "start")] = 1.2
+    march.queue.numbers[0, number_of(march.models[0], "clamp", "start")] = 1.2
     march.find_starts()
     assert march.queue.status[0] == NO_EQUILIBRIUM
 

@@ -1,7 +1,7 @@
 """Jumps in plain Python that begin when the beam has snapped and is about to strike the ground.
 
 What comes before takes half of a jump's iterations and is much the same whatever the modules: it
-is marched once for each kind of beam and frame.
+is marched once for each kind of beam and frame, or by the compiled program.
 """
 
 from functools import cache
@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from plain_march import without_compiling
 from pytest import MonkeyPatch
+from robots import number_of
 
 from snapjump.batch.simulate import marches
 from snapjump.composition import Simulation
@@ -57,9 +58,7 @@ def go_on(march: March, way: Way) -> None:
             state += (before - gap) * upwards(march)
     queue.velocity[:] = way.velocity
     queue.acceleration[:] = way.acceleration
-    before = sum(len(member) for member in model[: model._fields.index("clamp")])
-    start = before + model.clamp._fields.index("start")
-    queue.numbers[:, start] += model.clamp.rate * way.duration
+    queue.numbers[:, number_of(model, "clamp", "start")] += model.clamp.rate * way.duration
 
 
 def upwards(march: March) -> Any:
@@ -76,6 +75,11 @@ def way(usual: Simulation, find_starts: Any) -> Way:
     """The way that a robot of these modules goes."""
     ((_, march),) = marches([usual], [jump_model(usual)], 1, 1, MOST_ITERATIONS)
     find_starts(march)
+    return to_the_strike(march)
+
+
+def to_the_strike(march: March) -> Way:
+    """March a robot there that is alone in its queue, one pass after the other."""
     begun = march.queue.state[0].copy()
     arguments, memory = march.arguments(march.crew[0]), march.memory
     while falling(march) < STRIKING:

@@ -5,6 +5,7 @@ that they are written in. What it is compared with is the same Python, marched w
 """
 
 import json
+import sys
 from dataclasses import replace
 from typing import Any
 
@@ -50,11 +51,14 @@ def difference(march: Any, other: Any) -> float:
 
 
 def main() -> None:
-    """March whole jumps, and short ones in chunks, and print the figures."""
+    """March jumps from where the file says, and short ones in chunks, and print the figures."""
     without_compiling(Patch())
     told: list[float] = []
     refilled = on_card(ROBOTS, threads=1, robots_a_chunk=2)
     refilled.find_starts()
+    starts = refilled.queue.state.tolist()
+    for name, values in np.load(sys.argv[1]).items():
+        getattr(refilled.queue, name)[:] = values
     refilled.run(lambda share, word: told.append(share))
 
     short = small_march(DESIGNS[:3], 1, duration=0.02)
@@ -66,6 +70,7 @@ def main() -> None:
     print(
         json.dumps(
             {
+                "starts": starts,
                 "outcome": refilled.queue.outcome.tolist(),
                 "progress": told,
                 "passes": int(refilled.passes),

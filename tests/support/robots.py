@@ -89,3 +89,10 @@ def small_march(
         for target, values in zip(march.queue[1:4], starts, strict=True):
             target[...] = values
     return march
+
+
+def number_of(model: Model, member: str, name: str) -> int:
+    """Position of a member's number in the model's numbers."""
+    before = list(model._fields).index(member)
+    place = getattr(model, member)._fields.index(name)
+    return sum(len(part) for part in model[:before]) + int(place)
