@@ -16,6 +16,8 @@ from snapjump.statics.rounding import COVERAGE, check_angle_error
 LONGEST_STEP = 0.12  # of the continuation (norm of free coordinates and angle)
 LENGTH_TOLERANCE = 1e-12
 MOST_STEPS = 2000
+MANY_NODES = 100
+FARTHEST_RAD = math.pi
 
 
 @dataclass(frozen=True)
@@ -82,6 +84,13 @@ def angle_error(branch: Branch, stable: Point, unstable: Point, critical: Point)
     return COVERAGE * (along * abs(float(critical.direction[-1])) + branch.arch.accuracy)
 
 
+def longest_step(arch: StaticArch) -> float:
+    """Of a walk along the arch's branch: shorter where the whole branch is, in shallow arches,
+    which snap at about 2 sqrt(epsilon), and with few nodes, whose norm is smaller."""
+    few = min(1.0, math.sqrt(len(arch.masses) / MANY_NODES))
+    return min(LONGEST_STEP * few, 0.5 * math.sqrt(arch.epsilon))
+
+
 def instability(branch: Branch, start: Point) -> tuple[Equilibrium, float]:
     """Where the branch, followed from a stable point on, loses its stability first, and how well
     its angle is known (rad).
@@ -90,15 +99,16 @@ def instability(branch: Branch, start: Point) -> tuple[Equilibrium, float]:
     """
     if start.eigenvalue <= 0.0:
         raise ArithmeticError(f"the arch is not stable at {start.left:g} rad")
-    # A shallow arch snaps at an angle of about 2 sqrt(epsilon).
-    step = min(LONGEST_STEP, 0.5 * math.sqrt(branch.arch.epsilon))
+    step = longest_step(branch.arch)
     point = start
     for following in islice(branch.follow(start, step), MOST_STEPS):
         if following.eigenvalue <= 0.0:
             break
+        if not abs(following.left) < FARTHEST_RAD:
+            raise ArithmeticError(f"no instability found up to {following.left:g} rad")
         point = following
     else:
-        raise ArithmeticError(f"no instability found up to {point.left:g} rad")
+        raise ArithmeticError(f"the branch was lost at a clamp angle of {point.left:g} rad")
     critical = refine(branch, point, following)
     error = angle_error(branch, point, following, critical)
     check_angle_error(branch.arch.discretization, error)
