@@ -14,7 +14,7 @@ from snapjump.statics.band import dot, solve_bordered
 Array = NDArray[np.float64]
 ANGLE_DIFFERENCE = 1e-6
 TOLERANCE = 1e-9
-MOST_ITERATIONS = 25
+MOST_ITERATIONS = 60
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ SIZE = 1e-15
 def shaken(values: Any, seed: int) -> Any:
     """Numbers (...) times 1 + SIZE u."""
     array = np.ascontiguousarray(values, dtype=float)
-    bits = array.view(np.uint64) + np.uint64(seed) * np.uint64(0x9E3779B97F4A7C15)
+    bits = array.view(np.uint64) + np.uint64(seed * 0x9E3779B97F4A7C15 % 2**64)
     # splitmix64 (Steele, Lea and Flood 2014)
     bits = (bits ^ (bits >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
     bits = (bits ^ (bits >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
