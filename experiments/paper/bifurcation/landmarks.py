@@ -1,6 +1,5 @@
 """Where the arch whose clamps turn alike loses its stability, there and back, and how."""
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,7 +8,7 @@ from scipy.optimize import brentq
 from snapjump.composition import Simulation
 from snapjump.statics.arch import Equilibrium, StaticArch
 from snapjump.statics.branch import Branch, Point
-from snapjump.statics.critical import LONGEST_STEP, Snap, find_snap, refine, start_point
+from snapjump.statics.critical import Snap, find_snap, longest_step, refine, start_point
 
 ANGLE_TOLERANCE = 1e-9  # of the arclength to the fold
 
@@ -42,15 +41,10 @@ def find_landmarks(simulation: Simulation, epsilon: float) -> Landmarks:
     )
 
 
-def longest_step(epsilon: float) -> float:
-    """Of a walk along a branch, which is shorter in shallow arches."""
-    return min(LONGEST_STEP, 0.5 * math.sqrt(epsilon))
-
-
 def symmetric_fold(branch: Branch) -> Point:
     """The largest angle on the branch that begins at flat clamps, buckled up."""
     point = start_point(branch)
-    for following in branch.follow(point, longest_step(branch.arch.epsilon)):
+    for following in branch.follow(point, longest_step(branch.arch)):
         if following.direction[-1] < 0.0:
             break
         point = following
@@ -70,7 +64,7 @@ def turned_back(branch: Branch, after: Equilibrium) -> Point:
     backwards = np.zeros(branch.arch.size - 2 * branch.arch.node_dofs + 1)
     backwards[-1] = -1.0
     point = branch.point(after.state, after.left, backwards)
-    for following in branch.follow(point, longest_step(branch.arch.epsilon)):
+    for following in branch.follow(point, longest_step(branch.arch)):
         if following.eigenvalue <= 0.0:
             break
         point = following
