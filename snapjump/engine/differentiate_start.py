@@ -3,7 +3,6 @@
 from typing import Any
 
 import numpy as np
-from numba import njit
 
 from snapjump.discretization.base import node_dofs
 from snapjump.engine.assemble import Motion
@@ -17,7 +16,7 @@ from snapjump.engine.status import RUNNING
 from snapjump.engine.view import view_work
 from snapjump.linear_solver.more_sides import FOUR, solve_more_sides
 from snapjump.number.array import uncounted
-from snapjump.number.dispatch import routine
+from snapjump.number.dispatch import released, routine
 from snapjump.number.dual import PARAMETERS, constant, dual, slopes_of
 from snapjump.number.lane import view_numbers
 
@@ -64,7 +63,7 @@ def guess_at(memory: Any, queue: Any, robot: int, time: float) -> None:
         memory.state[i, 0] = queue.state[robot, i] + time * (queue.velocity[robot, i] + bend)
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@released
 def differentiate_starts(
     template: Any,
     masses: Any,

@@ -8,7 +8,6 @@ happens under masks, so that no lane waits for another.
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from snapjump.contact.base import clearance
@@ -54,7 +53,7 @@ from snapjump.engine.view import view_work
 from snapjump.integrator.base import ends_in_a_stage, error_order, is_explicit, stage_count
 from snapjump.number.array import uncounted
 from snapjump.number.atomic import fetch_add
-from snapjump.number.dispatch import routine
+from snapjump.number.dispatch import released, routine
 from snapjump.number.functions import any_true, maximum, minimum, negate, where
 from snapjump.recorder.base import (
     record_end,
@@ -143,7 +142,7 @@ def refill(memory: Any, lane: int, queue: Any, recorder: Any, step: float) -> No
         queue.outcome[robot, STATUS] = queue.status[robot]
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@released
 def find_starts(
     template: Any, masses: Any, memory: Any, queue: Queue, lanes: Any, blocks: int
 ) -> bool:
@@ -175,7 +174,7 @@ def find_starts(
     return False
 
 
-@njit(cache=True, error_model="numpy", nogil=True)
+@released
 def march(
     template: Any,
     masses: Any,
