@@ -48,7 +48,12 @@ def base() -> Simulation:
 
 def composed(choice: Choice) -> Simulation:
     """The tiny jump with these members; raises ParameterError."""
-    return replace(base(), **{family: part(family, name) for family, name in choice.items()})
+    parts = {family: part(family, name) for family, name in choice.items()}
+    if {"elastic", "fixed"} <= set(choice.values()):
+        # It rattles: Newton's method takes 40 iterations for a longer step, and schemes that do
+        # not damp do not resolve it.
+        parts["stepping"] = replace(parts["stepping"], step_s=1e-5)
+    return replace(base(), **parts)
 
 
 @cache
@@ -125,7 +130,7 @@ def test_every_pair_of_members_jumps(choice: Choice, monkeypatch: pytest.MonkeyP
     if choice["integrator"] == "central_difference":
         without_compiling(monkeypatch)
         # Ten thousands of steps are for the compiled program: here its first few hundred.
-        scene = replace(simulation.sim, time_limit_s=1e-4)
+        scene = replace(simulation.sim, time_limit_s=3e-5)
         batch = simulate_batch([replace(simulation, sim=scene)], lanes=1)
         assert batch.status == ["time_limit"]
         assert batch.steps[0] > 100
