@@ -45,7 +45,7 @@ def test_starts_are_equilibria_of_a_stable_branch(starts):
     np.testing.assert_allclose(nodes[even], mirrored, atol=1e-9)
 
 
-@pytest.mark.parametrize("width", [2, 8])
+@pytest.mark.parametrize("width", [pytest.param(2, marks=pytest.mark.slow), 8])
 def test_outcomes_do_not_depend_on_the_lanes(starts, alone, width):
     outcome = small_march(DESIGNS, width, starts).run()
     assert np.array_equal(outcome, alone)
@@ -84,7 +84,7 @@ def test_starts_in_lanes_are_those_of_single_robots(starts):
         assert np.array_equal(found, expected)
 
 
-@pytest.mark.parametrize(("width", "threads"), [(1, 3), (2, 2), (2, 5), (8, 2)])
+@pytest.mark.parametrize(("width", "threads"), [(1, 3), (1, 5), (8, 2)])
 def test_outcomes_do_not_depend_on_the_threads(starts, alone, width, threads):
     march = small_march(DESIGNS, width, starts, threads=threads)
     assert len(march.crew) == threads
@@ -95,13 +95,13 @@ def test_workers_that_take_turns_share_one_queue(starts, alone, monkeypatch):
     """Slices of three workers in an order that no race decides: each gets its part."""
     monkeypatch.setattr(runner, "PASSES_PER_SLICE", 7)
     monkeypatch.setattr(runner, "run_crew", take_turns)
-    march = small_march(DESIGNS, 2, starts, threads=3)
+    march = small_march(DESIGNS, 1, starts, threads=3)
     shares = []
     assert np.array_equal(march.run(lambda share, text: shares.append(share)), alone)
     assert all(worker.queue.counts[1] > 100 for worker in march.crew)
     assert all((worker.queue.carried == -1).all() for worker in march.crew)
     # A pass is an iteration of every lane that has a robot.
-    idle = 2 * march.passes - alone[:, c.ITERATIONS].sum()
+    idle = march.passes - alone[:, c.ITERATIONS].sum()
     assert 0 <= idle < 0.5 * march.passes
     # What is told of the progress counts robots that have landed.
     assert shares == sorted(shares)
@@ -116,7 +116,7 @@ def take_turns(crew, advance, report):
 
 
 def test_threads_find_the_same_starts(starts):
-    march = small_march(DESIGNS, 2, threads=3)
+    march = small_march(DESIGNS, 1, threads=3)
     march.find_starts()
     assert not march.queue.status.any()
     for found, expected in zip(march.queue[1:4], starts, strict=True):

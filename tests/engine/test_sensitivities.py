@@ -28,6 +28,7 @@ def curve():
     return ThresholdCurve.through(BASE.robot, BASE.discretization, 0.14, 0.21)
 
 
+@pytest.mark.compiles
 @pytest.mark.parametrize("design", DESIGNS)
 def test_derivatives_are_those_of_the_frozen_steps(design, curve):
     one, two, six = frozen_errors(BASE, np.array(design), curve, (1, 2, 6))

@@ -71,6 +71,7 @@ def test_other_scenes_are_refused() -> None:
     assert groups_of(config)["integrator"]["name"] == "tr_bdf2"
 
 
+@pytest.mark.compiles
 def test_from_the_command_line_to_record_and_documentation(
     command: Any, database: Path, tmp_path: Path
 ) -> None:
@@ -99,6 +100,7 @@ def test_from_the_command_line_to_record_and_documentation(
     assert f"{summary['cells']} kept" in again.stdout
 
 
+@pytest.mark.compiles
 def test_a_sweep_of_studies(command: Any, tmp_path: Path) -> None:
     two = command("-m", *TINY, "figures=false", "tracking=off", "integrator=tr_bdf2,sdirk2")
     assert two.returncode == 0, two.stderr

@@ -12,6 +12,7 @@ from snapjump.options.discretization import DiscreteElasticRodOptions
 from snapjump.options.frame import ElasticFrameOptions
 from snapjump.options.stepping import AdaptiveStepOptions
 
+pytestmark = pytest.mark.compiles
 # delta_alpha, epsilon, m_bar, mu
 DESIGNS = [
     (0.1, 0.2, 0.768, 0.3),

@@ -104,6 +104,7 @@ def test_lanes_give_the_same_jump(jump):
 @pytest.mark.parametrize(
     "name", ["corotational", pytest.param("geometrically_exact", marks=pytest.mark.slow)]
 )
+@pytest.mark.compiles
 def test_elements_with_rotations_jump_like_discrete_rods(name):
     """Within 1 % of each other at 104 elements; books balance; lanes are scalars to the bit."""
     members = FAMILIES["discretization"]

@@ -7,6 +7,7 @@ their program (see experiments/data/README.md), every twenty-fifth of a sample o
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from experiments.compositions import composed
 from experiments.released.data import read_rows
@@ -17,6 +18,7 @@ from snapjump.batch import simulate_batch, variants
 ROWS = Path(__file__).with_name("released_rows.csv")
 
 
+@pytest.mark.compiles
 def test_the_released_program_s_data_are_met():
     """Medians over 60 rows; measured 2 % in x and 0.6 % in y."""
     rows = read_rows(60, ROWS)

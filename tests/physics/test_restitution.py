@@ -8,6 +8,7 @@ from snapjump.composition import Simulation
 from snapjump.families import FAMILIES
 from snapjump.scenes.mass import march_mass, mass_model
 
+pytestmark = pytest.mark.compiles
 CONTACT = FAMILIES["contact"]
 MASS_KG = 1e-3
 HEIGHT_M = 2e-4  # above the reach of any law
