@@ -3,19 +3,14 @@
 import gc
 import os
 import shutil
-import sys
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pytest
-
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "tests" / "support"))
-
-from command_line import Done, apart, here  # noqa: E402
-from groups import GroupScheduling, in_order  # noqa: E402
+from command_line import ROOT, Done, apart, here
+from groups import GroupScheduling, in_order
 
 Command = Callable[..., Done]
 pytest_plugins = ["perturbation"]

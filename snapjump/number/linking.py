@@ -3,8 +3,8 @@
 numba optimises every function, with all that it calls, and makes machine code of it, before it
 links it into its caller, where all this happens once more. Functions that only kernels call need
 neither: they are *parts*, kept as numba wrote them until a *program*, a function that Python
-calls, links, optimises and translates all its parts at once. A quarter less to compile; the
-program's machine code is the same.
+calls, links, optimises and translates all its parts at once. That takes a fifth off the time of
+compiling; what the program computes is the same to the last bit.
 
 This builds on numba's :class:`JITCodeLibrary`, whose insides may change with its minor version.
 """
@@ -15,6 +15,8 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 from numba.core.compiler_machinery import register_pass
 from numba.core.typed_passes import NativeLowering
+
+MANGLED = "_ZN"  # how names of compiled Python functions begin
 
 
 class Part(JITCodeLibrary):
@@ -60,6 +62,10 @@ class Program(JITCodeLibrary):
         """Link the parts, optimise, translate."""
         link_calls(self, self._final_module)
         self._linking_libraries.clear()
+        functions = self._final_module.functions
+        missing = [f.name for f in functions if f.is_declaration and f.name.startswith(MANGLED)]
+        if missing:
+            raise RuntimeError(f"{self.name} calls what was not linked: {', '.join(missing)}")
         super().finalize()
 
 
