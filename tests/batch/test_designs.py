@@ -126,10 +126,10 @@ def test_beyond_the_curve_thresholds_are_computed(base, curve):
 
 
 def test_the_backend_says_how_many_lanes_and_threads(base, batch):
-    lanes = replace(base, backend=LanesBackend(width=1, threads=1))
+    lanes = replace(base, backend=LanesBackend(width=8, threads=1))
     found = simulate_designs(lanes, ALL)
     assert np.array_equal(found.x_bar, batch.x_bar, equal_nan=True)
-    assert found.lane_passes == simulate_designs(base, ALL, threads=1, lanes=1).lane_passes
+    assert found.lane_passes == simulate_designs(base, ALL, threads=1, lanes=8).lane_passes
 
 
 def test_progress_ends_with_all_jumps(base):
