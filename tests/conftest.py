@@ -16,8 +16,8 @@ Command = Callable[..., Done]
 pytest_plugins = ["perturbation"]
 # Which MLflow reads once, when it is imported by whichever test comes first.
 os.environ["MLFLOW_DISABLE_TELEMETRY"] = "true"
-# Processes side by side that each take all cores for a small matrix wait for each other: a test
-# that trains in 3 s took 158 s. Read once as well, by numpy's library and torch's.
+# Processes side by side that each take all cores for a small matrix wait for each other. Read once
+# as well, by numpy's library and torch's.
 if "PYTEST_XDIST_WORKER" in os.environ:
     os.environ["OMP_NUM_THREADS"] = "1"
 # A tenth of the time of compiling goes into colours of messages that nobody sees, and into looking

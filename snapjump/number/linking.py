@@ -3,8 +3,8 @@
 numba optimises every function, with all that it calls, and makes machine code of it, before it
 links it into its caller, where all this happens once more. Functions that only kernels call need
 neither: they are *parts*, kept as numba wrote them until a *program*, a function that Python
-calls, links, optimises and translates all its parts at once. That takes a fifth off the time of
-compiling; what the program computes is the same to the last bit.
+calls, links, optimises and translates all its parts at once. Compiling takes less time so; what
+the program computes is the same to the last bit.
 
 This builds on numba's :class:`JITCodeLibrary`, whose insides may change with its minor version.
 """
