@@ -3,9 +3,11 @@
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba.core import cgutils, types
+from numba.core import types
 from numba.extending import intrinsic
 from numpy.typing import NDArray
+
+from snapjump.number.array import INDEX, View
 
 
 class Model(NamedTuple):
@@ -42,19 +44,14 @@ def with_numbers(typingctx: Any, model: Any, numbers: Any) -> Any:
     filled = types.NamedTuple(tuple(members), model.instance_class)
 
     def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        from llvmlite import ir
-
-        array = context.make_array(numbers)(context, builder, args[1])
+        array = View.of(builder, numbers, args[1])
         position = 0
         built = []
         for member in members:
             values = []
             for _ in range(len(member)):
-                index = ir.Constant(ir.IntType(64), position)
-                address = cgutils.get_item_pointer(
-                    context, builder, numbers, array, [index], wraparound=False
-                )
-                values.append(builder.load(address))
+                place = builder.mul(INDEX(position), array.strides[0])
+                values.append(builder.load(builder.gep(array.data, [place])))
                 position += 1
             built.append(context.make_tuple(builder, member, values))
         return context.make_tuple(builder, filled, built)

@@ -1,23 +1,28 @@
-"""Arrays of numbers in kernels: views whose indices are never negative and that own nothing.
+"""Arrays of numbers in kernels: an address and its extents, that own nothing.
 
-numba lets every index count from the end, which costs a comparison and a selection an access; and
-it counts references to every array that is passed on. Kernels need neither.
+numba's array carries eight values and more, which every call of a function that takes it hands
+over; lets every index count from the end, which costs a comparison and a selection an access; and
+counts references to its memory. Kernels need none of this, and compile in less time without.
 """
 
 import operator
-from typing import Any
+from typing import Any, NamedTuple
 
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.imputils import lower_builtin
-from numba.extending import intrinsic, models, overload, register_model
-from numba.np import arrayobj
+from numba.core.typing.arraydecl import GetItemBuffer, SetItemBuffer
+from numba.core.typing.templates import AbstractTemplate, infer_global, signature
+from numba.extending import models, register_model
 
-from snapjump.number.dispatch import INLINED
+INDEX = ir.IntType(64)
 
 
 class NumberArray(types.Array):
-    """A C-contiguous array of numbers (doubles or lanes) that is indexed from its beginning."""
+    """An array of numbers (doubles, lanes, duals) whose indices count from its beginning.
+
+    C-contiguous ("C"), or with strides of its own ("A").
+    """
 
     def __init__(self, dtype: types.Type, ndim: int, layout: str = "C"):
         super().__init__(dtype, ndim, layout, name=f"Numbers({dtype}, {ndim}d, {layout})")
@@ -35,62 +40,118 @@ class NumberArray(types.Array):
 
 @register_model(NumberArray)
 class NumberArrayModel(models.StructModel):
-    """numba's array, with an address in place of the counted reference to its memory."""
+    """An address, the extents, and where they do not tell it the strides, in numbers."""
 
     def __init__(self, dmm: Any, fe_type: NumberArray):
         extents = types.UniTuple(types.intp, fe_type.ndim)
-        members = [
-            ("meminfo", types.voidptr),
-            ("parent", types.voidptr),
-            ("nitems", types.intp),
-            ("itemsize", types.intp),
-            ("data", types.CPointer(fe_type.dtype)),
-            ("shape", extents),
-            ("strides", extents),
-        ]
+        members = [("data", types.CPointer(fe_type.dtype)), ("shape", extents)]
+        if fe_type.layout != "C":
+            members.append(("strides", extents))
         super().__init__(dmm, fe_type, members)
 
 
-def unsigned(index: types.Type) -> types.Type:
-    """The type of an index, or of a tuple of them, with every integer made unsigned."""
-    if isinstance(index, types.BaseTuple):
-        return types.Tuple([unsigned(t) for t in index.types])
-    return types.uintp if isinstance(index, types.Integer) else index
+class View(NamedTuple):
+    """A :class:`NumberArray` taken apart in LLVM: an address, extents and strides in numbers."""
+
+    data: ir.Value
+    shape: list[ir.Value]
+    strides: list[ir.Value]
+
+    @classmethod
+    def of(cls, builder: Any, kind: NumberArray, value: Any) -> "View":
+        """The parts of an array's LLVM value."""
+
+        def member(place: int) -> list[ir.Value]:
+            return [builder.extract_value(value, (place, k)) for k in range(kind.ndim)]
+
+        shape = member(1)
+        strides = contiguous(builder, shape) if kind.layout == "C" else member(2)
+        return cls(builder.extract_value(value, 0), shape, strides)
+
+    def part(self, context: Any, builder: Any, kind: types.Type, index: Any) -> "View":
+        """What an index of the first dimensions leads to: integers, and slices without a step."""
+        if isinstance(kind, types.BaseTuple):
+            kinds, indices = kind.types, cgutils.unpack_tuple(builder, index, len(kind))
+        else:
+            kinds, indices = (kind,), [index]
+        offset = INDEX(0)
+        shape, strides = [], []
+        for k, (one, first) in enumerate(zip(kinds, indices, strict=True)):
+            if isinstance(one, types.SliceType) and not one.has_step:
+                cut = context.make_helper(builder, one, first)
+                first = cut.start
+                inside = builder.icmp_unsigned("<", cut.stop, self.shape[k])
+                stop = builder.select(inside, cut.stop, self.shape[k])
+                shape.append(builder.sub(stop, first))
+                strides.append(self.strides[k])
+            elif isinstance(one, types.Integer):
+                first = context.cast(builder, first, one, types.intp)
+            else:
+                raise NotImplementedError(f"an index that is {one}")
+            offset = builder.add(offset, builder.mul(first, self.strides[k]))
+        rest = len(kinds)
+        data = builder.gep(self.data, [offset])
+        return View(data, shape + self.shape[rest:], strides + self.strides[rest:])
+
+    def packed(self, context: Any, builder: Any, kind: NumberArray) -> Any:
+        """The LLVM value of an array of the given type."""
+        value = ir.Constant(context.get_value_type(kind), ir.Undefined)
+        value = builder.insert_value(value, self.data, 0)
+        lists = (self.shape,) if kind.layout == "C" else (self.shape, self.strides)
+        for place, numbers in enumerate(lists, 1):
+            for k, number in enumerate(numbers):
+                value = builder.insert_value(value, number, (place, k))
+        return value
 
 
-def _counted_from_the_beginning(function: Any) -> Any:
-    """numba's own code for an access, told that the index is unsigned."""
-
-    def lowering(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        array, index, *value = sig.args
-        plain = unsigned(index)
-        number = context.cast(builder, args[1], index, plain)
-        return function(
-            context,
-            builder,
-            sig.replace(args=(array, plain, *value)),
-            (args[0], number, *args[2:]),
-        )
-
-    return lowering
+def contiguous(builder: Any, shape: list[ir.Value]) -> list[ir.Value]:
+    """The strides of a C-contiguous array, in numbers."""
+    strides = [INDEX(1)]
+    for extent in shape[:0:-1]:
+        strides.insert(0, builder.mul(extent, strides[0]))
+    return strides
 
 
-for _index in (types.Integer, types.SliceType):
-    lower_builtin(operator.getitem, NumberArray, _index)(
-        _counted_from_the_beginning(arrayobj.getitem_arraynd_intp)
-    )
-lower_builtin(operator.getitem, NumberArray, types.BaseTuple)(
-    _counted_from_the_beginning(arrayobj.getitem_array_tuple)
-)
+class FirstTemplate(AbstractTemplate):
+    """The typing of an operation that is asked before numba's own, of which there are a dozen."""
+
+    metadata = {"target": "cpu"}  # more specific than theirs
 
 
+@infer_global(operator.getitem)
+class _Loading(FirstTemplate, GetItemBuffer):
+    pass
+
+
+@infer_global(operator.setitem)
+class _Storing(FirstTemplate, SetItemBuffer):
+    pass
+
+
+@lower_builtin(operator.getitem, NumberArray, types.BaseTuple)
+@lower_builtin(operator.getitem, NumberArray, types.SliceType)
+@lower_builtin(operator.getitem, NumberArray, types.Integer)
+def _load(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    array, index = sig.args
+    part = View.of(builder, array, args[0]).part(context, builder, index, args[1])
+    if isinstance(sig.return_type, NumberArray):
+        return part.packed(context, builder, sig.return_type)
+    return context.unpack_value(builder, array.dtype, part.data)
+
+
+@lower_builtin(operator.setitem, NumberArray, types.Any, types.Array)
+@lower_builtin(operator.setitem, NumberArray, types.Any, types.Any)
 def _store(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-    """numba's own code for a store; of lanes, through a fence that costs nothing.
+    """A store; of lanes, through a fence that costs nothing.
 
     LLVM would merge ``x[i] = where(mask, y, x[i])`` into a masked store, which AMD's processors
     take a dozen cycles for, against one for the choice and the store by themselves.
     """
-    value = args[2]
+    array, index, kind = sig.args
+    part = View.of(builder, array, args[0]).part(context, builder, index, args[1])
+    if part.shape:
+        raise NotImplementedError(f"{array}[{index}] is no single number")
+    value = context.cast(builder, args[2], kind, array.dtype)
     if isinstance(value.type, ir.VectorType):
         fence = cgutils.get_or_insert_function(
             builder.module,
@@ -98,12 +159,7 @@ def _store(context: Any, builder: Any, sig: Any, args: Any) -> Any:
             f"llvm.arithmetic.fence.v{value.type.count}f64",
         )
         value = builder.call(fence, [value])
-    return arrayobj.setitem_array(context, builder, sig, (*args[:2], value))
-
-
-lower_builtin(operator.setitem, NumberArray, types.Any, types.Any)(
-    _counted_from_the_beginning(_store)
-)
+    context.pack_value(builder, array.dtype, value, part.data)
 
 
 def uncounted_type(kind: types.Type) -> types.Type:
@@ -116,6 +172,27 @@ def uncounted_type(kind: types.Type) -> types.Type:
     return kind
 
 
+def seen_as(context: Any, builder: Any, viewed: NumberArray, kind: types.Array, value: Any) -> Any:
+    """The LLVM value of an array of numbers, over the memory of another array.
+
+    Of as many dimensions, or of one less: then its numbers are as long as the last dimension.
+    """
+    if isinstance(kind, NumberArray):
+        source = View.of(builder, kind, value)
+        data, shape, strides = source.data, source.shape, source.strides
+    else:
+        array = context.make_array(kind)(context, builder, value)
+        data = array.data
+        shape = cgutils.unpack_tuple(builder, array.shape, kind.ndim)
+        size = INDEX(context.get_abi_sizeof(context.get_data_type(kind.dtype)))
+        strides = [
+            builder.sdiv(s, size) for s in cgutils.unpack_tuple(builder, array.strides, kind.ndim)
+        ]
+    data = builder.bitcast(data, context.get_data_type(viewed.dtype).as_pointer())
+    ndim = viewed.ndim
+    return View(data, shape[:ndim], strides[:ndim]).packed(context, builder, viewed)
+
+
 def _without_owner(context: Any, builder: Any, kind: types.Type, value: Any) -> Any:
     """The LLVM value of ``uncounted`` of a value."""
     viewed = uncounted_type(kind)
@@ -126,32 +203,23 @@ def _without_owner(context: Any, builder: Any, kind: types.Type, value: Any) -> 
         pairs = zip(kind.types, parts, strict=True)
         changed = [_without_owner(context, builder, k, part) for k, part in pairs]
         return context.make_tuple(builder, viewed, changed)
-    source = context.make_array(kind)(context, builder, value)
-    target = context.make_array(viewed)(context, builder)
-    for name in ("nitems", "itemsize", "data", "shape", "strides"):
-        setattr(target, name, getattr(source, name))
-    target.meminfo = ir.Constant(target.meminfo.type, None)
-    target.parent = ir.Constant(target.parent.type, None)
-    return target._getvalue()
+    return seen_as(context, builder, viewed, kind, value)
 
 
 def uncounted(thing: Any) -> Any:
-    """An array, or the arrays of a tuple of tuples, as views that own nothing.
+    """An array, or the arrays of a tuple of tuples, as arrays of numbers that own nothing.
 
-    numba counts references to an array at every call, atomically, which stalls the processor: in
-    loops over nodes that is dear. The caller keeps the arrays alive. Plain Python has no such view.
+    The caller keeps the arrays alive. Plain Python has no such view.
     """
     return thing
 
 
-@intrinsic
-def _uncounted(typingctx: Any, thing: Any) -> Any:
-    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        return _without_owner(context, builder, sig.args[0], args[0])
-
-    return uncounted_type(thing)(thing), codegen
+@infer_global(uncounted)
+class _Uncounting(AbstractTemplate):
+    def generic(self, args: Any, kws: Any) -> Any:
+        return signature(uncounted_type(args[0]), args[0])
 
 
-@overload(uncounted, strict=False, jit_options=INLINED)
-def _uncounted_in_numba(thing: Any) -> Any:
-    return lambda thing: _uncounted(thing)
+@lower_builtin(uncounted, types.Any)
+def _uncount(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    return _without_owner(context, builder, sig.args[0], args[0])

@@ -14,10 +14,10 @@ from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.imputils import lower_builtin, lower_cast
 from numba.core.typeconv import Conversion
-from numba.core.typing.templates import AbstractTemplate, infer_global, signature
+from numba.core.typing.templates import infer_global, signature
 from numba.extending import intrinsic, models, register_model
 
-from snapjump.number.array import NumberArray
+from snapjump.number.array import FirstTemplate, NumberArray, seen_as
 from snapjump.number.lane import LaneType, splat
 
 PARAMETERS = 4
@@ -125,7 +125,7 @@ def _define(function: Callable[..., Any], build: Any, returned: types.Type) -> N
     """Teach numba a function of two numbers of which one or both are duals."""
 
     @infer_global(function)
-    class _Typing(AbstractTemplate):
+    class _Typing(FirstTemplate):
         def generic(self, args: Any, kws: Any) -> Any:
             if len(args) == 2 and is_dual(*args):
                 return signature(returned, *[plain(a) for a in args])
@@ -167,7 +167,7 @@ for _function, _name in {
 
 
 @infer_global(operator.neg)
-class _Negation(AbstractTemplate):
+class _Negation(FirstTemplate):
     def generic(self, args: Any, kws: Any) -> Any:
         return signature(DUAL, DUAL) if args == (DUAL,) else None
 
@@ -247,20 +247,6 @@ def view_duals(typingctx: Any, array: Any) -> Any:
     viewed = NumberArray(DUAL, array.ndim - 1)
 
     def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        source = context.make_array(array)(context, builder, args[0])
-        target = context.make_array(viewed)(context, builder)
-        shape = cgutils.unpack_tuple(builder, source.shape, array.ndim)
-        strides = cgutils.unpack_tuple(builder, source.strides, array.ndim)
-        count = ir.Constant(ir.IntType(64), 1)
-        for extent in shape[:-1]:
-            count = builder.mul(count, extent)
-        target.meminfo = cgutils.get_null_value(target.meminfo.type)
-        target.parent = cgutils.get_null_value(target.parent.type)
-        target.nitems = count
-        target.itemsize = ir.Constant(ir.IntType(64), 8 * DOUBLES)
-        target.data = builder.bitcast(source.data, context.get_data_type(DUAL).as_pointer())
-        target.shape = cgutils.pack_array(builder, shape[:-1], ty=ir.IntType(64))
-        target.strides = cgutils.pack_array(builder, strides[:-1], ty=ir.IntType(64))
-        return target._getvalue()
+        return seen_as(context, builder, viewed, array, args[0])
 
     return viewed(array), codegen

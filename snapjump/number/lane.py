@@ -14,10 +14,10 @@ from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.imputils import lower_builtin, lower_cast
 from numba.core.typeconv import Conversion
-from numba.core.typing.templates import AbstractTemplate, infer_global, signature
+from numba.core.typing.templates import infer_global, signature
 from numba.extending import intrinsic, models, register_model
 
-from snapjump.number.array import NumberArray
+from snapjump.number.array import FirstTemplate, NumberArray, seen_as
 
 DOUBLE = ir.DoubleType()
 
@@ -91,7 +91,7 @@ def _define(function: Callable[..., Any], arity: int, build: Any, returns_mask: 
     """Teach numba ``function`` of ``arity`` lanes (numbers are broadcast)."""
 
     @infer_global(function)
-    class _Typing(AbstractTemplate):
+    class _Typing(FirstTemplate):
         def generic(self, args: Any, kws: Any) -> Any:
             lane = lane_type(*args) if len(args) == arity else None
             if lane is not None:
@@ -131,7 +131,7 @@ for _function, _name in {
 
 def _define_mask(function: Callable[..., Any], arity: int, build: Any) -> None:
     @infer_global(function)
-    class _Typing(AbstractTemplate):
+    class _Typing(FirstTemplate):
         def generic(self, args: Any, kws: Any) -> Any:
             if len(args) == arity and all(isinstance(a, MaskType) for a in args):
                 return signature(args[0], *args)
@@ -173,20 +173,6 @@ def view_numbers(typingctx: Any, array: Any, lanes: Any) -> Any:
     viewed = NumberArray(number, array.ndim - 1, "C" if array.layout == "C" else "A")
 
     def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        source = context.make_array(array)(context, builder, args[0])
-        target = context.make_array(viewed)(context, builder)
-        shape = cgutils.unpack_tuple(builder, source.shape, array.ndim)
-        strides = cgutils.unpack_tuple(builder, source.strides, array.ndim)
-        count = ir.Constant(ir.IntType(64), 1)
-        for extent in shape[:-1]:
-            count = builder.mul(count, extent)
-        target.meminfo = cgutils.get_null_value(target.meminfo.type)
-        target.parent = cgutils.get_null_value(target.parent.type)
-        target.nitems = count
-        target.itemsize = ir.Constant(ir.IntType(64), 8 * width)
-        target.data = builder.bitcast(source.data, context.get_data_type(number).as_pointer())
-        target.shape = cgutils.pack_array(builder, shape[:-1], ty=ir.IntType(64))
-        target.strides = cgutils.pack_array(builder, strides[:-1], ty=ir.IntType(64))
-        return target._getvalue()
+        return seen_as(context, builder, viewed, array, args[0])
 
     return viewed(array, lanes), codegen

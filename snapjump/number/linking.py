@@ -14,6 +14,7 @@ from typing import Any
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 from numba.core.compiler_machinery import register_pass
+from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering
 
 MANGLED = "_ZN"  # how names of compiled Python functions begin
@@ -104,12 +105,31 @@ def callers_first(library: JITCodeLibrary) -> list[Part]:
     return order[::-1]
 
 
+class KernelLower(Lower):
+    """Writes a function's code, and counts references only in types that have some to count.
+
+    numba takes every tuple apart to look for them, whenever a variable is set or dropped.
+    """
+
+    def incref(self, typ: Any, val: Any) -> None:
+        if self._counts(typ):
+            super().incref(typ, val)
+
+    def decref(self, typ: Any, val: Any) -> None:
+        if self._counts(typ):
+            super().decref(typ, val)
+
+    def _counts(self, kind: Any) -> bool:
+        return bool(self.context.data_model_manager[kind].contains_nrt_meminfo())
+
+
 def compiler(library: type[JITCodeLibrary]) -> type[CompilerBase]:
     """numba's compiler, for code that is kept in such a library."""
 
     @register_pass(mutates_CFG=True, analysis_only=False)
     class Lowering(NativeLowering):
         _name = f"native_lowering_of_a_{library.__name__.lower()}"
+        lowering_class = KernelLower
 
         def run_pass(self, state: Any) -> bool:
             state.library = library(state.targetctx.codegen(), state.func_id.func_qualname)

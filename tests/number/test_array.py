@@ -3,7 +3,9 @@
 from typing import Any, NamedTuple
 
 import numpy as np
+import pytest
 from numba import njit, typeof
+from numba.core.errors import NumbaError
 
 from snapjump.number.array import NumberArray, uncounted, uncounted_type
 
@@ -35,6 +37,50 @@ def test_arrays_of_nested_tuples_are_seen_and_written_in_place() -> None:
     expected = 2.0 * (rows.sum(axis=1) * table[:, 1]).sum()
     assert add_up(Outer(Inner(rows, 2.0), table[:, 1])) == expected
     assert table.tolist() == [[0.0, -1.0], [2.0, -1.0], [4.0, -1.0]]
+
+
+@njit
+def copy_parts(thing: Any, other: Any, row: int) -> None:
+    view = uncounted(thing)
+    rest = view.inner.rows[1:]
+    line = view.inner.rows[row]
+    for i in range(rest.shape[0]):
+        other[0, i] = rest[i, 0]
+    for k in range(line.shape[0]):
+        other[1, k] = line[k]
+    tail = line[2:]
+    for k in range(tail.shape[0]):
+        other[2, k] = tail[k]
+    column = view.inner.rows[:, 1]
+    for i in range(column.shape[0]):
+        other[3, i] = column[i]
+
+
+def test_parts_are_views() -> None:
+    for rows in (np.arange(12.0).reshape(3, 4), np.arange(24.0).reshape(3, 8)[:, ::2]):
+        found = np.zeros((4, 4))
+        copy_parts(Outer(Inner(rows, 2.0), rows[0]), found, 2)
+        assert found[0, :2].tolist() == rows[1:, 0].tolist()
+        assert found[1].tolist() == rows[2].tolist()
+        assert found[2, :2].tolist() == rows[2, 2:].tolist()
+        assert found[3, :3].tolist() == rows[:, 1].tolist()
+
+
+@njit
+def store_a_row(thing: Any) -> None:
+    view = uncounted(thing)
+    view[0] = view[1]
+
+
+@njit
+def every_other(thing: Any) -> Any:
+    return uncounted(thing)[::2][0]
+
+
+@pytest.mark.parametrize("unknown", [store_a_row, every_other])
+def test_what_they_do_not_know_is_an_error(unknown: Any) -> None:
+    with pytest.raises((NotImplementedError, NumbaError)):
+        unknown(np.zeros((2, 2)))
 
 
 def test_types_keep_their_class_and_layout() -> None:

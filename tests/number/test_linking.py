@@ -2,7 +2,9 @@
 
 import math
 
+import numpy as np
 from numba import njit
+from numba.core.runtime import rtsys
 
 from snapjump.number.dispatch import PROGRAM, kernel, routine
 from snapjump.number.linking import Part, callers_first
@@ -53,3 +55,24 @@ def test_a_function_of_numba_s_own_may_call_parts():
     for place, part in enumerate(parts):
         assert isinstance(part, Part) and part.get_pointer_to_function(part.name) == 0
         assert not set(part._linking_libraries) & set(parts[:place])
+
+
+@routine
+def pair(x):
+    return np.full(3, x), (x, np.full(2, 2.0 * x))
+
+
+@program
+def sum_of_arrays(x):
+    total = 0.0
+    for _ in range(5):
+        first, (factor, second) = pair(x)
+        total += factor * first.sum() * second.sum()
+    return total
+
+
+def test_memory_that_parts_allocate_is_freed():
+    before = rtsys.get_allocation_stats()
+    assert sum_of_arrays(2.0) == 5 * 2.0 * 6.0 * 8.0
+    after = rtsys.get_allocation_stats()
+    assert after.alloc - before.alloc == after.free - before.free > 0
