@@ -32,6 +32,7 @@ NUMBERS = {
     # An explicit scheme cannot bear more at this mesh.
     ("damping", "kelvin_voigt"): {"relaxation_time_s": 1e-6},
 }
+HEIGHT, APART = 15.0, 6.0  # of so coarse jumps, in L: the converged one's is 14.3
 UNRESOLVED = ("energy_gained", "step_underflow")
 DEFAULT = {"integrator": "implicit_euler"}
 
@@ -149,8 +150,11 @@ def test_every_pair_of_members_jumps_compiled(choice: Choice) -> None:
 def check(choice: Choice, batch: Batch) -> None:
     """A jump like that of the converged model (5.4 by 14.3), as far as so coarse ones are."""
     undamped = composed(choice).integrator.damping_at_infinity == 1.0
-    if undamped and choice["stepping"] == "fixed" and batch.status[0] in UNRESOLVED:
-        return  # what these schemes make of contact that the step does not resolve, said by name
+    if undamped and choice["stepping"] == "fixed":
+        # What these schemes make of contact that the step does not resolve is said by name, or by
+        # an estimate of the error.
+        if batch.status[0] in UNRESOLVED or batch.estimate.y_percent[0] > 100.0 * APART / HEIGHT:
+            return
     assert set(batch.status) == {"ok"}, batch.status
-    assert np.all(np.abs(batch.y_bar - 15.0) < 6.0), batch.y_bar
+    assert np.all(np.abs(batch.y_bar - HEIGHT) < APART), batch.y_bar
     assert np.all(np.abs(batch.x_bar) < 12.0), batch.x_bar

@@ -47,6 +47,7 @@ def test_jumps_are_the_same_without(batch, curve):
     np.testing.assert_array_equal(batch.newton_iterations, plain.newton_iterations)
 
 
+@pytest.mark.compiles
 def test_they_do_not_depend_on_lanes_and_threads(batch, curve):
     other = simulate_designs(BASE, DESIGNS, curve=curve, threads=2, lanes=1, sensitivities=True)
     for name in ("dx_bar", "dy_bar", "graze_distance", "differentiable"):

@@ -37,6 +37,7 @@ def solve(template: Any, masses: Any, memory: Any, lanes: Any) -> None:
     work.clock[2] = solution.negative_pivots
 
 
+@pytest.mark.compiles
 @pytest.mark.parametrize("name", ["corotational", "geometrically_exact"])
 def test_lanes_and_scalars_agree_to_the_last_bit(name):
     options = FAMILIES["discretization"][name](ELEMENTS)

@@ -28,14 +28,14 @@ def robots():
 
 
 def started(robots):
-    march = marches(*robots, 2, 1, MOST_ITERATIONS)[0][1]
+    march = marches(*robots, 1, 1, MOST_ITERATIONS)[0][1]
     march.find_starts()
     return march
 
 
 def test_throughput():
     curve = ThresholdCurve.through(BASE.robot, BASE.discretization, 0.1, 0.3)
-    found = measure(BASE, curve, [(1, 1), (2, 2)], 4, 1)
+    found = measure(BASE, curve, [(1, 1), (8, 2)], 16, 1)
     for (lanes, _), values in found.items():
         assert values.jumps_per_second > 0.0
         assert values.failed == 0
@@ -56,7 +56,7 @@ def test_the_pieces_leave_the_march_as_it_was(robots):
 
 
 def test_the_parts_make_a_pass(robots):
-    parts = split(*robots, 2)
+    parts = split(*robots, 1)
     assert sum(value for key, value in parts.items() if key != "pass") == pytest.approx(
         parts["pass"], abs=1e-3
     )

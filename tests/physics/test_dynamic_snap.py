@@ -13,6 +13,11 @@ CASES = {
     "sym01": ("D6_snap_dyn_sym01", 7.9),
     "sym02": ("D6_snap_dyn_sym02", 11.0),
 }
+# Elements with rotations, whose programs no other test needs.
+TURNING = [
+    pytest.param(name, marks=pytest.mark.compiles)
+    for name in ("corotational", "geometrically_exact")
+]
 
 
 def tilt_until(result, moment_s: float) -> float:
@@ -23,7 +28,7 @@ def tilt_until(result, moment_s: float) -> float:
     return float(np.abs(tilt[result.arrays["time_s"] <= moment_s]).max())
 
 
-@pytest.mark.parametrize("name", ["der", "corotational", "geometrically_exact"])
+@pytest.mark.parametrize("name", ["der", *TURNING])
 @pytest.mark.parametrize("case", CASES)
 def test_galerkin(case, name, beam, run, reference):
     entry, duration = CASES[case]
@@ -57,6 +62,7 @@ def test_limit_of_many_elements(beam, run):
         assert (4.0 * fine - coarse) / 3.0 == pytest.approx(limit, rel=2e-4)
 
 
+@pytest.mark.compiles
 def test_implicit_euler_rows(beam, run, reference):
     """D7: an independent code with the same elements, integrator and fixed step."""
     for row in reference("D7_der_dynamic_crosscheck"):
