@@ -22,6 +22,7 @@ def test_no_outputs_are_kept(tutorial):
     assert all(not cell.outputs and cell.execution_count is None for cell in code)
 
 
+@pytest.mark.compiles
 def test_every_cell_runs(tutorial, tmp_path):
     resources = {"metadata": {"path": str(tmp_path)}}
     NotebookClient(

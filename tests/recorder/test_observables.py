@@ -17,6 +17,7 @@ def tiny(**parts):
     return with_tier("draft", stepping=adaptive, **parts)
 
 
+@pytest.mark.compiles
 @pytest.mark.parametrize("clamp", ["half_element", "two_nodes"])
 def test_observables_are_those_of_the_trajectory(clamp):
     simulation = tiny(

@@ -49,7 +49,7 @@ def test_slopes_are_those_with_a_wider_stick_zone() -> None:
     wider = replace(base, friction=ImplicitFrictionOptions(velocity_threshold_m_s=0.01))
     curve = ThresholdCurve.through(base.robot, base.discretization, 0.1, 0.3)
     batch = simulate_designs(
-        wider, DESIGNS[:2], curve=curve, threads=1, lanes=1, sensitivities=True
+        wider, DESIGNS[:2], curve=curve, threads=1, lanes=8, sensitivities=True
     )
     assert batch.sensitivities is not None
     expected = np.stack([batch.sensitivities.dx_bar, batch.sensitivities.dy_bar], axis=1)

@@ -1,6 +1,7 @@
 """Four jumps, two at a time, recorded on a real tracking server."""
 
 import os
+import shutil
 import socket
 import subprocess
 import sys
@@ -17,13 +18,14 @@ START_TIMEOUT_S = 120.0
 
 
 @pytest.fixture
-def server(tmp_path: Path) -> Iterator[str]:
-    """The address of a fresh ``mlflow server`` on loopback."""
+def server(tables: Path, tmp_path: Path) -> Iterator[str]:
+    """The address of an ``mlflow server`` without records on loopback."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     uri, store = f"http://127.0.0.1:{port}", tmp_path / "server"
     store.mkdir()
+    shutil.copy(tables, store / "store.db")
     with open(store / "log", "wb") as log:
         process = subprocess.Popen(
             [sys.executable, "-m", "mlflow", "server", "--host", "127.0.0.1", "--port", str(port)]
