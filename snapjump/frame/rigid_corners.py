@@ -45,6 +45,27 @@ def corner_approach(
 
 
 @kernel
+def add_lagged_corner_friction(
+    model: Any, motion: Any, work: Any, corner: Any, frame: Any, ry: Any, approach: Approach
+) -> None:
+    """Add friction of the step's beginning, also where the corner has lifted off since."""
+    residual = work.system.frame_residual
+    zero = 0.0 * approach.rate
+    begun = approach.begun
+    before = Approach(approach.begun_speed, zero, begun, approach.begun_speed, zero)
+    if any_true(acts(model.contact, begun, before)):
+        _, normal, _ = force_if_acting(model.contact, begun, before)
+        start = work.start[2]
+        _, sy = corner_arm(frame, corner, cos(start), sin(start))
+        velocity = work.velocity[0, 0] - sy * work.velocity[0, 2]
+        ratio, _ = slip(model.friction, velocity, 0.0 * velocity)
+        _, weight = contact_weights(model.contact)
+        drag = ratio * normal * weight
+        residual[0] += drag
+        residual[2] -= ry * drag
+
+
+@kernel
 def add_corner_friction(
     model: Any,
     motion: Any,
@@ -61,42 +82,27 @@ def add_corner_friction(
     residual = work.system.frame_residual
     square = work.system.square
     friction = model.friction
-    if is_lagged(friction):
-        start = work.start
-        begun = work.velocity[0]
-        sx, sy = corner_arm(frame, corner, cos(start[2]), sin(start[2]))
-        gap = start[1] + sy
-        zero = 0.0 * gap
-        before = Approach(begun[1] + sx * begun[2], zero, gap, zero, zero)
-        _, normal, _ = force_if_acting(model.contact, gap, before)
-        velocity = begun[0] - sy * begun[2]
-        ratio, _ = slip(friction, velocity, 0.0 * velocity)
-        _, weight = contact_weights(model.contact)
-        drag = ratio * normal * weight
-        residual[0] += drag
-        residual[2] -= ry * drag
-    else:
-        rate = motion.rate_factor
-        turn = (work.state[2] - work.origin[2]) * rate
-        velocity = (work.state[0] - work.origin[0]) * rate - ry * turn
-        previous = work.slip[corner]
-        ratio, slope = slip(friction, velocity, previous)
-        work.slip[corner] = where(near, velocity, previous)
-        normal = pressing_force(model.contact, work, corner, force)
-        # A constraint's stiffness is no derivative of the force that friction sees.
-        yielding = 0.0 if is_impulsive(model.contact) else 1.0
-        drag = ratio * normal
-        residual[0] += drag
-        residual[2] -= ry * drag
-        along_x = normal * slope * rate
-        along_y = -ratio * stiffness * yielding
-        along_turn = normal * slope * (-ry * rate - rx * turn) + along_y * rx
-        square[0, 0] += along_x
-        square[0, 1] += along_y
-        square[0, 2] += along_turn
-        square[2, 0] -= ry * along_x
-        square[2, 1] -= ry * along_y
-        square[2, 2] -= ry * along_turn + rx * drag
+    rate = motion.rate_factor
+    turn = (work.state[2] - work.origin[2]) * rate
+    velocity = (work.state[0] - work.origin[0]) * rate - ry * turn
+    previous = work.slip[corner]
+    ratio, slope = slip(friction, velocity, previous)
+    work.slip[corner] = where(near, velocity, previous)
+    normal = pressing_force(model.contact, work, corner, force)
+    # A constraint's stiffness is no derivative of the force that friction sees.
+    yielding = 0.0 if is_impulsive(model.contact) else 1.0
+    drag = ratio * normal
+    residual[0] += drag
+    residual[2] -= ry * drag
+    along_x = normal * slope * rate
+    along_y = -ratio * stiffness * yielding
+    along_turn = normal * slope * (-ry * rate - rx * turn) + along_y * rx
+    square[0, 0] += along_x
+    square[0, 1] += along_y
+    square[0, 2] += along_turn
+    square[2, 0] -= ry * along_x
+    square[2, 1] -= ry * along_y
+    square[2, 2] -= ry * along_turn + rx * drag
 
 
 @kernel
@@ -121,6 +127,8 @@ def add_corner_contacts(
         effective = 1.0 / (1.0 / frame.mass + rx * rx / frame.inertia)
         approach = corner_approach(frame, motion, work, corner, rx, effective)
         near = acts(contact, gap, approach)
+        if has_friction(model.friction) and is_lagged(model.friction):
+            add_lagged_corner_friction(model, motion, work, corner, frame, ry, approach)
         if any_true(near):
             _, force, stiffness = force_if_acting(contact, gap, approach)
             force = force * weight
@@ -134,7 +142,7 @@ def add_corner_contacts(
             square[2, 2] += stiffness * rx * rx + force * ry
             bounce = bounce_rate_squared(contact, stiffness, effective, approach.speed)
             fastest = maximum(fastest, bounce)
-            if has_friction(model.friction):
+            if has_friction(model.friction) and not is_lagged(model.friction):
                 add_corner_friction(
                     model, motion, work, corner, frame, rx, ry, near, force, stiffness
                 )

@@ -231,12 +231,13 @@ def test_friction_opposes_sliding_at_the_feet():
     assert drag[1] == 0.0
 
 
-def test_lagged_friction_takes_force_and_velocity_of_the_step_s_beginning():
+@pytest.mark.parametrize("height", [0.27, 0.30])  # within the barrier's reach, and lifted off
+def test_lagged_friction_takes_force_and_velocity_of_the_step_s_beginning(height):
     model = make_model(contact=BARRIER, friction=LaggedFriction(0.4, 0.25))
     plain = make_model(contact=BARRIER)
     masses = masses_of(model)
     begun = full_state(model, arch(model, height=0.26, turn=0.0), angles_at(model))
-    now = full_state(model, arch(model, height=0.27, turn=0.0), angles_at(model))
+    now = full_state(model, arch(model, height=height, turn=0.0), angles_at(model))
     velocity = np.zeros((2, len(now)))
     velocity[0, 0] = 2.0
     arrays = {"start": begun, "velocity": velocity, "origin": now}
