@@ -13,7 +13,7 @@ from command_line import ROOT, Done, apart, here
 from groups import GroupScheduling, in_order
 
 Command = Callable[..., Done]
-pytest_plugins = ["perturbation"]
+pytest_plugins = ["golden", "perturbation"]
 # Which MLflow reads once, when it is imported by whichever test comes first.
 os.environ["MLFLOW_DISABLE_TELEMETRY"] = "true"
 # Processes side by side that each take all cores for a small matrix wait for each other. Read once
