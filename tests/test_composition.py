@@ -99,7 +99,7 @@ def gain(family: str, name: str, choice: Choice, missing: set[Pair]) -> int:
 
 
 def covering(given: list[Choice]) -> list[Choice]:
-    """The given compositions and as few others as hold every pair that is not refused (greedily)."""
+    """The given compositions, and few others for the pairs that they lack (greedily)."""
     held = {frozenset(pair) for choice in given for pair in combinations(choice.items(), 2)}
     missing = {pair for pair in all_pairs() if pair not in held and not refused(pair)}
     found = list(given)
