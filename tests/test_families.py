@@ -9,63 +9,49 @@ import pytest
 import snapjump
 from snapjump.families import DATASET_FAMILIES, FAMILIES
 from snapjump.number.compile_cache import KERNEL_PACKAGES
+from snapjump.number.methods import METHODS, Contract, methods_of
 
 PACKAGE = Path(snapjump.__file__).parent
 
 
-def is_declaration(value):
-    return callable(value) and hasattr(value, "versions")
-
-
 def contracts():
-    """(folder, its modules, the functions its base declares) of every family of kernels."""
+    """(folder, contract) of every family of kernels."""
     for base in sorted(PACKAGE.glob("*/base.py")):
         folder = base.parent.name
         package = importlib.import_module(f"snapjump.{folder}")
-        modules = {
-            info.name: importlib.import_module(f"snapjump.{folder}.{info.name}")
-            for info in pkgutil.iter_modules(package.__path__)
-        }
-        declared = {
-            name: value
-            for name, value in vars(modules["base"]).items()
-            if is_declaration(value) and value.__module__ == modules["base"].__name__
-        }
-        if declared:
-            yield folder, modules, declared
+        for info in pkgutil.iter_modules(package.__path__):
+            importlib.import_module(f"snapjump.{folder}.{info.name}")
+        for value in vars(importlib.import_module(f"snapjump.{folder}.base")).values():
+            if isinstance(value, type) and issubclass(value, Contract) and value is not Contract:
+                yield folder, value
 
 
-def members_of(declared):
-    """Classes that fulfil a contract, those that other tests made up left out."""
-    found = set().union(*(function.versions for function in declared.values()))
-    return {member for member in found if member.__module__.startswith("snapjump.")}
+CONTRACTS = dict(contracts())
 
 
-CONTRACTS = list(contracts())
-FOLDERS = [folder for folder, _, _ in CONTRACTS]
+def members_of(folder):
+    """Classes of a family that follow its contract."""
+    return {cls for cls, _ in METHODS if cls.__module__.startswith(f"snapjump.{folder}.")}
 
 
 def test_all_families_are_found():
-    assert {"discretization", "frame", "contact", "friction", "damping", "stepping"} <= set(FOLDERS)
+    assert {"discretization", "frame", "contact", "friction", "damping", "stepping"} <= set(
+        CONTRACTS
+    )
 
 
-@pytest.mark.parametrize(("folder", "modules", "declared"), CONTRACTS, ids=FOLDERS)
-def test_every_member_has_every_function(folder, modules, declared):
-    members = members_of(declared)
-    assert members
-    for member in members:
-        missing = [n for n, function in declared.items() if member not in function.versions]
+@pytest.mark.parametrize("folder", CONTRACTS)
+def test_every_member_has_every_method(folder):
+    assert members_of(folder)
+    for member in members_of(folder):
+        missing = [name for name in methods_of(CONTRACTS[folder]) if (member, name) not in METHODS]
         assert not missing, f"{folder}: {member.__name__} lacks {missing}"
-        assert member.__module__.startswith(f"snapjump.{folder}.")
 
 
-@pytest.mark.parametrize(("folder", "modules", "declared"), CONTRACTS, ids=FOLDERS)
-def test_every_named_tuple_of_a_member_s_file_is_registered_once(folder, modules, declared):
-    members = members_of(declared)
-    by_file = {}
-    for member in members:
-        by_file.setdefault(member.__module__, []).append(member)
-    assert all(len(found) == 1 for found in by_file.values()), by_file
+@pytest.mark.parametrize("folder", CONTRACTS)
+def test_a_file_has_one_member(folder):
+    files = [member.__module__ for member in members_of(folder)]
+    assert len(files) == len(set(files)), files
 
 
 def test_sources_of_all_kernels_name_the_folder_of_the_compiled_ones():
@@ -73,7 +59,10 @@ def test_sources_of_all_kernels_name_the_folder_of_the_compiled_ones():
     with_kernels = {
         path.parent.name
         for path in PACKAGE.glob("*/*.py")
-        if any(word in path.read_text() for word in ("number.dispatch import", "import njit"))
+        if any(
+            word in path.read_text()
+            for word in ("number.dispatch import", "number.methods import", "import njit")
+        )
     }
     assert with_kernels <= set(KERNEL_PACKAGES)
 

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.clamp.base import clamp_angles
 from snapjump.clamp.smooth_start import SmoothStart
 from snapjump.composition import Simulation
 from snapjump.ending.timed import TimedEnding
@@ -62,7 +61,7 @@ class Swing:
 
     def left_rad(self, time_s: float) -> float:
         """The left clamp's angle."""
-        return float(clamp_angles(self.clamp, time_s / self.unit_s).left)
+        return float(self.clamp.angles(time_s / self.unit_s).left)
 
     def _middle(self, values: Array) -> Array:
         last = values.shape[1] - 1
@@ -83,7 +82,7 @@ def follow(simulation: Simulation) -> Swing:
             delta_alpha=lag,
             rise_time=scene.rise_time_s / scales.time_s,
         ),
-        contact=simulation.contact.member(scales, simulation.discretization),
+        contact=simulation.contact.member(scales),
         friction=simulation.friction.member(scales, simulation.environment.mu),
         damping=simulation.damping.member(scales),
         load=NoLoad(),

@@ -66,7 +66,7 @@ def models() -> str:
     """Numbers of the laws that are solved for, and of the integrators' tableaux."""
     base = with_tier("draft")
     schemes = [with_tier(name).integrator.scheme() for name in ("draft", "standard", "reference")]
-    law = HuntCrossleyOptions().member(base.robot.scales, base.discretization)
+    law = HuntCrossleyOptions().member(base.robot.scales)
     return digest([law, *(np.concatenate([np.ravel(part) for part in s]) for s in schemes)])
 
 

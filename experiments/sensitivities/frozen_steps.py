@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from snapjump.clamp.base import clamp_angles
 from snapjump.engine import clock as c
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.centre_of_mass import centre_of_mass
@@ -16,8 +15,6 @@ from snapjump.engine.model import with_numbers
 from snapjump.engine.shadow import make_shadow, view_shadow
 from snapjump.engine.stage import begin_stage, commit_step, keep_stage, stage_motion
 from snapjump.engine.view import view_work
-from snapjump.frame.base import place_ends
-from snapjump.integrator.base import stage_count
 from snapjump.number.dual import PARAMETERS, constant
 from snapjump.scenes.runner import March
 
@@ -87,11 +84,11 @@ def finish_stage(template: Any, scheme: Any, masses: Any, memory: Any) -> bool:
     work = view_work(memory, (0,))
     model = with_numbers(template, work.numbers)
     motion = stage_motion(scheme, work)
-    angles = clamp_angles(model.clamp, motion.time)
-    place_ends(model.frame, memory.mesh, model.discretization, angles, work.state)
+    angles = model.clamp.angles(motion.time)
+    model.frame.place_ends(memory.mesh, model.discretization, angles, work.state)
     everyone = work.clock[c.STEP] > 0.0
     keep_stage(scheme, work, motion, everyone)
-    last = work.clock[c.STAGE] >= stage_count(scheme)
+    last = work.clock[c.STAGE] >= scheme.stage_count()
     if last:
         commit_step(scheme, work, everyone)
         memory.clock[c.STAGE, 0] = 1.0
@@ -183,7 +180,7 @@ def march_along(jump: March, steps: Any, solutions: Any) -> None:
     march(*arguments, 0)
     memory, count = jump.memory, 0
     for step in steps:
-        for _ in range(stage_count(jump.scheme)):
+        for _ in range(jump.scheme.stage_count()):
             memory.clock[c.STEP] = step
             guess_stage(jump.models[0], jump.scheme, jump.masses, memory)
             memory.state[:, 0] = solutions[count]

@@ -12,7 +12,6 @@ from typing import Any
 from experiments.compositions import Groups, changed
 from experiments.tradeoff.batches import LANES
 from snapjump.families import FAMILIES
-from snapjump.integrator.base import error_order
 
 STANDARD_ELEMENTS, STANDARD_TOLERANCE = 104, 4.5e-8
 TOLERANCE_POWER = 4.5
@@ -52,7 +51,7 @@ def tolerance(elements: int, estimate_order: float = ESTIMATE_ORDER) -> float:
 
 def estimate_order(name: str) -> float:
     """Order of a method's error estimate."""
-    return float(error_order(FAMILIES["integrator"][name]().scheme()))
+    return float(FAMILIES["integrator"][name]().scheme().error_power())
 
 
 def adaptive(base: Groups, name: str, elements: tuple[int, ...], **stepping: Any) -> dict[str, Any]:

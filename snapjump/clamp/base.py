@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.number.dispatch import family_function
+from snapjump.number.methods import Contract, required
 
 
 class ClampAngles(NamedTuple):
@@ -17,6 +17,9 @@ class ClampAngles(NamedTuple):
     right_rate: Any
 
 
-@family_function
-def clamp_angles(clamp: Any, time: Any) -> Any:
-    """The :class:`ClampAngles` at a time (in T)."""
+class ClampProgramme(Contract):
+    """How the clamps are rotated: the contract that every rotation programme fulfils."""
+
+    @required
+    def angles(self, time: Any) -> Any:
+        """The :class:`ClampAngles` at a time (in T)."""

@@ -2,10 +2,11 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.clamp.base import ClampAngles, clamp_angles
+from snapjump.clamp.base import ClampAngles, ClampProgramme
 from snapjump.number.functions import where
 
 
+@ClampProgramme.member
 class ConstantRate(NamedTuple):
     """Left angle at time 0 and at the end (rad), its rate (rad/T), and how far the right lags."""
 
@@ -14,11 +15,9 @@ class ConstantRate(NamedTuple):
     rate: float
     delta_alpha: float
 
-
-@clamp_angles.member(ConstantRate)
-def _angles(clamp: ConstantRate, time: Any) -> Any:
-    turned = clamp.start + clamp.rate * time
-    stopped = turned > clamp.end
-    left = where(stopped, clamp.end, turned)
-    rate = where(stopped, 0.0, clamp.rate + 0.0 * time)
-    return ClampAngles(left, left - clamp.delta_alpha, rate, rate)
+    def angles(self, time: Any) -> Any:
+        turned = self.start + self.rate * time
+        stopped = turned > self.end
+        left = where(stopped, self.end, turned)
+        rate = where(stopped, 0.0, self.rate + 0.0 * time)
+        return ClampAngles(left, left - self.delta_alpha, rate, rate)

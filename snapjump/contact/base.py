@@ -5,8 +5,9 @@ A law is a ``NamedTuple`` of dimensionless numbers. Lengths are in L, forces in 
 
 from typing import Any, NamedTuple
 
-from snapjump.number.dispatch import family_function, kernel
+from snapjump.number.dispatch import kernel
 from snapjump.number.functions import minimum, where
+from snapjump.number.methods import Contract, required
 
 # Slower than this (in L/T) a contact rests: what an unresolved bounce could lose is then nothing.
 RESTING_SPEED = 0.02
@@ -26,66 +27,59 @@ class Approach(NamedTuple):
     inertia: Any
 
 
-@family_function
-def has_contact(contact: Any) -> Any:
-    """Whether contact terms are compiled in."""
+class Ground(NamedTuple):
+    """What the model adds to a law: its share at a node of the beam and at a corner of the frame,
+    and the gap (in L) beyond which a point counts as in the air."""
+
+    node_share: Any
+    corner_share: Any
+    clearance: Any
 
 
-@family_function
-def keeps_open(contact: Any) -> Any:
-    """Whether the law needs positive gaps, which every correction must then leave."""
+class ContactLaw(Contract):
+    """Normal contact with the ground, y = 0: what a contact law is asked, before its share."""
 
+    def exists(self) -> Any:
+        """Whether contact terms are compiled in."""
+        return True
 
-@family_function
-def is_impulsive(contact: Any) -> Any:
-    """Whether the force is that which a constraint calls for, rather than one of the position."""
+    def keeps_open(self) -> Any:
+        """Whether the law needs positive gaps, which every correction must then leave."""
+        return False
 
+    def is_impulsive(self) -> Any:
+        """Whether the force is what a constraint calls for, rather than one of the position."""
+        return False
 
-@family_function
-def contact_reach(contact: Any) -> Any:
-    """The gap beyond which the law gives no force at rest (0 for no contact at all)."""
+    def reach(self) -> Any:
+        """The gap beyond which the law gives no force at rest."""
+        return 0.0
 
+    def active(self, gap: Any, approach: Any) -> Any:
+        """Mask: whether the law gives a force. Only then is it asked for it."""
+        return gap < self.reach()
 
-@family_function
-def clearance(contact: Any) -> Any:
-    """The gap beyond which a point counts as in the air."""
+    @required
+    def energy(self, gap: Any) -> Any:
+        """Energy stored at a gap within reach."""
 
+    @required
+    def force(self, gap: Any, approach: Any) -> Any:
+        """Repulsive force."""
 
-@family_function
-def acts(contact: Any, gap: Any, approach: Any) -> Any:
-    """Mask: whether the law gives a force. Only then is :func:`contact_force` asked for it."""
+    @required
+    def slope(self, gap: Any, approach: Any) -> Any:
+        """Negative total derivative of the force by the gap."""
 
+    def loss(self, gap: Any, approach: Any) -> Any:
+        """Power that the law takes out (EI/(L T))."""
+        return 0.0 * gap
 
-@family_function
-def contact_energy(contact: Any, gap: Any) -> Any:
-    """Energy stored at a gap within reach, before the weight."""
-
-
-@family_function
-def contact_force(contact: Any, gap: Any, approach: Any) -> Any:
-    """Repulsive force and its negative total derivative by the gap, before the weight."""
-
-
-@family_function
-def contact_loss(contact: Any, gap: Any, approach: Any) -> Any:
-    """Power that the law takes out, before the weight (EI/(L T))."""
-
-
-@family_function
-def contact_weights(contact: Any) -> Any:
-    """Factors of the force at a node of the beam and at a corner of the frame."""
-
-
-@family_function
-def bounce_rate_squared(contact: Any, stiffness: Any, mass: Any, speed: Any) -> Any:
-    """Square of the frequency (1/T^2) that steps must resolve where a mass is in contact."""
-
-
-@kernel
-def elastic_bounce(stiffness: Any, mass: Any, speed: Any) -> Any:
-    """k/m, less where contact rests."""
-    pace = speed / RESTING_SPEED
-    return stiffness / mass * minimum(pace * pace, 1.0 + 0.0 * pace)
+    def bounce_rate_squared(self, stiffness: Any, mass: Any, speed: Any) -> Any:
+        """Square of the frequency (1/T^2) that steps must resolve where a mass is in contact: k/m,
+        less where contact rests."""
+        pace = speed / RESTING_SPEED
+        return stiffness / mass * minimum(pace * pace, 1.0 + 0.0 * pace)
 
 
 @kernel
@@ -98,9 +92,11 @@ def at_rest(gap: Any) -> Approach:
 @kernel
 def force_if_acting(contact: Any, gap: Any, approach: Any) -> Any:
     """Mask, force and stiffness, the latter two zero where the law does not act."""
-    active = acts(contact, gap, approach)
+    active = contact.active(gap, approach)
     # A barrier has no force beyond its reach, and no value below zero.
-    force, stiffness = contact_force(contact, where(active, gap, contact_reach(contact)), approach)
+    gap = where(active, gap, contact.reach())
+    force = contact.force(gap, approach)
+    stiffness = contact.slope(gap, approach)
     return active, where(active, force, 0.0), where(active, stiffness, 0.0)
 
 
@@ -110,7 +106,7 @@ def pressing_force(contact: Any, work: Any, point: Any, force: Any) -> Any:
 
     That of a constraint is known only once an iteration has held the point in its place.
     """
-    if is_impulsive(contact):
+    if contact.is_impulsive():
         return where(work.held[point] > 0.0, force, 0.0)
     return force
 
@@ -118,5 +114,5 @@ def pressing_force(contact: Any, work: Any, point: Any, force: Any) -> Any:
 @kernel
 def note_contact(contact: Any, work: Any, point: Any, near: Any) -> None:
     """Remember which points a constraint holds in this iteration."""
-    if is_impulsive(contact):
+    if contact.is_impulsive():
         work.held[point] = where(near, 1.0, 0.0)

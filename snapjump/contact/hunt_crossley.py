@@ -7,90 +7,33 @@ exponent, (1 + e) lambda v = log((1 + lambda v) / (1 - e lambda v)): slower impa
 
 from typing import Any, NamedTuple
 
-from snapjump.contact.base import (
-    acts,
-    bounce_rate_squared,
-    clearance,
-    contact_energy,
-    contact_force,
-    contact_loss,
-    contact_reach,
-    contact_weights,
-    elastic_bounce,
-    has_contact,
-    is_impulsive,
-    keeps_open,
-)
+from snapjump.contact.base import ContactLaw
 from snapjump.number.functions import sqrt, where
 
 
+@ContactLaw.member
 class HuntCrossley(NamedTuple):
-    """Stiffness k (in EI/L^(7/2)), damping lambda (in T/L), the gap (in L) from which on a robot
-    is in the air, weights."""
+    """Stiffness k (in EI/L^(7/2)), damping lambda (in T/L)."""
 
     stiffness: float
     damping: float
-    clearance: float
-    node_weight: float
-    corner_weight: float
 
+    def energy(self, gap: Any) -> Any:
+        return 0.4 * self.stiffness * gap * gap * sqrt(-gap)
 
-@has_contact.member(HuntCrossley)
-def _has_contact(contact: HuntCrossley) -> bool:
-    return True
+    def elastic(self, gap: Any) -> Any:
+        """The force at rest."""
+        return -self.stiffness * gap * sqrt(-gap)
 
+    def force(self, gap: Any, approach: Any) -> Any:
+        factor = 1.0 - self.damping * approach.speed
+        return where(factor > 0.0, self.elastic(gap) * factor, 0.0)
 
-@keeps_open.member(HuntCrossley)
-def _keeps_open(contact: HuntCrossley) -> bool:
-    return False
+    def slope(self, gap: Any, approach: Any) -> Any:
+        factor = 1.0 - self.damping * approach.speed
+        lost = self.elastic(gap) * self.damping * approach.rate
+        slope = 1.5 * self.stiffness * sqrt(-gap) * factor + lost
+        return where(factor > 0.0, slope, 0.0)
 
-
-@is_impulsive.member(HuntCrossley)
-def _is_impulsive(contact: HuntCrossley) -> bool:
-    return False
-
-
-@contact_reach.member(HuntCrossley)
-def _reach(contact: HuntCrossley) -> float:
-    return 0.0
-
-
-@clearance.member(HuntCrossley)
-def _clearance(contact: HuntCrossley) -> float:
-    return contact.clearance
-
-
-@acts.member(HuntCrossley)
-def _acts(contact: HuntCrossley, gap: Any, approach: Any) -> Any:
-    return gap < 0.0
-
-
-@contact_energy.member(HuntCrossley)
-def _energy(contact: HuntCrossley, gap: Any) -> Any:
-    return 0.4 * contact.stiffness * gap * gap * sqrt(-gap)
-
-
-@contact_force.member(HuntCrossley)
-def _force(contact: HuntCrossley, gap: Any, approach: Any) -> Any:
-    root = sqrt(-gap)
-    elastic = -contact.stiffness * gap * root
-    factor = 1.0 - contact.damping * approach.speed
-    slope = 1.5 * contact.stiffness * root * factor + elastic * contact.damping * approach.rate
-    pushing = factor > 0.0
-    return where(pushing, elastic * factor, 0.0), where(pushing, slope, 0.0)
-
-
-@contact_loss.member(HuntCrossley)
-def _loss(contact: HuntCrossley, gap: Any, approach: Any) -> Any:
-    force, _ = _force(contact, gap, approach)
-    return (-contact.stiffness * gap * sqrt(-gap) - force) * approach.speed
-
-
-@contact_weights.member(HuntCrossley)
-def _weights(contact: HuntCrossley) -> Any:
-    return contact.node_weight, contact.corner_weight
-
-
-@bounce_rate_squared.member(HuntCrossley)
-def _bounce_rate_squared(contact: HuntCrossley, stiffness: Any, mass: Any, speed: Any) -> Any:
-    return elastic_bounce(stiffness, mass, speed)
+    def loss(self, gap: Any, approach: Any) -> Any:
+        return (self.elastic(gap) - self.force(gap, approach)) * approach.speed

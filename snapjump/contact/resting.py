@@ -2,12 +2,7 @@
 
 from typing import Any
 
-from snapjump.contact.base import (
-    at_rest,
-    contact_reach,
-    force_if_acting,
-    keeps_open,
-)
+from snapjump.contact.base import at_rest, force_if_acting
 from snapjump.number.dispatch import compiled
 
 HALVINGS = 60
@@ -19,11 +14,11 @@ def resting_gap(contact: Any, weight: float, points: float) -> float:
 
     By bisection: the force falls with the gap, and vanishes at the law's reach.
     """
-    high = 1.0 * contact_reach(contact)
+    high = 1.0 * contact.reach()
     if weight == 0.0:
         return high
     low = 1e-12 * high
-    if not keeps_open(contact):
+    if not contact.keeps_open():
         depth = 1e-9
         low = high - depth
         while points * force_if_acting(contact, low, at_rest(low))[1] < weight:

@@ -12,20 +12,7 @@ A skin of a few nanometres keeps that miss from making a gap negative.
 
 from typing import Any, NamedTuple
 
-from snapjump.contact.base import (
-    acts,
-    bounce_rate_squared,
-    clearance,
-    contact_energy,
-    contact_force,
-    contact_loss,
-    contact_reach,
-    contact_weights,
-    has_contact,
-    is_impulsive,
-    keeps_open,
-)
-from snapjump.number.dispatch import kernel
+from snapjump.contact.base import ContactLaw
 from snapjump.number.functions import maximum, where
 
 STIFFER_THAN_INERTIA = 1e6
@@ -33,77 +20,42 @@ STATIC_STIFFNESS = 1e8  # EI/L^3
 SKIN = 1e-6  # L
 
 
+@ContactLaw.member
 class Signorini(NamedTuple):
-    """Restitution e, and the gap (in L) from which on a robot is in the air."""
+    """Restitution e."""
 
     restitution: float
-    clearance: float
 
+    def is_impulsive(self) -> bool:
+        return True
 
-@has_contact.member(Signorini)
-def _has_contact(contact: Signorini) -> bool:
-    return True
+    def reach(self) -> float:
+        return SKIN
 
+    def target(self, approach: Any) -> Any:
+        """The gap that the step must not end below."""
+        rate = approach.rate
+        step = where(rate > 0.0, 1.0 / maximum(rate, 1e-300 + 0.0 * rate), 0.0)
+        closing = approach.begun + step * approach.begun_speed < SKIN
+        falling = approach.begun_speed < 0.0
+        rebound = approach.begun - self.restitution * step * approach.begun_speed
+        return where(closing & falling & (rebound > SKIN), rebound, SKIN)
 
-@keeps_open.member(Signorini)
-def _keeps_open(contact: Signorini) -> bool:
-    return False
+    def active(self, gap: Any, approach: Any) -> Any:
+        return gap < self.target(approach)
 
+    def energy(self, gap: Any) -> Any:
+        return 0.0 * gap
 
-@is_impulsive.member(Signorini)
-def _is_impulsive(contact: Signorini) -> bool:
-    return True
+    def force(self, gap: Any, approach: Any) -> Any:
+        return self.slope(gap, approach) * (self.target(approach) - gap)
 
+    def slope(self, gap: Any, approach: Any) -> Any:
+        return STATIC_STIFFNESS + STIFFER_THAN_INERTIA * approach.inertia
 
-@contact_reach.member(Signorini)
-def _reach(contact: Signorini) -> float:
-    return SKIN
+    def loss(self, gap: Any, approach: Any) -> Any:
+        # A constant force over the step, along which the speed jumps.
+        return -0.5 * self.force(gap, approach) * (approach.speed + approach.begun_speed)
 
-
-@clearance.member(Signorini)
-def _clearance(contact: Signorini) -> float:
-    return contact.clearance
-
-
-@kernel
-def target_gap(contact: Signorini, approach: Any) -> Any:
-    """The gap that the step must not end below."""
-    rate = approach.rate
-    step = where(rate > 0.0, 1.0 / maximum(rate, 1e-300 + 0.0 * rate), 0.0)
-    closing = approach.begun + step * approach.begun_speed < SKIN
-    falling = approach.begun_speed < 0.0
-    rebound = approach.begun - contact.restitution * step * approach.begun_speed
-    return where(closing & falling & (rebound > SKIN), rebound, SKIN)
-
-
-@acts.member(Signorini)
-def _acts(contact: Signorini, gap: Any, approach: Any) -> Any:
-    return gap < target_gap(contact, approach)
-
-
-@contact_energy.member(Signorini)
-def _energy(contact: Signorini, gap: Any) -> Any:
-    return 0.0 * gap
-
-
-@contact_force.member(Signorini)
-def _force(contact: Signorini, gap: Any, approach: Any) -> Any:
-    stiffness = STATIC_STIFFNESS + STIFFER_THAN_INERTIA * approach.inertia
-    return stiffness * (target_gap(contact, approach) - gap), stiffness
-
-
-@contact_loss.member(Signorini)
-def _loss(contact: Signorini, gap: Any, approach: Any) -> Any:
-    # A constant force over the step, along which the speed jumps.
-    force, _ = _force(contact, gap, approach)
-    return -0.5 * force * (approach.speed + approach.begun_speed)
-
-
-@contact_weights.member(Signorini)
-def _weights(contact: Signorini) -> Any:
-    return 1.0, 1.0
-
-
-@bounce_rate_squared.member(Signorini)
-def _bounce_rate_squared(contact: Signorini, stiffness: Any, mass: Any, speed: Any) -> Any:
-    return 0.0 * speed
+    def bounce_rate_squared(self, stiffness: Any, mass: Any, speed: Any) -> Any:
+        return 0.0 * speed

@@ -7,6 +7,7 @@ from numba import cuda
 from numpy.typing import NDArray
 
 from snapjump.checks import ParameterError
+from snapjump.cuda.availability import simulated
 from snapjump.cuda.kernels import clear
 from snapjump.cuda.plan import GIB, Plan
 from snapjump.cuda.rounding import rounded_as_written
@@ -28,6 +29,10 @@ class Program:
         return self.kernel.overloads
 
     def __call__(self, *arguments: Any) -> None:
+        if not simulated():
+            from snapjump.cuda.methods import register_methods
+
+            register_methods()
         with rounded_as_written():
             self.kernel[self.grid](*arguments)
 

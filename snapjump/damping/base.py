@@ -5,19 +5,20 @@ A law is a ``NamedTuple`` of dimensionless numbers; times are in T = L^2 sqrt(rh
 
 from typing import Any
 
-from snapjump.number.dispatch import family_function
+from snapjump.number.methods import Contract
 
 
-@family_function
-def viscous_strain(damping: Any, strain: Any, rate: Any) -> Any:
-    """The strain that the elastic law turns into a stress: strain plus a share of its rate."""
+class DampingLaw(Contract):
+    """Damping of the beam's material and of masses; by default there is none."""
 
+    def viscous_strain(self, strain: Any, rate: Any) -> Any:
+        """The strain that the elastic law turns into a stress: strain plus a share of its rate."""
+        return strain
 
-@family_function
-def viscous_stiffening(damping: Any, rate_factor: Any) -> Any:
-    """d viscous_strain / d strain when d rate / d strain is ``rate_factor``."""
+    def stiffening(self, rate_factor: Any) -> Any:
+        """d viscous_strain / d strain when d rate / d strain is ``rate_factor``."""
+        return 1.0
 
-
-@family_function
-def mass_damping(damping: Any) -> Any:
-    """Damping force over momentum (1/T)."""
+    def drag(self) -> Any:
+        """Damping force over momentum (1/T)."""
+        return 0.0

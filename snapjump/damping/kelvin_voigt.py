@@ -5,25 +5,17 @@ Implicit Euler with step h damps, to leading order, like eta = h.
 
 from typing import Any, NamedTuple
 
-from snapjump.damping.base import mass_damping, viscous_stiffening, viscous_strain
+from snapjump.damping.base import DampingLaw
 
 
+@DampingLaw.member
 class KelvinVoigt(NamedTuple):
     """Relaxation time eta (in T)."""
 
     relaxation_time: float
 
+    def viscous_strain(self, strain: Any, rate: Any) -> Any:
+        return strain + self.relaxation_time * rate
 
-@viscous_strain.member(KelvinVoigt)
-def _strain(damping: KelvinVoigt, strain: Any, rate: Any) -> Any:
-    return strain + damping.relaxation_time * rate
-
-
-@viscous_stiffening.member(KelvinVoigt)
-def _stiffening(damping: KelvinVoigt, rate_factor: Any) -> Any:
-    return 1.0 + damping.relaxation_time * rate_factor
-
-
-@mass_damping.member(KelvinVoigt)
-def _mass(damping: KelvinVoigt) -> float:
-    return 0.0
+    def stiffening(self, rate_factor: Any) -> Any:
+        return 1.0 + self.relaxation_time * rate_factor

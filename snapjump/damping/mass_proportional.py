@@ -2,25 +2,14 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.damping.base import mass_damping, viscous_stiffening, viscous_strain
+from snapjump.damping.base import DampingLaw
 
 
+@DampingLaw.member
 class MassProportional(NamedTuple):
     """Drag coefficient (in 1/T)."""
 
     rate: float
 
-
-@viscous_strain.member(MassProportional)
-def _strain(damping: MassProportional, strain: Any, rate: Any) -> Any:
-    return strain
-
-
-@viscous_stiffening.member(MassProportional)
-def _stiffening(damping: MassProportional, rate_factor: Any) -> float:
-    return 1.0
-
-
-@mass_damping.member(MassProportional)
-def _mass(damping: MassProportional) -> Any:
-    return damping.rate
+    def drag(self) -> Any:
+        return self.rate

@@ -13,7 +13,7 @@ the entry of row j + k and column j, for k = 0 ... HALF_BANDWIDTH.
 
 from typing import Any, NamedTuple
 
-from snapjump.number.dispatch import family_function
+from snapjump.number.methods import Contract, required
 
 HALF_BANDWIDTH = 5
 NODES_COUPLED = 2  # a node couples to that many on either side, to one if nodes turn
@@ -51,78 +51,79 @@ class EndHinge(NamedTuple):
     slope_y: Any
 
 
-@family_function
-def has_elements(discretization: Any) -> Any:
-    """Whether there is a beam at all (False for loose nodes)."""
+class Discretization(Contract):
+    """Discretizations of the beam: the contract that every one fulfils."""
 
+    @required
+    def has_elements(self) -> Any:
+        """Whether there is a beam at all (False for loose nodes)."""
 
-@family_function
-def axial_stiffness(discretization: Any) -> Any:
-    """EA over an element's length (EI/L^3), the largest stiffness of all: so many times the last
-    bit of a coordinate is what rounding leaves of a residual. 0 for loose nodes."""
+    @required
+    def axial_stiffness(self) -> Any:
+        """EA over an element's length (EI/L^3), the largest stiffness of all: so many times the
+        last bit of a coordinate is what rounding leaves of a residual. 0 for loose nodes."""
 
+    @required
+    def node_dofs(self) -> Any:
+        """Coordinates of a node, a constant while compiling: 2 (x, y) or 3 (x, y, l theta)."""
 
-@family_function
-def node_dofs(discretization: Any) -> Any:
-    """Coordinates of a node, a constant while compiling: 2 (x, y) or 3 (x, y, l theta)."""
+    @required
+    def turn_length(self) -> Any:
+        """The length l (in L) of a node's third coordinate l theta; 0 where nodes do not turn."""
 
+    @required
+    def clamp_distance(self) -> Any:
+        """Distance from the mount, along the clamped tangent, at which the chain begins (in L)."""
 
-@family_function
-def turn_length(discretization: Any) -> Any:
-    """The length l (in L) of a node's third coordinate l theta; 0 where nodes do not turn."""
+    @required
+    def begin_chain(
+        self,
+        damping: Any,
+        position: Any,
+        origin: Any,
+        rate_factor: Any,
+        tangents: Any,
+    ) -> Any:
+        """Begin a sweep along the chain; returns what it carries and the left :class:`EndHinge`
+        (empty where nodes turn: a clamp then holds the node's rotation itself).
 
+        The sweep adds gradient and tangent of the elastic (and viscous) energy, node by node.
+        Velocities are ``(position - origin) * rate_factor``, as in every stage of an integrator.
+        What it carries has a number ``largest``: the largest element force so far, a scale for
+        residuals.
+        """
 
-@family_function
-def clamp_offset(discretization: Any) -> Any:
-    """Distance from the mount, along the clamped tangent, at which the chain begins (in L)."""
+    @required
+    def add_node_forces(
+        self,
+        damping: Any,
+        position: Any,
+        origin: Any,
+        rate_factor: Any,
+        tangents: Any,
+        chain: Any,
+        node: Any,
+        residual: Any,
+        band: Any,
+    ) -> Any:
+        """Complete the rows of a node (not the last one) in residual and band.
 
+        They hold masses on the band's diagonal and in the residual; the rest is written. Returns
+        what the sweep carries on and the hinge at the next node, the right :class:`EndHinge` in the
+        end.
+        """
 
-@family_function
-def begin_chain(
-    discretization: Any,
-    damping: Any,
-    position: Any,
-    origin: Any,
-    rate_factor: Any,
-    tangents: Any,
-) -> Any:
-    """Begin a sweep along the chain; returns what it carries and the left :class:`EndHinge`
-    (empty where nodes turn: a clamp then holds the node's rotation itself).
+    @required
+    def end_chain(self, chain: Any, node: Any, residual: Any, band: Any) -> Any:
+        """Complete the rows of the last node."""
 
-    The sweep adds gradient and tangent of the elastic (and viscous) energy, node by node.
-    Velocities are ``(position - origin) * rate_factor``, as in every stage of an integrator. What
-    it carries has a number ``largest``: the largest element force so far, a scale for residuals.
-    """
+    @required
+    def internal_energy(self, position: Any, tangents: Any) -> Any:
+        """Elastic energy of the chain, stretching and bending (in EI/L)."""
 
-
-@family_function
-def add_node_forces(
-    discretization: Any,
-    damping: Any,
-    position: Any,
-    origin: Any,
-    rate_factor: Any,
-    tangents: Any,
-    chain: Any,
-    node: Any,
-    residual: Any,
-    band: Any,
-) -> Any:
-    """Complete the rows of a node (not the last one) in residual and band.
-
-    They hold masses on the band's diagonal and in the residual; the rest is written. Returns what
-    the sweep carries on and the hinge at the next node, the right :class:`EndHinge` in the end.
-    """
-
-
-@family_function
-def end_chain(discretization: Any, chain: Any, node: Any, residual: Any, band: Any) -> Any:
-    """Complete the rows of the last node."""
-
-
-@family_function
-def internal_energy(discretization: Any, position: Any, tangents: Any) -> Any:
-    """Elastic energy of the chain, stretching and bending (in EI/L)."""
+    @required
+    def chain_powers(self, damping: Any, position: Any, velocity: Any, tangents: Any) -> Any:
+        """The :class:`ChainPowers` of a state, for the energy ledger."""
 
 
 class ChainPowers(NamedTuple):
@@ -136,10 +137,3 @@ class ChainPowers(NamedTuple):
     left_y: Any
     right_x: Any
     right_y: Any
-
-
-@family_function
-def chain_powers(
-    discretization: Any, damping: Any, position: Any, velocity: Any, tangents: Any
-) -> Any:
-    """The :class:`ChainPowers` of a state, for the energy ledger."""

@@ -7,23 +7,11 @@ hinges at the ends.
 from typing import Any, NamedTuple
 
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.base import (
-    ChainPowers,
-    EndHinge,
-    add_node_forces,
-    axial_stiffness,
-    begin_chain,
-    chain_powers,
-    clamp_offset,
-    end_chain,
-    has_elements,
-    internal_energy,
-    node_dofs,
-    turn_length,
-)
-from snapjump.discretization.beam_elements import Element, Span, element_of, straining_energy
+from snapjump.discretization.base import ChainPowers, Discretization, EndHinge
+from snapjump.discretization.beam_elements import Element, Span, element_of
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, maximum
+from snapjump.number.methods import required
 
 
 class BeamChain(NamedTuple):
@@ -89,130 +77,114 @@ def put_node(node: Any, before: Element, after: Element, residual: Any, band: An
     band[i + 2, 3] = after.cross
 
 
-def _has_elements(beam: Any) -> bool:
-    return True
+class BeamElements(Discretization):
+    """Elements with a rotation at every node: a member declares its strains alone."""
 
+    element_length: Any
+    stretching_stiffness: Any
 
-def _axial_stiffness(beam: Any) -> Any:
-    return beam.stretching_stiffness / beam.element_length
+    @required
+    def straining_energy(self, ex: Any, ey: Any, turn: Any) -> Any:
+        """Energy of one element apart from bending (EI/L)."""
 
+    @required
+    def strain_element(self, damping: Any, span: Span) -> Any:
+        """The :class:`Straining` of one element; damping adds a viscous share to every strain, and
+        to the Hessian what keeps it symmetric."""
 
-def _node_dofs(beam: Any) -> int:
-    return 3
+    def has_elements(self) -> bool:
+        return True
 
+    def axial_stiffness(self) -> Any:
+        return self.stretching_stiffness / self.element_length
 
-def _turn_length(beam: Any) -> Any:
-    return beam.element_length
+    def node_dofs(self) -> int:
+        return 3
 
+    def turn_length(self) -> Any:
+        return self.element_length
 
-def _clamp_offset(beam: Any) -> float:
-    return 0.0
+    def clamp_distance(self) -> float:
+        return 0.0
 
+    def begin_chain(
+        self, damping: Any, position: Any, origin: Any, rate_factor: Any, tangents: Any
+    ) -> Any:
+        zero = 0.0 * rate_factor
+        return BeamChain(no_element(zero), zero), EndHinge(zero, zero, zero, zero)
 
-def _begin_chain(
-    beam: Any, damping: Any, position: Any, origin: Any, rate_factor: Any, tangents: Any
-) -> Any:
-    zero = 0.0 * rate_factor
-    return BeamChain(no_element(zero), zero), EndHinge(zero, zero, zero, zero)
+    def add_node_forces(
+        self,
+        damping: Any,
+        position: Any,
+        origin: Any,
+        rate_factor: Any,
+        tangents: Any,
+        chain: Any,
+        node: Any,
+        residual: Any,
+        band: Any,
+    ) -> Any:
+        zero = 0.0 * rate_factor
+        after = element_at(self, damping, node, position, origin, rate_factor)
+        put_node(node, chain.before, after, residual, band)
+        force = absolute(after.force_x) + absolute(after.force_y)
+        return BeamChain(after, maximum(chain.largest, force)), EndHinge(zero, zero, zero, zero)
 
+    def end_chain(self, chain: Any, node: Any, residual: Any, band: Any) -> None:
+        put_node(node, chain.before, no_element(0.0 * chain.largest), residual, band)
 
-def _add_node_forces(
-    beam: Any,
-    damping: Any,
-    position: Any,
-    origin: Any,
-    rate_factor: Any,
-    tangents: Any,
-    chain: Any,
-    node: Any,
-    residual: Any,
-    band: Any,
-) -> Any:
-    zero = 0.0 * rate_factor
-    after = element_at(beam, damping, node, position, origin, rate_factor)
-    put_node(node, chain.before, after, residual, band)
-    force = absolute(after.force_x) + absolute(after.force_y)
-    return BeamChain(after, maximum(chain.largest, force)), EndHinge(zero, zero, zero, zero)
+    def internal_energy(self, position: Any, tangents: Any) -> Any:
+        over = 1.0 / self.element_length
+        energy = 0.0 * position[0]
+        for j in range(position.shape[0] // 3 - 1):
+            i = 3 * j
+            ex = position[i + 3] - position[i]
+            ey = position[i + 4] - position[i + 1]
+            bend = (position[i + 5] - position[i + 2]) * over
+            turn = 0.5 * (position[i + 5] + position[i + 2]) * over
+            energy = energy + self.straining_energy(ex, ey, turn) + 0.5 * bend * bend * over
+        return energy
 
-
-def _end_chain(beam: Any, chain: Any, node: Any, residual: Any, band: Any) -> None:
-    put_node(node, chain.before, no_element(0.0 * chain.largest), residual, band)
-
-
-def _internal_energy(beam: Any, position: Any, tangents: Any) -> Any:
-    over = 1.0 / beam.element_length
-    energy = 0.0 * position[0]
-    for j in range(position.shape[0] // 3 - 1):
-        i = 3 * j
-        ex = position[i + 3] - position[i]
-        ey = position[i + 4] - position[i + 1]
-        bend = (position[i + 5] - position[i + 2]) * over
-        turn = 0.5 * (position[i + 5] + position[i + 2]) * over
-        energy = energy + straining_energy(beam, ex, ey, turn) + 0.5 * bend * bend * over
-    return energy
-
-
-def _chain_powers(beam: Any, damping: Any, position: Any, velocity: Any, tangents: Any) -> Any:
-    zero = 0.0 * position[0]
-    over = 1.0 / beam.element_length
-    last = position.shape[0] // 3 - 2
-    power = zero
-    first = no_element(zero)
-    element = no_element(zero)
-    for j in range(last + 1):
-        i = 3 * j
-        vx = velocity[i + 3] - velocity[i]
-        vy = velocity[i + 4] - velocity[i + 1]
-        bending = velocity[i + 5] - velocity[i + 2]
-        turning = velocity[i + 5] + velocity[i + 2]
-        span = Span(
-            position[i + 3] - position[i],
-            position[i + 4] - position[i + 1],
-            0.5 * (position[i + 5] + position[i + 2]) * over,
-            vx,
-            vy,
-            0.5 * turning * over,
-            zero,
+    def chain_powers(self, damping: Any, position: Any, velocity: Any, tangents: Any) -> Any:
+        zero = 0.0 * position[0]
+        over = 1.0 / self.element_length
+        last = position.shape[0] // 3 - 2
+        power = zero
+        first = no_element(zero)
+        element = no_element(zero)
+        for j in range(last + 1):
+            i = 3 * j
+            vx = velocity[i + 3] - velocity[i]
+            vy = velocity[i + 4] - velocity[i + 1]
+            bending = velocity[i + 5] - velocity[i + 2]
+            turning = velocity[i + 5] + velocity[i + 2]
+            span = Span(
+                position[i + 3] - position[i],
+                position[i + 4] - position[i + 1],
+                0.5 * (position[i + 5] + position[i + 2]) * over,
+                vx,
+                vy,
+                0.5 * turning * over,
+                zero,
+            )
+            bend = (position[i + 5] - position[i + 2]) * over
+            element = element_of(self, damping, span, bend, bending * over, over)
+            elastic = element_of(self, NoDamping(), span, bend, zero, over)
+            power = power + (element.force_x - elastic.force_x) * vx
+            power = power + (element.force_y - elastic.force_y) * vy
+            power = power + (element.torque - elastic.torque) * turning
+            power = power + (element.moment - elastic.moment) * bending
+            if j == 0:
+                first = element
+        # dE/dtheta of the end nodes; the left one falls with its hinge's angle.
+        length = self.element_length
+        return ChainPowers(
+            power,
+            length * (first.moment - first.torque),
+            length * (element.torque + element.moment),
+            -first.force_x,
+            -first.force_y,
+            element.force_x,
+            element.force_y,
         )
-        bend = (position[i + 5] - position[i + 2]) * over
-        element = element_of(beam, damping, span, bend, bending * over, over)
-        elastic = element_of(beam, NoDamping(), span, bend, zero, over)
-        power = power + (element.force_x - elastic.force_x) * vx
-        power = power + (element.force_y - elastic.force_y) * vy
-        power = power + (element.torque - elastic.torque) * turning
-        power = power + (element.moment - elastic.moment) * bending
-        if j == 0:
-            first = element
-    # dE/dtheta of the end nodes; the left one falls with its hinge's angle.
-    length = beam.element_length
-    return ChainPowers(
-        power,
-        length * (first.moment - first.torque),
-        length * (element.torque + element.moment),
-        -first.force_x,
-        -first.force_y,
-        element.force_x,
-        element.force_y,
-    )
-
-
-SWEEP = (
-    (has_elements, _has_elements),
-    (axial_stiffness, _axial_stiffness),
-    (node_dofs, _node_dofs),
-    (turn_length, _turn_length),
-    (clamp_offset, _clamp_offset),
-    (begin_chain, _begin_chain),
-    (add_node_forces, _add_node_forces),
-    (end_chain, _end_chain),
-    (internal_energy, _internal_energy),
-    (chain_powers, _chain_powers),
-)
-
-
-def chain_of_beam_elements(cls: Any) -> Any:
-    """Give a class of elements (a decorator) the functions of every discretization; it declares
-    ``straining_energy`` and ``strain_element`` itself."""
-    for function, version in SWEEP:
-        function.member(cls)(version)
-    return cls

@@ -8,8 +8,7 @@ rotations along the chain and their sine and cosine count, so that turns of more
 
 from typing import Any, NamedTuple
 
-from snapjump.damping.base import viscous_stiffening, viscous_strain
-from snapjump.number.dispatch import family_function, kernel
+from snapjump.number.dispatch import kernel
 
 
 class Span(NamedTuple):
@@ -40,17 +39,6 @@ class Straining(NamedTuple):
     tt: Any
 
 
-@family_function
-def straining_energy(discretization: Any, ex: Any, ey: Any, turn: Any) -> Any:
-    """Energy of one element apart from bending (EI/L)."""
-
-
-@family_function
-def strain_element(discretization: Any, damping: Any, span: Span) -> Any:
-    """The :class:`Straining` of one element; damping adds a viscous share to every strain, and to
-    the Hessian what keeps it symmetric."""
-
-
 class Element(NamedTuple):
     """Gradient and Hessian of an element's energy with respect to e and the third coordinates s
     of its nodes: dE/ds_1 = torque - moment, dE/ds_2 = torque + moment; xs, ys: d2E/de ds of
@@ -74,12 +62,12 @@ def element_of(
     discretization: Any, damping: Any, span: Span, bend: Any, bend_rate: Any, over: Any
 ) -> Element:
     """An element with its bending; ``over`` is 1 / l, d(theta)/ds, ``bend`` theta_2 - theta_1."""
-    own = strain_element(discretization, damping, span)
+    own = discretization.strain_element(damping, span)
     half = 0.5 * over
     squared = over * over
     # EI / l, and 1 / l once more for either s.
-    moment = squared * viscous_strain(damping, bend, bend_rate)
-    stiffness = squared * over * viscous_stiffening(damping, span.rate_factor)
+    moment = squared * damping.viscous_strain(bend, bend_rate)
+    stiffness = squared * over * damping.stiffening(span.rate_factor)
     turning = 0.25 * squared * own.tt
     return Element(
         own.force_x,

@@ -6,7 +6,6 @@ sums them along the chain.
 
 from typing import Any, NamedTuple
 
-from snapjump.damping.base import viscous_stiffening, viscous_strain
 from snapjump.discretization.edge import Edge, make_edge
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import fma
@@ -38,7 +37,7 @@ def hinge_energy(t: Any, hinge_length: Any) -> Any:
 @kernel
 def axial_force(rod: Any, damping: Any, stretching: Any, edge: Any) -> Any:
     """Axial force EA (xi + eta d(xi)/dt); ``stretching`` is EA over the element's length."""
-    return stretching * viscous_strain(damping, edge.length - rod.element_length, edge.stretch_rate)
+    return stretching * damping.viscous_strain(edge.length - rod.element_length, edge.stretch_rate)
 
 
 @kernel
@@ -48,8 +47,8 @@ def hinge_moment(damping: Any, t: Any, angle_rate: Any, density: Any, rate_facto
     ``density`` is one over the hinge's length.
     """
     growth = fma(t, t, 1.0)  # d(2 t)/dphi
-    curvature = viscous_strain(damping, 2.0 * t, growth * angle_rate) * density
-    elastic = growth * viscous_stiffening(damping, rate_factor) * density
+    curvature = damping.viscous_strain(2.0 * t, growth * angle_rate) * density
+    elastic = growth * damping.stiffening(rate_factor) * density
     return curvature * growth, growth * fma(curvature, t, elastic)
 
 

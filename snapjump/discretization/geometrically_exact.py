@@ -7,18 +7,15 @@ in all elements. One point of integration (reduced) keeps shear from locking.
 
 from typing import Any, NamedTuple
 
-from snapjump.damping.base import viscous_stiffening, viscous_strain
-from snapjump.discretization.beam_chain import chain_of_beam_elements
+from snapjump.discretization.beam_chain import BeamElements
 from snapjump.discretization.beam_elements import (
     Span,
     Straining,
-    strain_element,
-    straining_energy,
 )
 from snapjump.number.functions import cos, fma, sin
 
 
-@chain_of_beam_elements
+@BeamElements.member
 class GeometricallyExact(NamedTuple):
     """Element length l, EA and GA_s (with EI = L = 1)."""
 
@@ -26,48 +23,44 @@ class GeometricallyExact(NamedTuple):
     stretching_stiffness: float
     shear_stiffness: float
 
+    def straining_energy(self, ex: Any, ey: Any, turn: Any) -> Any:
+        c = cos(turn)
+        s = sin(turn)
+        stretch = c * ex + s * ey - self.element_length
+        shear = c * ey - s * ex
+        twice = self.stretching_stiffness * stretch * stretch + self.shear_stiffness * shear * shear
+        return 0.5 * twice / self.element_length
 
-@straining_energy.member(GeometricallyExact)
-def _straining_energy(beam: GeometricallyExact, ex: Any, ey: Any, turn: Any) -> Any:
-    c = cos(turn)
-    s = sin(turn)
-    stretch = c * ex + s * ey - beam.element_length
-    shear = c * ey - s * ex
-    twice = beam.stretching_stiffness * stretch * stretch + beam.shear_stiffness * shear * shear
-    return 0.5 * twice / beam.element_length
+    def strain_element(self, damping: Any, span: Span) -> Straining:
+        c = cos(span.turn)
+        s = sin(span.turn)
+        a = fma(c, span.ex, s * span.ey)
+        b = fma(c, span.ey, -s * span.ex)
+        a_rate = c * span.vx + s * span.vy + b * span.turn_rate
+        b_rate = c * span.vy - s * span.vx - a * span.turn_rate
 
+        density = 1.0 / self.element_length
+        stretching = self.stretching_stiffness * density
+        shearing = self.shear_stiffness * density
+        force = stretching * damping.viscous_strain(a - self.element_length, a_rate)
+        shear = shearing * damping.viscous_strain(b, b_rate)
+        stiffening = damping.stiffening(span.rate_factor)
+        stretching = stretching * stiffening
+        shearing = shearing * stiffening
 
-@strain_element.member(GeometricallyExact)
-def _strain_element(beam: GeometricallyExact, damping: Any, span: Span) -> Straining:
-    c = cos(span.turn)
-    s = sin(span.turn)
-    a = fma(c, span.ex, s * span.ey)
-    b = fma(c, span.ey, -s * span.ex)
-    a_rate = c * span.vx + s * span.vy + b * span.turn_rate
-    b_rate = c * span.vy - s * span.vx - a * span.turn_rate
-
-    density = 1.0 / beam.element_length
-    stretching = beam.stretching_stiffness * density
-    shearing = beam.shear_stiffness * density
-    force = stretching * viscous_strain(damping, a - beam.element_length, a_rate)
-    shear = shearing * viscous_strain(damping, b, b_rate)
-    stiffening = viscous_stiffening(damping, span.rate_factor)
-    stretching = stretching * stiffening
-    shearing = shearing * stiffening
-
-    # da/dtheta_m = b and db/dtheta_m = -a; their derivatives by e are (-s, c) and -(c, s).
-    force_x = c * force - s * shear
-    force_y = s * force + c * shear
-    along = stretching * b - shear
-    across = shearing * a - force
-    return Straining(
-        force_x,
-        force_y,
-        b * force - a * shear,
-        fma(stretching * c, c, shearing * s * s),
-        (stretching - shearing) * c * s,
-        fma(stretching * s, s, shearing * c * c),
-        c * along + s * across,
-        s * along - c * across,
-        fma(stretching * b, b, shearing * a * a) - (a * force + b * shear),
-    )
+        # da/dtheta_m = b and db/dtheta_m = -a; their derivatives by e are (-s, c) and -(c, s).
+        force_x = c * force - s * shear
+        force_y = s * force + c * shear
+        along = stretching * b - shear
+        across = shearing * a - force
+        return Straining(
+            force_x,
+            force_y,
+            b * force - a * shear,
+            fma(stretching * c, c, shearing * s * s),
+            (stretching - shearing) * c * s,
+            fma(stretching * s, s, shearing * c * c),
+            c * along + s * across,
+            s * along - c * across,
+            fma(stretching * b, b, shearing * a * a) - (a * force + b * shear),
+        )

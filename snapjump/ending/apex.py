@@ -2,40 +2,34 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.contact.base import clearance
-from snapjump.ending.base import judge, leniency, time_limit
+from snapjump.ending.base import Ending
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clock import COM_VX, COM_VY, COM_X, COM_Y, GAP, TIME
 from snapjump.engine.status import OK, RUNNING, TIME_LIMIT
 from snapjump.number.functions import where
 
 
+@Ending.member
 class ApexEnding(NamedTuple):
     """The last moment (T), and the height (L) from which a centre of mass that sinks has flown."""
 
     duration: float
     height: float
 
+    def time_limit(self) -> Any:
+        return self.duration
 
-@time_limit.member(ApexEnding)
-def _time_limit(ending: ApexEnding) -> Any:
-    return ending.duration
+    def leniency(self, model: Any, work: Any) -> float:
+        return 1.0
 
-
-@leniency.member(ApexEnding)
-def _leniency(ending: ApexEnding, model: Any, work: Any) -> float:
-    return 1.0
-
-
-@judge.member(ApexEnding)
-def _judge(ending: ApexEnding, model: Any, masses: Any, work: Any, ended: Any) -> Any:
-    clock = work.clock
-    over = clock[TIME] >= ending.duration * (1.0 - 1e-12)
-    x, y, vx, vy = centre_of_mass(model, masses, work.mesh, work.state, work.velocity[0])
-    clock[COM_X] = where(ended, x, clock[COM_X])
-    clock[COM_Y] = where(ended, y, clock[COM_Y])
-    clock[COM_VX] = where(ended, vx, clock[COM_VX])
-    clock[COM_VY] = where(ended, vy, clock[COM_VY])
-    sinking = (clock[GAP] >= clearance(model.contact)) & (vy <= 0.0) & (y > ending.height)
-    status = where(over, 1.0 * TIME_LIMIT, 1.0 * RUNNING)
-    return where(sinking, 1.0 * OK, status)
+    def judge(self, model: Any, masses: Any, work: Any, ended: Any) -> Any:
+        clock = work.clock
+        over = clock[TIME] >= self.duration * (1.0 - 1e-12)
+        x, y, vx, vy = centre_of_mass(model, masses, work.mesh, work.state, work.velocity[0])
+        clock[COM_X] = where(ended, x, clock[COM_X])
+        clock[COM_Y] = where(ended, y, clock[COM_Y])
+        clock[COM_VX] = where(ended, vx, clock[COM_VX])
+        clock[COM_VY] = where(ended, vy, clock[COM_VY])
+        sinking = (clock[GAP] >= model.ground.clearance) & (vy <= 0.0) & (y > self.height)
+        status = where(over, 1.0 * TIME_LIMIT, 1.0 * RUNNING)
+        return where(sinking, 1.0 * OK, status)

@@ -9,14 +9,10 @@ which the centre of mass is higher than the box's radius.
 
 from typing import Any, NamedTuple
 
-from snapjump.clamp.base import clamp_angles
-from snapjump.contact.base import clearance
-from snapjump.ending.base import judge, leniency, time_limit
+from snapjump.ending.base import Ending
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clock import COM_VX, COM_VY, COM_X, COM_Y, GAP, TIME
 from snapjump.engine.status import NO_JUMP, OK, RUNNING, TIME_LIMIT
-from snapjump.frame.base import frame_box
-from snapjump.load.base import gravity
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, any_true, maximum, minimum, sqrt, where
 
@@ -29,23 +25,49 @@ SURE_HEIGHT = 1.5
 FLIGHT_LENIENCY = 100.0
 
 
+@Ending.member
 class FlightEnding(NamedTuple):
     """The last moment (T): a robot still on the ground then, its clamps turned, has not jumped."""
 
     duration: float
 
+    def time_limit(self) -> Any:
+        return self.duration
 
-@time_limit.member(FlightEnding)
-def _time_limit(ending: FlightEnding) -> Any:
-    return ending.duration
+    def leniency(self, model: Any, work: Any) -> Any:
+        # In flight towards a high apex only the centre of mass counts, and every integrator moves
+        # that exactly; the beam's vibration need only be followed well enough not to miss the
+        # ground.
+        clock = work.clock
+        rise = maximum(clock[COM_VY], 0.0 * clock[TIME])
+        height = clock[COM_Y] + 0.5 * rise * rise / model.load.gravity()
+        aloft = (clock[GAP] >= model.ground.clearance) & (height > SURE_HEIGHT)
+        return where(aloft, FLIGHT_LENIENCY, 1.0)
+
+    def judge(self, model: Any, masses: Any, work: Any, ended: Any) -> Any:
+        clock = work.clock
+        over = clock[TIME] >= self.duration * (1.0 - 1e-12)
+        airborne = clock[GAP] >= model.ground.clearance
+        turned = model.clamp.angles(clock[TIME]).left_rate == 0.0
+        status = where(over, where(turned, 1.0 * NO_JUMP, 1.0 * TIME_LIMIT), 1.0 * RUNNING)
+        known = ended & (airborne | over)
+        if any_true(known):
+            x, y, vx, vy = centre_of_mass(model, masses, work.mesh, work.state, work.velocity[0])
+            clock[COM_X] = where(known, x, clock[COM_X])
+            clock[COM_Y] = where(known, y, clock[COM_Y])
+            clock[COM_VX] = where(known, vx, clock[COM_VX])
+            clock[COM_VY] = where(known, vy, clock[COM_VY])
+            clear = airborne & clear_of_ground(model, work, x, y, vy)
+            status = where(clear, 1.0 * OK, status)
+        return status
 
 
 @kernel
 def clear_of_ground(model: Any, work: Any, com_x: Any, com_y: Any, rise: Any) -> Any:
     """Whether the box cannot touch the ground before the apex (see the module's text)."""
-    frame = frame_box(model.frame, work.mesh, work.state, work.velocity[0])
-    fall = gravity(model.load)
-    reach = clearance(model.contact)
+    frame = model.frame.box(work.mesh, work.state, work.velocity[0])
+    fall = model.load.gravity()
+    reach = model.ground.clearance
     turn = frame.turn_rate
     c = frame.cosine
     s = frame.sine
@@ -76,33 +98,3 @@ def clear_of_ground(model: Any, work: Any, com_x: Any, com_y: Any, rise: Any) ->
         later = height + climb * horizon - 0.5 * bend * horizon * horizon
         clear = clear & (height > 0.0) & (later > 0.0)
     return clear
-
-
-@leniency.member(FlightEnding)
-def _leniency(ending: FlightEnding, model: Any, work: Any) -> Any:
-    # In flight towards a high apex only the centre of mass counts, and every integrator moves
-    # that exactly; the beam's vibration need only be followed well enough not to miss the ground.
-    clock = work.clock
-    rise = maximum(clock[COM_VY], 0.0 * clock[TIME])
-    height = clock[COM_Y] + 0.5 * rise * rise / gravity(model.load)
-    aloft = (clock[GAP] >= clearance(model.contact)) & (height > SURE_HEIGHT)
-    return where(aloft, FLIGHT_LENIENCY, 1.0)
-
-
-@judge.member(FlightEnding)
-def _judge(ending: FlightEnding, model: Any, masses: Any, work: Any, ended: Any) -> Any:
-    clock = work.clock
-    over = clock[TIME] >= ending.duration * (1.0 - 1e-12)
-    airborne = clock[GAP] >= clearance(model.contact)
-    turned = clamp_angles(model.clamp, clock[TIME]).left_rate == 0.0
-    status = where(over, where(turned, 1.0 * NO_JUMP, 1.0 * TIME_LIMIT), 1.0 * RUNNING)
-    known = ended & (airborne | over)
-    if any_true(known):
-        x, y, vx, vy = centre_of_mass(model, masses, work.mesh, work.state, work.velocity[0])
-        clock[COM_X] = where(known, x, clock[COM_X])
-        clock[COM_Y] = where(known, y, clock[COM_Y])
-        clock[COM_VX] = where(known, vx, clock[COM_VX])
-        clock[COM_VY] = where(known, vy, clock[COM_VY])
-        clear = airborne & clear_of_ground(model, work, x, y, vy)
-        status = where(clear, 1.0 * OK, status)
-    return status

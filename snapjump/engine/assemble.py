@@ -6,32 +6,9 @@ A = (v - drift) inertia_rate; a static equilibrium is the same with both rates 0
 
 from typing import Any, NamedTuple
 
-from snapjump.clamp.base import clamp_angles
-from snapjump.contact.base import contact_weights, has_contact
-from snapjump.damping.base import mass_damping
-from snapjump.discretization.base import (
-    TURN_INERTIA,
-    add_node_forces,
-    begin_chain,
-    end_chain,
-    has_elements,
-    node_dofs,
-    turn_length,
-)
-from snapjump.frame.base import (
-    FrameForces,
-    Turning,
-    add_frame_forces,
-    border_width,
-    condense_first,
-    condense_last,
-    contact_points,
-    end_tangents,
-    frame_dofs,
-    mount_turning,
-)
+from snapjump.discretization.base import TURN_INERTIA
+from snapjump.frame.base import FrameForces, Turning
 from snapjump.frame.point_contact import add_point_contact
-from snapjump.load.base import gravity, pull, tip_load
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, maximum
 
@@ -79,21 +56,21 @@ def clear_border(system: Any, dofs: Any, node: Any, width: Any, zero: Any) -> No
 def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any) -> Any:
     """Begin a node's columns with inertia, drag and weight; returns the inertial force."""
     rate = motion.rate_factor
-    drag = mass_damping(model.damping)
+    drag = model.damping.drag()
     diagonal = mass * ((motion.inertia_rate + drag) * rate)
     band = work.system.band
     residual = work.system.residual
-    row = node_dofs(model.discretization) * node
-    i = row + frame_dofs(model.frame, work.mesh)
+    row = model.discretization.node_dofs() * node
+    i = row + model.frame.dofs(work.mesh)
     vx = (work.state[i] - work.origin[i]) * rate
     vy = (work.state[i + 1] - work.origin[i + 1]) * rate
     ax = (vx - work.drift[i]) * motion.inertia_rate
     ay = (vy - work.drift[i + 1]) * motion.inertia_rate
-    residual[row] = mass * (ax + drag * vx - pull(model.load))
-    residual[row + 1] = mass * (ay + drag * vy + gravity(model.load))
+    residual[row] = mass * (ax + drag * vx - model.load.pull())
+    residual[row + 1] = mass * (ay + drag * vy + model.load.gravity())
     band[row, 0] = diagonal
     band[row + 1, 0] = diagonal
-    if node_dofs(model.discretization) == 3:
+    if model.discretization.node_dofs() == 3:
         turn_rate = (work.state[i + 2] - work.origin[i + 2]) * rate
         spin = (turn_rate - work.drift[i + 2]) * motion.inertia_rate
         residual[row + 2] = TURN_INERTIA * mass * (spin + drag * turn_rate)
@@ -106,17 +83,16 @@ def add_node_contact(
     model: Any, motion: Any, mass: Any, node: Any, work: Any, figures: Assembly
 ) -> Assembly:
     """Add contact and friction of a free node; returns the figures with its own."""
-    weight, _ = contact_weights(model.contact)
-    row = node_dofs(model.discretization) * node
+    row = model.discretization.node_dofs() * node
     touch = add_point_contact(
         model,
         motion,
         work,
         mass,
-        weight,
-        row + frame_dofs(model.frame, work.mesh),
+        model.ground.node_share,
+        row + model.frame.dofs(work.mesh),
         row,
-        node + contact_points(model.frame, work.mesh),
+        node + model.frame.contact_points(work.mesh),
         work.system.residual,
         work.system.band,
         FrameForces(figures.largest_force, figures.smallest_gap, figures.contact_rate_squared),
@@ -128,23 +104,18 @@ def add_node_contact(
 def begin_assembly(model: Any, motion: Any, work: Any) -> Sweep:
     """Start a sweep over the nodes: the frame's own forces, the clamps, the first edge."""
     mesh = work.mesh
-    dofs = frame_dofs(model.frame, mesh)
-    now = mount_turning(model.frame, mesh, work.state, work.state)
-    before = mount_turning(model.frame, mesh, work.state, work.origin)
+    dofs = model.frame.dofs(mesh)
+    now = model.frame.mount_turning(mesh, work.state, work.state)
+    before = model.frame.mount_turning(mesh, work.state, work.origin)
     turning = Turning(
         (now.left - before.left) * motion.rate_factor,
         (now.right - before.right) * motion.rate_factor,
     )
-    frame = add_frame_forces(model.frame, model, motion, work)
-    angles = clamp_angles(model.clamp, motion.time)
-    tangents = end_tangents(model.frame, mesh, model.load, angles, work.state, turning)
-    chain, left = begin_chain(
-        model.discretization,
-        model.damping,
-        work.state[dofs:],
-        work.origin[dofs:],
-        motion.rate_factor,
-        tangents,
+    frame = model.frame.add_forces(model, motion, work)
+    angles = model.clamp.angles(motion.time)
+    tangents = model.frame.end_tangents(mesh, model.load, angles, work.state, turning)
+    chain, left = model.discretization.begin_chain(
+        model.damping, work.state[dofs:], work.origin[dofs:], motion.rate_factor, tangents
     )
     figures = Assembly(frame.largest_force, frame.smallest_gap, frame.contact_rate_squared)
     return Sweep(tangents, chain, left, left, figures)
@@ -160,9 +131,9 @@ def assemble_node(
     """
     system = work.system
     mesh = work.mesh
-    dofs = frame_dofs(model.frame, mesh)
-    width = border_width(model.frame)
-    per_node = node_dofs(model.discretization)
+    dofs = model.frame.dofs(mesh)
+    width = model.frame.border_width()
+    per_node = model.discretization.node_dofs()
     last = masses.shape[0] - 1
     mass = masses[node]
     figures = sweep.figures
@@ -174,14 +145,13 @@ def assemble_node(
         figures.smallest_gap,
         figures.contact_rate_squared,
     )
-    if has_contact(model.contact):
+    if model.contact.exists():
         if mass > 0.0:
             figures = add_node_contact(model, motion, mass, node, work, figures)
     if width > 0:
         clear_border(system, per_node, node, width, 0.0 * motion.rate_factor)
     if node < last:
-        chain, right = add_node_forces(
-            model.discretization,
+        chain, right = model.discretization.add_node_forces(
             model.damping,
             work.state[dofs:],
             work.origin[dofs:],
@@ -193,27 +163,21 @@ def assemble_node(
             system.band,
         )
     else:
-        end_chain(model.discretization, chain, node, system.residual, system.band)
-        force_x, force_y, moment = tip_load(model.load)
+        model.discretization.end_chain(chain, node, system.residual, system.band)
+        force_x, force_y, moment = model.load.tip_load()
         row = per_node * node
         system.residual[row] -= force_x
         system.residual[row + 1] -= force_y
         if per_node == 3:
-            system.residual[row + 2] -= moment / turn_length(model.discretization)
-    if has_elements(model.discretization):
+            system.residual[row + 2] -= moment / model.discretization.turn_length()
+    if model.discretization.has_elements():
         if node == 2:
-            condense_first(
-                model.frame,
-                mesh,
-                sweep.tangents,
-                model.discretization,
-                sweep.left,
-                work.state,
-                system,
+            model.frame.condense_first(
+                mesh, sweep.tangents, model.discretization, sweep.left, work.state, system
             )
         if node == last:
-            condense_last(
-                model.frame, mesh, sweep.tangents, model.discretization, right, work.state, system
+            model.frame.condense_last(
+                mesh, sweep.tangents, model.discretization, right, work.state, system
             )
     return Sweep(sweep.tangents, chain, sweep.left, right, figures)
 

@@ -9,24 +9,11 @@ and friction's at nodes): each correction shrinks what they leave by a large fac
 
 from typing import Any
 
-from snapjump.clamp.base import clamp_angles
-from snapjump.discretization.base import HALF_BANDWIDTH, has_elements, node_dofs
+from snapjump.discretization.base import HALF_BANDWIDTH
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.clock import LAST_STEP, STAGE, STEP, TIME
 from snapjump.engine.model import with_numbers
 from snapjump.engine.shadow import view_shadow
-from snapjump.frame.base import frame_dofs, place_ends
-from snapjump.integrator.base import (
-    end_step,
-    ends_in_a_stage,
-    keep_history,
-    predict,
-    stage_count,
-    stage_node,
-    stage_rates,
-    store_stage,
-    weigh_slots,
-)
 from snapjump.linear_solver.more_sides import FOUR, solve_more_sides
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.dual import constant, dual, slopes_of, value_of, view_duals
@@ -43,9 +30,9 @@ def ratio_of(memory: Any, lane: Any) -> Any:
 @routine
 def hold_ends(model: Any, time: Any, work: Any) -> None:
     """Put the slave nodes where the clamps hold them at a time."""
-    if has_elements(model.discretization):
-        angles = clamp_angles(model.clamp, constant(time))
-        place_ends(model.frame, work.mesh, model.discretization, angles, work.state)
+    if model.discretization.has_elements():
+        angles = model.clamp.angles(constant(time))
+        model.frame.place_ends(work.mesh, model.discretization, angles, work.state)
 
 
 @kernel
@@ -62,16 +49,16 @@ def predict_stage(template: Any, scheme: Any, memory: Any, shadow: Any, lane: An
     stage = memory.clock[STAGE, lane]
     step = memory.clock[STEP, lane]
     ratio = ratio_of(memory, lane)
-    rates = stage_rates(scheme, step, ratio)
-    weigh_slots(scheme, stage, step, ratio, work.weights)
+    rates = scheme.stage_rates(step, ratio)
+    scheme.weigh_slots(stage, step, ratio, work.weights)
     for i in range(work.state.shape[0]):
-        origin, drift, guess = predict(scheme, work, i, stage, rates)
+        origin, drift, guess = scheme.predict(work, i, stage, rates)
         work.origin[i] = origin
         work.drift[i] = drift
         # Where the matrix was assembled: there it belongs to the residual.
         before = memory.state[i, lane] + memory.change[i, lane]
         work.state[i] = dual(before, slopes_of(guess))
-    hold_ends(model, memory.clock[TIME, lane] + stage_node(scheme, stage) * step, work)
+    hold_ends(model, memory.clock[TIME, lane] + scheme.stage_node(stage) * step, work)
 
 
 @routine
@@ -90,7 +77,7 @@ def write_sides(model: Any, motion: Any, masses: Any, memory: Any, shadow: Any, 
     frame_sides = view_numbers(shadow.frame_slopes[lane], FOUR)
     for i in range(work.system.residual.shape[0]):
         sides[i] = slopes_of(work.system.residual[i])
-    for i in range(frame_dofs(model.frame, memory.mesh)):
+    for i in range(model.frame.dofs(memory.mesh)):
         frame_sides[i] = slopes_of(work.system.frame_residual[i])
 
 
@@ -98,7 +85,7 @@ def write_sides(model: Any, motion: Any, masses: Any, memory: Any, shadow: Any, 
 def correct(model: Any, time: Any, memory: Any, shadow: Any, lane: Any) -> None:
     """Subtract the solved corrections from the slopes of a lane's state."""
     work = view_shadow(shadow, lane, memory.mesh)
-    dofs = frame_dofs(model.frame, memory.mesh)
+    dofs = model.frame.dofs(memory.mesh)
     sides = view_numbers(shadow.slopes[lane], FOUR)[HALF_BANDWIDTH:]
     frame_sides = view_numbers(shadow.frame_slopes[lane], FOUR)
     for i in range(work.state.shape[0]):
@@ -121,7 +108,7 @@ def differentiate_stages(
 ) -> None:
     """Bring the shadows of the first ``count`` lanes in ``chosen`` through the stages that they
     have just converged."""
-    turning = node_dofs(template.discretization) == 3
+    turning = template.discretization.node_dofs() == 3
     for c in range(count):
         predict_stage(template, scheme, memory, shadow, chosen[c])
     for _ in range(corrections):
@@ -133,7 +120,7 @@ def differentiate_stages(
         solve_more_sides(memory.system, shadow.slopes, shadow.frame_slopes, chosen, count, turning)
         for c in range(count):
             lane = chosen[c]
-            node = stage_node(scheme, memory.clock[STAGE, lane])
+            node = scheme.stage_node(memory.clock[STAGE, lane])
             time = memory.clock[TIME, lane] + node * memory.clock[STEP, lane]
             model = shadow_model(template, shadow, lane)
             correct(model, time, memory, shadow, lane)
@@ -145,8 +132,8 @@ def differentiate_stages(
 def motion_of(scheme: Any, memory: Any, lane: Any) -> Motion:
     """Time and rates of a lane's stage."""
     step = memory.clock[STEP, lane]
-    rates = stage_rates(scheme, step, ratio_of(memory, lane))
-    time = memory.clock[TIME, lane] + stage_node(scheme, memory.clock[STAGE, lane]) * step
+    rates = scheme.stage_rates(step, ratio_of(memory, lane))
+    time = memory.clock[TIME, lane] + scheme.stage_node(memory.clock[STAGE, lane]) * step
     return Motion(time, rates.rate_factor, rates.inertia_rate, 0.0)
 
 
@@ -157,14 +144,14 @@ def store(template: Any, scheme: Any, memory: Any, shadow: Any, lane: Any) -> No
     stage = memory.clock[STAGE, lane]
     step = memory.clock[STEP, lane]
     ratio = ratio_of(memory, lane)
-    rates = stage_rates(scheme, step, ratio)
+    rates = scheme.stage_rates(step, ratio)
     for i in range(work.state.shape[0]):
         work.state[i] = dual(memory.state[i, lane], slopes_of(work.state[i]))
-    store_stage(scheme, work, stage, step, ratio, rates, True)
-    if not ends_in_a_stage(scheme):
-        if stage >= 1.0 * stage_count(scheme):
+    scheme.store_stage(work, stage, step, ratio, rates, True)
+    if not scheme.ends_in_a_stage():
+        if stage >= 1.0 * scheme.stage_count():
             model = shadow_model(template, shadow, lane)
-            end_step(scheme, work, step, True)
+            scheme.end_step(work, step, True)
             hold_ends(model, memory.clock[TIME, lane] + step, work)
 
 
@@ -172,8 +159,8 @@ def store(template: Any, scheme: Any, memory: Any, shadow: Any, lane: Any) -> No
 def commit(scheme: Any, memory: Any, shadow: Any, lane: Any) -> None:
     """Make a lane's last stage the beginning of its next step; the clock has moved on already."""
     work = view_shadow(shadow, lane, memory.mesh)
-    last = stage_count(scheme)
-    keep_history(scheme, work, memory.clock[LAST_STEP, lane], True)
+    last = scheme.stage_count()
+    scheme.keep_history(work, memory.clock[LAST_STEP, lane], True)
     for i in range(work.state.shape[0]):
         work.start[i] = work.state[i]
         work.velocity[0, i] = work.velocity[last, i]

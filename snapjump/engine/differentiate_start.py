@@ -4,7 +4,6 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.discretization.base import node_dofs
 from snapjump.engine.assemble import Motion
 from snapjump.engine.differentiate import correct, hold_ends, shadow_model, write_sides
 from snapjump.engine.equilibrium import settle
@@ -42,7 +41,7 @@ def differentiate_equilibrium(
         twin.origin[i] = constant(memory.state[i, 0])
     hold_ends(twin_model, time, twin)
     still = Motion(time, 0.0, 0.0, WEAK_ANCHOR)
-    turning = node_dofs(model.discretization) == 3
+    turning = model.discretization.node_dofs() == 3
     for _ in range(MOST_CORRECTIONS):
         write_sides(twin_model, still, masses, memory, shadow, 0)
         solve_more_sides(memory.system, shadow.slopes, shadow.frame_slopes, chosen, 1, turning)

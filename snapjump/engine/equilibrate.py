@@ -2,13 +2,11 @@
 
 from typing import Any
 
-from snapjump.clamp.base import clamp_angles
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.clock import SIZE
 from snapjump.engine.equilibrium import settle
 from snapjump.engine.model import with_numbers
 from snapjump.engine.view import view_work
-from snapjump.frame.base import place_ends
 from snapjump.number.dispatch import compiled
 
 
@@ -29,7 +27,7 @@ def equilibrate(template: Any, numbers: Any, masses: Any, memory: Any, iterate: 
     if iterate:
         negative, failed = settle(model, masses, work, 0.0)
     else:
-        angles = clamp_angles(model.clamp, 0.0)
-        place_ends(model.frame, work.mesh, model.discretization, angles, work.state)
+        angles = model.clamp.angles(0.0)
+        model.frame.place_ends(work.mesh, model.discretization, angles, work.state)
     assemble(model, Motion(0.0, 0.0, 0.0, 0.0), masses, work)
     return negative, work.clock[SIZE], failed

@@ -2,11 +2,9 @@
 
 from typing import Any
 
-from snapjump.clamp.base import clamp_angles
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import BACKTRACKS, ITERATION, SIZE
 from snapjump.engine.newton import newton_iteration
-from snapjump.frame.base import frame_dofs, place_ends
 from snapjump.number.dispatch import routine
 from snapjump.number.functions import any_true, negate, where
 
@@ -27,9 +25,9 @@ def settle(model: Any, masses: Any, work: Any, time: Any) -> Any:
     clock[ITERATION] = zero
     clock[SIZE] = zero
     clock[BACKTRACKS] = zero
-    dofs = frame_dofs(model.frame, work.mesh)
-    angles = clamp_angles(model.clamp, motion.time)
-    place_ends(model.frame, work.mesh, model.discretization, angles, work.state)
+    dofs = model.frame.dofs(work.mesh)
+    angles = model.clamp.angles(motion.time)
+    model.frame.place_ends(work.mesh, model.discretization, angles, work.state)
     for i in range(dofs, work.state.shape[0]):
         work.origin[i] = work.state[i]
     negative = zero

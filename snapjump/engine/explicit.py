@@ -2,11 +2,10 @@
 
 from typing import Any
 
-from snapjump.discretization.base import HALF_BANDWIDTH, TURN_INERTIA, node_dofs
+from snapjump.discretization.base import HALF_BANDWIDTH, TURN_INERTIA
 from snapjump.engine.assemble import assemble
 from snapjump.engine.clock import FASTEST, GAP, RESIDUAL, SHARE, STABLE_STEP, STEP
 from snapjump.engine.newton import Correction
-from snapjump.frame.base import frame_dofs, frame_mass
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, maximum, negate, sqrt
 
@@ -38,8 +37,8 @@ def row_sum(system: Any, row: Any) -> Any:
 def largest_rate_squared(model: Any, masses: Any, work: Any, zero: Any) -> Any:
     """Bound (Gershgorin) on the eigenvalues of M^-1 K (1/T^2); the frame being rigid."""
     system = work.system
-    dofs = frame_dofs(model.frame, work.mesh)
-    per_node = node_dofs(model.discretization)
+    dofs = model.frame.dofs(work.mesh)
+    per_node = model.discretization.node_dofs()
     border = system.padded_border
     bound = zero
     for node in range(masses.shape[0]):
@@ -57,7 +56,7 @@ def largest_rate_squared(model: Any, masses: Any, work: Any, zero: Any) -> Any:
             total = total + absolute(system.square[k, m])
         for row in range(border.shape[0]):
             total = total + absolute(border[row, k])
-        bound = maximum(bound, total / frame_mass(model.frame, work.mesh, k))
+        bound = maximum(bound, total / model.frame.mass_of(work.mesh, k))
     return bound
 
 
@@ -65,14 +64,14 @@ def largest_rate_squared(model: Any, masses: Any, work: Any, zero: Any) -> Any:
 def evaluate_forces(model: Any, motion: Any, masses: Any, work: Any, mask: Any) -> Correction:
     """Leave the acceleration of every coordinate in ``work.change``, and the stable step."""
     clock = work.clock
-    dofs = frame_dofs(model.frame, work.mesh)
-    per_node = node_dofs(model.discretization)
+    dofs = model.frame.dofs(work.mesh)
+    per_node = model.discretization.node_dofs()
     step = clock[STEP]
     assembly = assemble(model, motion, masses, work)
     system = work.system
     total = 0.0 * step
     for k in range(dofs):
-        work.change[k] = -system.frame_residual[k] / frame_mass(model.frame, work.mesh, k)
+        work.change[k] = -system.frame_residual[k] / model.frame.mass_of(work.mesh, k)
         total = total + absolute(work.change[k])
     for node in range(masses.shape[0]):
         for axis in range(per_node):

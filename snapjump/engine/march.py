@@ -10,8 +10,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.contact.base import clearance
-from snapjump.ending.base import judge, leniency, time_limit
 from snapjump.engine.clock import (
     ACTIVE,
     COARSEST,
@@ -50,26 +48,10 @@ from snapjump.engine.status import (
     STEP_UNDERFLOW,
 )
 from snapjump.engine.view import view_work
-from snapjump.integrator.base import ends_in_a_stage, error_order, is_explicit, stage_count
 from snapjump.number.array import uncounted
 from snapjump.number.atomic import fetch_add
 from snapjump.number.dispatch import released, routine
 from snapjump.number.functions import any_true, maximum, minimum, negate, where
-from snapjump.recorder.base import (
-    record_end,
-    record_robot,
-    record_stage,
-    record_start,
-    record_step,
-)
-from snapjump.stepping.base import (
-    accepts,
-    first_step,
-    newton_tolerance,
-    next_step,
-    smallest_step,
-    step_after_failure,
-)
 
 MOST_BACKTRACKS = 4.0  # in one stage
 STABILITY_MARGIN = 0.9  # of the largest stable step, for what stiffens until the next one
@@ -135,7 +117,7 @@ def refill(memory: Any, lane: int, queue: Any, recorder: Any, step: float) -> No
             return
         if queue.status[robot] == RUNNING:
             load_robot(memory, lane, queue, robot, step)
-            record_robot(recorder, lane, robot)
+            recorder.record_robot(lane, robot)
             queue.carried[lane] = robot
             queue.counts[0] += 1
             return
@@ -199,8 +181,8 @@ def march(
     width = memory.clock.shape[1]
     work = view_work(memory, lanes)
     clock = work.clock
-    last_stage = 1.0 * stage_count(scheme)
-    step = first_step(stepping)
+    last_stage = 1.0 * scheme.stage_count()
+    step = stepping.first_step()
     if queue.counts[0] < 0:
         queue.counts[0] = 0
         for lane in range(width):
@@ -210,7 +192,7 @@ def march(
             return True
         model = with_numbers(template, work.numbers)
         begin_stage(model, scheme, masses, work, clock[ACTIVE] >= 0.0)
-        record_start(recorder, model, masses, work)
+        recorder.record_start(model, masses, work)
 
     for _ in range(passes):
         if queue.counts[0] == 0:
@@ -220,7 +202,7 @@ def march(
         active = clock[ACTIVE] > 0.0
         h = clock[STEP]
         motion = stage_motion(scheme, work)
-        if is_explicit(scheme):
+        if scheme.is_explicit():
             outcome = evaluate_forces(model, motion, masses, work, active)
         else:
             outcome = newton_iteration(
@@ -229,7 +211,7 @@ def march(
                 masses,
                 work,
                 active,
-                newton_tolerance(stepping),
+                stepping.newton_tolerance(),
                 limits.of_a_stage,
                 MOST_BACKTRACKS,
             )
@@ -239,16 +221,16 @@ def march(
         restage = failed
         status = 0.0 * h
         if any_true(failed):
-            smaller = step_after_failure(stepping, h)
+            smaller = stepping.step_after_failure(h)
             clock[STEP] = where(failed, smaller, clock[STEP])
             clock[STAGE] = where(failed, 1.0, clock[STAGE])
             clock[FAILURES] = clock[FAILURES] + where(failed, 1.0, 0.0)
-            under = failed & (smaller < smallest_step(stepping))
+            under = failed & (smaller < stepping.smallest_step())
             status = where(under, 1.0 * STEP_UNDERFLOW, status)
         if any_true(converged):
             restage = restage | converged
             error = keep_stage(scheme, work, motion, converged)
-            record_stage(recorder, model, masses, motion, scheme, work, converged)
+            recorder.record_stage(model, masses, motion, scheme, work, converged)
             ended = converged & (clock[STAGE] >= last_stage)
             clock[STAGE] = where(converged, clock[STAGE] + 1.0, clock[STAGE])
             if any_true(ended):
@@ -262,7 +244,7 @@ def march(
             clock[STATUS] = where(leaving, status, 0.0)
             for lane in range(width):
                 if memory.clock[STATUS, lane] > 0.0:
-                    record_end(recorder, model, masses, lane, queue.carried[lane])
+                    recorder.record_end(model, masses, lane, queue.carried[lane])
                     for k in range(memory.clock.shape[0]):
                         queue.outcome[queue.carried[lane], k] = memory.clock[k, lane]
                     queue.counts[0] -= 1
@@ -290,13 +272,13 @@ def finish_step(
     """Judge the steps that have just ended; returns the status of every lane."""
     clock = work.clock
     h = clock[STEP]
-    error = error / leniency(ending, model, work)
+    error = error / ending.leniency(model, work)
     rate = contact_frequency(work)
-    good = ended & accepts(stepping, error, h, rate)
-    if is_explicit(scheme):
+    good = ended & stepping.accepts(error, h, rate)
+    if scheme.is_explicit():
         good = good & (h <= clock[STABLE_STEP])
     closed = h < 0.0
-    if not ends_in_a_stage(scheme):
+    if not scheme.ends_in_a_stage():
         closed = reach_end(model, scheme, masses, work, ended)
         good = good & negate(closed)
     bad = ended & negate(good)
@@ -309,22 +291,22 @@ def finish_step(
     clock[STAGE] = where(ended, 1.0, clock[STAGE])
     clock[SMALLEST_GAP] = where(good, minimum(clock[SMALLEST_GAP], clock[GAP]), clock[SMALLEST_GAP])
     commit_step(scheme, work, good)
-    record_step(recorder, model, masses, scheme, work, good)
-    touching = good & (clock[GAP] < clearance(model.contact))
+    recorder.record_step(model, masses, scheme, work, good)
+    touching = good & (clock[GAP] < model.ground.clearance)
     clock[LAST_CONTACT] = where(touching, clock[TIME], clock[LAST_CONTACT])
-    verdict = judge(ending, model, masses, work, good)
+    verdict = ending.judge(model, masses, work, good)
     status = where(good, verdict, status)
     finite = clock[TIME] + error < 1e30
     status = where(ended & negate(finite), 1.0 * NOT_FINITE, status)
-    proposed = next_step(stepping, error, error_order(scheme), h, rate)
-    if not ends_in_a_stage(scheme):
-        proposed = where(closed, step_after_failure(stepping, h), proposed)
-    if is_explicit(scheme):
+    proposed = stepping.next_step(error, scheme.error_power(), h, rate)
+    if not scheme.ends_in_a_stage():
+        proposed = where(closed, stepping.step_after_failure(h), proposed)
+    if scheme.is_explicit():
         stable = clock[STABLE_STEP]
         smallest = minimum(clock[SMALLEST_STABLE_STEP], stable)
         clock[SMALLEST_STABLE_STEP] = where(good, smallest, clock[SMALLEST_STABLE_STEP])
         proposed = minimum(proposed, STABILITY_MARGIN * stable)
-    remaining = maximum(time_limit(ending) - clock[TIME], smallest_step(stepping) + 0.0 * h)
+    remaining = maximum(ending.time_limit() - clock[TIME], stepping.smallest_step() + 0.0 * h)
     clock[STEP] = where(ended, minimum(proposed, remaining), clock[STEP])
-    under = bad & (clock[STEP] < smallest_step(stepping))
+    under = bad & (clock[STEP] < stepping.smallest_step())
     return where(under, 1.0 * STEP_UNDERFLOW, status)

@@ -7,13 +7,16 @@ from numba.core import types
 from numba.extending import intrinsic
 from numpy.typing import NDArray
 
+from snapjump.contact.base import Ground
 from snapjump.number.array import INDEX, View
+
+NO_GROUND = Ground(1.0, 1.0, 0.0)
 
 
 class Model(NamedTuple):
     """One member of each family; every number is dimensionless (EI = rho A = L = 1).
 
-    ``contact_share`` of the friction and contact members are the weights at nodes and corners.
+    ``ground``: what points have of the contact law (:class:`snapjump.contact.base.Ground`).
     """
 
     discretization: Any
@@ -23,6 +26,7 @@ class Model(NamedTuple):
     friction: Any
     damping: Any
     load: Any
+    ground: Any = NO_GROUND
 
 
 def numbers_of(model: Model) -> NDArray[np.float64]:

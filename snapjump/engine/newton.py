@@ -2,14 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.clamp.base import clamp_angles
-from snapjump.contact.base import has_contact, keeps_open
-from snapjump.discretization.base import (
-    NODES_COUPLED,
-    axial_stiffness,
-    has_elements,
-    node_dofs,
-)
+from snapjump.discretization.base import NODES_COUPLED
 from snapjump.engine.assemble import (
     Assembly,
     Motion,
@@ -25,13 +18,6 @@ from snapjump.engine.clock import (
     RESIDUAL,
     SHARE,
     SIZE,
-)
-from snapjump.frame.base import (
-    border_width,
-    frame_dofs,
-    limit_frame_step,
-    place_ends,
-    solve_frame,
 )
 from snapjump.linear_solver.banded import begin_elimination, eliminate_node, substitute_back
 from snapjump.linear_solver.banded_turning import eliminate_turning_node, substitute_back_turning
@@ -60,10 +46,10 @@ def allowed_share(
 ) -> Any:
     """Share of ``state -= drop`` (at most 1) by which no gap shrinks below GAP_FRACTION."""
     share = 1.0 + 0.0 * state[0]
-    if has_contact(model.contact) and keeps_open(model.contact):
-        share = limit_frame_step(model.frame, mesh, state, frame_drop, GAP_FRACTION)
-        offset = frame_dofs(model.frame, mesh)
-        dofs = node_dofs(model.discretization)
+    if model.contact.exists() and model.contact.keeps_open():
+        share = model.frame.limit_step(mesh, state, frame_drop, GAP_FRACTION)
+        offset = model.frame.dofs(mesh)
+        dofs = model.discretization.node_dofs()
         for node in range(masses.shape[0]):
             if masses[node] == 0.0:
                 continue
@@ -100,9 +86,9 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
     A node is eliminated as soon as it is complete, while its columns are still in fast memory.
     """
     system = work.system
-    dofs = frame_dofs(model.frame, work.mesh)
-    bordered = border_width(model.frame) > 0
-    turning = node_dofs(model.discretization) == 3
+    dofs = model.frame.dofs(work.mesh)
+    bordered = model.frame.border_width() > 0
+    turning = model.discretization.node_dofs() == 3
     nodes = masses.shape[0]
     zero = 0.0 * motion.rate_factor
     sweep = begin_assembly(model, motion, work)
@@ -120,9 +106,9 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
     correction = zero
     if bordered:
         residual = largest_of(system.frame_residual, dofs, residual)
-        negative = negative + solve_frame(model.frame, work.mesh, work.state, system, done)
+        negative = negative + model.frame.solve(work.mesh, work.state, system, done)
         correction = largest_of(system.frame_residual, dofs, correction)
-    remains = border_width(model.frame) == 3
+    remains = model.frame.border_width() == 3
     if turning:
         correction = maximum(correction, substitute_back_turning(system, remains, zero))
     else:
@@ -144,7 +130,7 @@ def newton_iteration(
     """Correct ``work.state`` in the masked lanes; what is returned of the others is void."""
     clock = work.clock
     size = work.state.shape[0]
-    dofs = frame_dofs(model.frame, work.mesh)
+    dofs = model.frame.dofs(work.mesh)
     tiny = 1e-300 + 0.0 * motion.rate_factor
     x = work.system.residual
     y = work.system.frame_residual
@@ -175,9 +161,9 @@ def newton_iteration(
         step = where(finite, step, 0.0)
         work.state[i] = work.state[i] - moving * step + undoing * work.change[i]
         work.change[i] = where(back, work.change[i], step)
-    if has_elements(model.discretization):
-        angles = clamp_angles(model.clamp, motion.time)
-        place_ends(model.frame, work.mesh, model.discretization, angles, work.state)
+    if model.discretization.has_elements():
+        angles = model.clamp.angles(motion.time)
+        model.frame.place_ends(work.mesh, model.discretization, angles, work.state)
 
     # The error left is about the correction times the rate of convergence, of which a correction
     # that was cut short says nothing: a huge one would make the next look converged.
@@ -186,7 +172,7 @@ def newton_iteration(
     # Corrections that shrink no more, while residuals are what rounding leaves of their terms,
     # shake the best state that there is. Twice, since Newton's method on a stiff chain stretches
     # and straightens it in turn.
-    shaken = (larger * force <= ROUNDING * axial_stiffness(model.discretization)) & negate(first)
+    shaken = (larger * force <= ROUNDING * model.discretization.axial_stiffness()) & negate(first)
     shaken = shaken & (correction >= SHRINKING * clock[SIZE]) & (correction <= LARGEST_SHAKE)
     exact = (rate * correction <= tolerance) | shaken
     converged = exact & (share >= 1.0) & negate(back) & finite

@@ -2,36 +2,8 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.clamp.base import clamp_angles
-from snapjump.contact.base import (
-    Approach,
-    acts,
-    contact_loss,
-    contact_reach,
-    contact_weights,
-    force_if_acting,
-    has_contact,
-)
-from snapjump.damping.base import mass_damping
-from snapjump.discretization.base import (
-    TURN_INERTIA,
-    chain_powers,
-    clamp_offset,
-    has_elements,
-    node_dofs,
-)
-from snapjump.frame.base import (
-    contact_point,
-    contact_points,
-    end_tangents,
-    frame_dissipation,
-    frame_dofs,
-    frame_mass,
-    mount_turning,
-    point_mass,
-    point_weight,
-)
-from snapjump.friction.base import has_friction, is_lagged, slip
+from snapjump.contact.base import Approach, force_if_acting
+from snapjump.discretization.base import TURN_INERTIA
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import where
 
@@ -56,14 +28,14 @@ class Point(NamedTuple):
 @kernel
 def node_point(model: Any, mesh: Any, node: Any, state: Any, velocity: Any) -> Point:
     """A node of the beam as a point."""
-    i = node_dofs(model.discretization) * node + frame_dofs(model.frame, mesh)
+    i = model.discretization.node_dofs() * node + model.frame.dofs(mesh)
     return Point(state[i + 1], velocity[i], velocity[i + 1])
 
 
 @kernel
 def frame_point(model: Any, mesh: Any, point: Any, state: Any, velocity: Any) -> Point:
     """One of the frame's own points."""
-    _, gap, vx, vy = contact_point(model.frame, mesh, point, state, velocity)
+    _, gap, vx, vy = model.frame.contact_point(mesh, point, state, velocity)
     return Point(gap, vx, vy)
 
 
@@ -79,19 +51,19 @@ def point_losses(model: Any, motion: Any, now: Point, begun: Point, mass: Any, w
     """Power that friction and the contact law take out at a point; lagged friction uses the
     step's beginning."""
     approach = approach_of(motion, now, begun, mass)
-    active = acts(model.contact, now.gap, approach)
-    gap = where(active, now.gap, contact_reach(model.contact))
-    lost = where(active, contact_loss(model.contact, gap, approach), 0.0) * weight
+    active = model.contact.active(now.gap, approach)
+    gap = where(active, now.gap, model.contact.reach())
+    lost = where(active, model.contact.loss(gap, approach), 0.0) * weight
     rubbed = 0.0 * now.gap
-    if has_friction(model.friction):
+    if model.friction.exists():
         sliding = now.vx
         _, normal, _ = force_if_acting(model.contact, now.gap, approach)
-        if is_lagged(model.friction):
+        if model.friction.is_lagged():
             zero = 0.0 * now.gap
             before = Approach(begun.vy, zero, begun.gap, begun.vy, zero)
             sliding = begun.vx
             _, normal, _ = force_if_acting(model.contact, begun.gap, before)
-        ratio, _ = slip(model.friction, sliding, 0.0 * sliding)
+        ratio = model.friction.ratio(sliding)
         rubbed = ratio * normal * weight * now.vx
     return rubbed, lost
 
@@ -102,7 +74,7 @@ def contact_powers(
 ) -> Any:
     """Power that friction and contact take out, all points together."""
     mesh = work.mesh
-    by_node, _ = contact_weights(model.contact)
+    share = model.ground.node_share
     friction = 0.0 * state[0]
     contact = 0.0 * state[0]
     before = work.velocity[0]
@@ -110,14 +82,14 @@ def contact_powers(
         if masses[node] > 0.0:
             now = node_point(model, mesh, node, state, velocity)
             begun = node_point(model, mesh, node, work.start, before)
-            rubbed, lost = point_losses(model, motion, now, begun, masses[node], by_node)
+            rubbed, lost = point_losses(model, motion, now, begun, masses[node], share)
             friction = friction + rubbed
             contact = contact + lost
-    for point in range(contact_points(model.frame, mesh)):
+    for point in range(model.frame.contact_points(mesh)):
         now = frame_point(model, mesh, point, state, velocity)
         begun = frame_point(model, mesh, point, work.start, before)
-        mass = point_mass(model.frame, mesh, point, state)
-        weight = point_weight(model.frame, mesh, point, model.contact)
+        mass = model.frame.point_mass(mesh, point, state)
+        weight = model.frame.point_share(mesh, point, model.ground)
         rubbed, lost = point_losses(model, motion, now, begun, mass, weight)
         friction = friction + rubbed
         contact = contact + lost
@@ -128,15 +100,15 @@ def contact_powers(
 def powers(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity: Any) -> Powers:
     """The :class:`Powers` of a stage's state and velocity."""
     mesh = work.mesh
-    offset = frame_dofs(model.frame, mesh)
-    dofs = node_dofs(model.discretization)
+    offset = model.frame.dofs(mesh)
+    dofs = model.discretization.node_dofs()
     friction = 0.0 * state[0]
     contact = 0.0 * state[0]
     damping = 0.0 * state[0]
     clamps = 0.0 * state[0]
-    if has_contact(model.contact):
+    if model.contact.exists():
         friction, contact = contact_powers(model, motion, masses, work, state, velocity)
-    drag = mass_damping(model.damping)
+    drag = model.damping.drag()
     for node in range(masses.shape[0]):
         i = dofs * node + offset
         speed_squared = velocity[i] * velocity[i] + velocity[i + 1] * velocity[i + 1]
@@ -144,18 +116,18 @@ def powers(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity
             speed_squared = speed_squared + TURN_INERTIA * velocity[i + 2] * velocity[i + 2]
         damping = damping + drag * masses[node] * speed_squared
     for k in range(offset):
-        mass = frame_mass(model.frame, mesh, k)
+        mass = model.frame.mass_of(mesh, k)
         damping = damping + drag * mass * velocity[k] * velocity[k]
-    damping = damping + frame_dissipation(model.frame, model.damping, mesh, state, velocity)
-    if has_elements(model.discretization):
-        angles = clamp_angles(model.clamp, motion.time)
-        turning = mount_turning(model.frame, mesh, state, velocity)
-        tangents = end_tangents(model.frame, mesh, model.load, angles, state, turning)
-        chain = chain_powers(
-            model.discretization, model.damping, state[offset:], velocity[offset:], tangents
+    damping = damping + model.frame.dissipation(model.damping, mesh, state, velocity)
+    if model.discretization.has_elements():
+        angles = model.clamp.angles(motion.time)
+        turning = model.frame.mount_turning(mesh, state, velocity)
+        tangents = model.frame.end_tangents(mesh, model.load, angles, state, turning)
+        chain = model.discretization.chain_powers(
+            model.damping, state[offset:], velocity[offset:], tangents
         )
         damping = damping + chain.dissipation
-        shift = clamp_offset(model.discretization)
+        shift = model.discretization.clamp_distance()
         left_pull = chain.left_x * tangents.left_y - chain.left_y * tangents.left_x
         right_pull = chain.right_x * tangents.right_y - chain.right_y * tangents.right_x
         clamps = (chain.left_moment + shift * left_pull) * angles.left_rate

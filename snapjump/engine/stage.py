@@ -2,8 +2,6 @@
 
 from typing import Any
 
-from snapjump.clamp.base import clamp_angles
-from snapjump.discretization.base import has_elements, node_dofs
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import (
     BACKTRACKS,
@@ -18,24 +16,7 @@ from snapjump.engine.clock import (
     TIME,
 )
 from snapjump.engine.newton import GAP_FRACTION, allowed_share
-from snapjump.frame.base import (
-    contact_point,
-    contact_points,
-    frame_dofs,
-    place_ends,
-    point_weight,
-)
-from snapjump.integrator.base import (
-    Rates,
-    end_step,
-    keep_history,
-    predict,
-    stage_count,
-    stage_node,
-    stage_rates,
-    store_stage,
-    weigh_slots,
-)
+from snapjump.integrator.base import Rates
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import maximum, minimum, sqrt, where
 
@@ -52,9 +33,9 @@ def stage_motion(scheme: Any, work: Any) -> Motion:
     """Time and rates of every lane's current stage."""
     clock = work.clock
     step = clock[STEP]
-    rates = stage_rates(scheme, step, step_ratio(work))
+    rates = scheme.stage_rates(step, step_ratio(work))
     return Motion(
-        clock[TIME] + stage_node(scheme, clock[STAGE]) * step,
+        clock[TIME] + scheme.stage_node(clock[STAGE]) * step,
         rates.rate_factor,
         rates.inertia_rate,
         0.0 * step,
@@ -66,21 +47,21 @@ def keep_stage(scheme: Any, work: Any, motion: Any, mask: Any) -> Any:
     """Keep the stage that has just converged; returns the error (L) of steps that end with it."""
     clock = work.clock
     rates = Rates(motion.rate_factor, motion.inertia_rate)
-    return store_stage(scheme, work, clock[STAGE], clock[STEP], step_ratio(work), rates, mask)
+    return scheme.store_stage(work, clock[STAGE], clock[STEP], step_ratio(work), rates, mask)
 
 
 @kernel
 def smallest_gap(model: Any, masses: Any, mesh: Any, state: Any) -> Any:
     """Of all points that can touch the ground (L)."""
-    dofs = frame_dofs(model.frame, mesh)
-    stride = node_dofs(model.discretization)
+    dofs = model.frame.dofs(mesh)
+    stride = model.discretization.node_dofs()
     smallest = 1.0e30 + 0.0 * state[0]
     for node in range(masses.shape[0]):
         if masses[node] > 0.0:
             smallest = minimum(smallest, state[stride * node + 1 + dofs])
-    for point in range(contact_points(model.frame, mesh)):
-        _, height, _, _ = contact_point(model.frame, mesh, point, state, state)
-        weight = point_weight(model.frame, mesh, point, model.contact) + 0.0 * height
+    for point in range(model.frame.contact_points(mesh)):
+        _, height, _, _ = model.frame.contact_point(mesh, point, state, state)
+        weight = model.frame.point_share(mesh, point, model.ground) + 0.0 * height
         smallest = minimum(smallest, where(weight > 0.0, height, smallest))
     return smallest
 
@@ -93,7 +74,7 @@ def reach_end(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> Any
     """
     clock = work.clock
     mesh = work.mesh
-    dofs = frame_dofs(model.frame, mesh)
+    dofs = model.frame.dofs(mesh)
     drop = work.system.residual
     frame_drop = work.system.frame_residual
     for i in range(work.state.shape[0]):
@@ -101,11 +82,11 @@ def reach_end(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> Any
             frame_drop[i] = work.state[i]
         else:
             drop[i - dofs] = work.state[i]
-    end_step(scheme, work, clock[STEP], mask)
-    if has_elements(model.discretization):
-        share = where(mask, 1.0, stage_node(scheme, clock[STAGE]))
-        angles = clamp_angles(model.clamp, clock[TIME] + share * clock[STEP])
-        place_ends(model.frame, mesh, model.discretization, angles, work.state)
+    scheme.end_step(work, clock[STEP], mask)
+    if model.discretization.has_elements():
+        share = where(mask, 1.0, scheme.stage_node(clock[STAGE]))
+        angles = model.clamp.angles(clock[TIME] + share * clock[STEP])
+        model.frame.place_ends(mesh, model.discretization, angles, work.state)
     # Of its gap at the stage every point must keep GAP_FRACTION; said of the gap at the end.
     for i in range(work.state.shape[0]):
         if i < dofs:
@@ -120,9 +101,9 @@ def reach_end(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> Any
 @routine
 def commit_step(scheme: Any, work: Any, mask: Any) -> None:
     """Make the last stage the beginning of the next step."""
-    last = stage_count(scheme)
+    last = scheme.stage_count()
     clock = work.clock
-    keep_history(scheme, work, clock[STEP], mask)
+    scheme.keep_history(work, clock[STEP], mask)
     clock[TIME] = where(mask, clock[TIME] + clock[STEP], clock[TIME])
     clock[LAST_STEP] = where(mask, clock[STEP], clock[LAST_STEP])
     for i in range(work.state.shape[0]):
@@ -138,19 +119,19 @@ def begin_stage(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> N
     stage = clock[STAGE]
     step = clock[STEP]
     ratio = step_ratio(work)
-    rates = stage_rates(scheme, step, ratio)
+    rates = scheme.stage_rates(step, ratio)
     size = work.state.shape[0]
     restart = mask & (stage == 1.0)
-    weigh_slots(scheme, stage, step, ratio, work.weights)
+    scheme.weigh_slots(stage, step, ratio, work.weights)
     for i in range(size):
-        origin, drift, aim = predict(scheme, work, i, stage, rates)
+        origin, drift, aim = scheme.predict(work, i, stage, rates)
         state = where(restart, work.start[i], work.state[i])
         work.origin[i] = where(mask, origin, work.origin[i])
         work.drift[i] = where(mask, drift, work.drift[i])
         work.state[i] = state
         work.change[i] = where(mask, state - aim, work.change[i])
     mesh = work.mesh
-    drop = work.change[frame_dofs(model.frame, mesh) :]
+    drop = work.change[model.frame.dofs(mesh) :]
     allowed = allowed_share(model, masses, mesh, work.state, work.change, drop)
     allowed = where(mask, allowed, 0.0)
     for i in range(size):
@@ -162,10 +143,10 @@ def begin_stage(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> N
     clock[SIZE] = where(mask, 0.0, clock[SIZE])
     clock[SHARE] = where(mask, allowed, clock[SHARE])
     clock[BACKTRACKS] = where(mask, 0.0, clock[BACKTRACKS])
-    if has_elements(model.discretization):
-        time = clock[TIME] + stage_node(scheme, stage) * step
-        angles = clamp_angles(model.clamp, time)
-        place_ends(model.frame, mesh, model.discretization, angles, work.state)
+    if model.discretization.has_elements():
+        time = clock[TIME] + scheme.stage_node(stage) * step
+        angles = model.clamp.angles(time)
+        model.frame.place_ends(mesh, model.discretization, angles, work.state)
 
 
 @kernel

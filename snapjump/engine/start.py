@@ -7,13 +7,10 @@ branch's tangent and the acceleration its curvature.
 from typing import Any
 
 from snapjump.clamp.constant_rate import ConstantRate
-from snapjump.discretization.base import node_dofs
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.equilibrium import settle
 from snapjump.engine.model import Model
 from snapjump.engine.status import NO_EQUILIBRIUM, RUNNING
-from snapjump.frame.base import border_width, frame_dofs, slide_frame
-from snapjump.friction.base import holds
 from snapjump.friction.none import NoFriction
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import negate, where
@@ -36,23 +33,24 @@ def with_angles(model: Any, left: Any, lag: Any) -> Any:
         NoFriction(),
         model.damping,
         model.load,
+        model.ground,
     )
 
 
 @kernel
 def stay_in_place(model: Any, masses: Any, work: Any) -> None:
     """Where no friction holds the frame, keep the centre of mass in place instead of it."""
-    free = negate(holds(model.friction))
+    free = negate(model.friction.holds())
     mesh = work.mesh
     _, _, speed, _ = centre_of_mass(model, masses, mesh, work.start, work.velocity[0])
     _, _, push, _ = centre_of_mass(model, masses, mesh, work.start, work.acceleration[0])
     zero = 0.0 * speed
     speed = where(free, speed, zero)
     push = where(free, push, zero)
-    slide_frame(model.frame, mesh, work.velocity[0], -speed)
-    slide_frame(model.frame, mesh, work.acceleration[0], -push)
+    model.frame.slide(mesh, work.velocity[0], -speed)
+    model.frame.slide(mesh, work.acceleration[0], -push)
     for node in range(masses.shape[0]):
-        i = frame_dofs(model.frame, mesh) + node_dofs(model.discretization) * node
+        i = model.frame.dofs(mesh) + model.discretization.node_dofs() * node
         work.velocity[0, i] = work.velocity[0, i] - speed
         work.acceleration[0, i] = work.acceleration[0, i] - push
 
@@ -71,7 +69,7 @@ def follow_branch(model: Any, masses: Any, work: Any) -> Any:
     past = work.velocity[0]
     older = work.acceleration[0]
     lost = clamp.rate < 0.0
-    held = frame_dofs(model.frame, work.mesh) if border_width(model.frame) == 3 else 0
+    held = model.frame.dofs(work.mesh) if model.frame.border_width() == 3 else 0
     # Flat clamps, a first small turn that gives the branch's direction, then even steps.
     for k in range(-1, CONTINUATION_STEPS + 1):
         share = k / CONTINUATION_STEPS
@@ -117,10 +115,10 @@ def follow_branch(model: Any, masses: Any, work: Any) -> Any:
         work.velocity[0, i] = (after - before) / (2.0 * difference)
         work.acceleration[0, i] = (after - 2.0 * now + before) / (difference * difference)
         state[i] = now
-    dofs = frame_dofs(model.frame, work.mesh)
+    dofs = model.frame.dofs(work.mesh)
     if dofs > 0:
         stay_in_place(model, masses, work)
     first = 1 + dofs
-    middle = (masses.shape[0] - 1) // 2 * node_dofs(model.discretization) + first
+    middle = (masses.shape[0] - 1) // 2 * model.discretization.node_dofs() + first
     lost = lost | (state[middle] < state[first])
     return where(lost, 1.0 * NO_EQUILIBRIUM, 1.0 * RUNNING)

@@ -11,7 +11,7 @@ for frames whose coordinates are fixed in number, and the same for all robots of
 
 from typing import Any, NamedTuple
 
-from snapjump.number.dispatch import family_function
+from snapjump.number.methods import Contract, required
 
 
 class FrameForces(NamedTuple):
@@ -48,138 +48,122 @@ class FrameBox(NamedTuple):
     top_y: Any
 
 
-@family_function
-def frame_dofs(frame: Any, mesh: Any) -> Any:
-    """Number of the frame's own coordinates; a constant while compiling unless the mesh tells."""
+class Frame(Contract):
+    """What holds the beam's ends: the contract that every frame fulfils."""
 
+    def dofs(self, mesh: Any) -> Any:
+        """Number of the frame's own coordinates; constant while compiling unless the mesh tells."""
+        return 0
 
-@family_function
-def border_width(frame: Any) -> Any:
-    """Coordinates of its mounts that the beam is condensed onto: 0, 3 or 6, while compiling."""
+    def border_width(self) -> Any:
+        """Coordinates of its mounts that the beam is condensed onto: 0, 3 or 6, while compiling."""
+        return 0
 
+    @required
+    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Turning) -> Any:
+        """The :class:`~snapjump.discretization.base.EndTangents` of a state whose mounts turn."""
 
-@family_function
-def end_tangents(
-    frame: Any, mesh: Any, load: Any, angles: Any, state: Any, turning: Turning
-) -> Any:
-    """The :class:`~snapjump.discretization.base.EndTangents` of a state whose mounts turn."""
+    def mount_turning(self, mesh: Any, state: Any, vector: Any) -> Any:
+        """Turning of the mounts when coordinates move by ``vector``, in which it is linear."""
+        zero = 0.0 * state[0]
+        return Turning(zero, zero)
 
+    @required
+    def place_ends(self, mesh: Any, discretization: Any, angles: Any, state: Any) -> Any:
+        """Put the slave nodes where the frame holds them."""
 
-@family_function
-def mount_turning(frame: Any, mesh: Any, state: Any, vector: Any) -> Any:
-    """Turning of the mounts when every coordinate moves by ``vector`` (in which it is linear)."""
+    @required
+    def condense_first(
+        self,
+        mesh: Any,
+        tangents: Any,
+        discretization: Any,
+        hinge: Any,
+        state: Any,
+        system: Any,
+    ) -> Any:
+        """Move the first node's rows and columns, and its hinge, onto the frame's coordinates."""
 
+    @required
+    def condense_last(
+        self,
+        mesh: Any,
+        tangents: Any,
+        discretization: Any,
+        hinge: Any,
+        state: Any,
+        system: Any,
+    ) -> Any:
+        """Move the last node's rows and columns, and its hinge, onto the frame's coordinates."""
 
-@family_function
-def place_ends(frame: Any, mesh: Any, discretization: Any, angles: Any, state: Any) -> Any:
-    """Put the slave nodes where the frame holds them."""
+    def add_forces(self, model: Any, motion: Any, work: Any) -> Any:
+        """Write inertia, weight, elasticity, contact and friction of the frame itself.
 
+        They go to ``frame_residual`` and the frame's matrix; returns FrameForces.
+        """
+        zero = 0.0 * motion.rate_factor
+        return FrameForces(zero, zero + 1.0e30, zero)
 
-@family_function
-def condense_first(
-    frame: Any,
-    mesh: Any,
-    tangents: Any,
-    discretization: Any,
-    hinge: Any,
-    state: Any,
-    system: Any,
-) -> Any:
-    """Move the first node's rows and columns, and its hinge, onto the frame's coordinates."""
+    def solve(self, mesh: Any, state: Any, system: Any, done: Any) -> Any:
+        """Solve for the frame's coordinates once all nodes are eliminated (``done``).
 
+        ``frame_residual`` becomes the solution. A border of other than three columns is moved to
+        the nodes' right-hand side here; one of three is left to the substitution. Returns the
+        number of pivots that are not positive.
+        """
+        return 0.0 * done.negative
 
-@family_function
-def condense_last(
-    frame: Any,
-    mesh: Any,
-    tangents: Any,
-    discretization: Any,
-    hinge: Any,
-    state: Any,
-    system: Any,
-) -> Any:
-    """Move the last node's rows and columns, and its hinge, onto the frame's coordinates."""
+    def limit_step(self, mesh: Any, state: Any, drop: Any, fraction: Any) -> Any:
+        """Share (at most 1) of ``state -= drop`` that leaves points ``fraction`` of their gaps."""
+        return 1.0 + 0.0 * state[0]
 
+    def contact_points(self, mesh: Any) -> Any:
+        """Number of the frame's own points that can touch the ground."""
+        return 0
 
-@family_function
-def add_frame_forces(frame: Any, model: Any, motion: Any, work: Any) -> Any:
-    """Write inertia, weight, elasticity, contact and friction of the frame itself.
+    def contact_point(self, mesh: Any, point: Any, state: Any, velocity: Any) -> Any:
+        """Place (x, y) of such a point (in L) and its velocity (in L/T)."""
+        zero = 0.0 * state[0]
+        return zero, zero, zero, zero
 
-    They go to ``frame_residual`` and the frame's matrix; returns FrameForces.
-    """
+    def point_mass(self, mesh: Any, point: Any, state: Any) -> Any:
+        """Mass (in rho A L) that a vertical push at such a point moves."""
+        return 0.0
 
+    def point_share(self, mesh: Any, point: Any, ground: Any) -> Any:
+        """Factor of the contact force at such a point."""
+        return 0.0
 
-@family_function
-def solve_frame(frame: Any, mesh: Any, state: Any, system: Any, done: Any) -> Any:
-    """Solve for the frame's coordinates once all nodes are eliminated (``done``).
+    def corner_point(self, mesh: Any, corner: Any, state: Any, velocity: Any) -> Any:
+        """Place (x, y) of a corner of a moving frame (in L) and its velocity (in L/T): left foot,
+        left top, right top, right foot."""
+        zero = 0.0 * state[0]
+        return zero, zero, zero, zero
 
-    ``frame_residual`` becomes the solution. A border of other than three columns is moved to the
-    nodes' right-hand side here; one of three is left to the substitution. Returns the number of
-    pivots that are not positive.
-    """
+    def box(self, mesh: Any, state: Any, velocity: Any) -> Any:
+        """The :class:`FrameBox` of a moving frame."""
+        zero = 0.0 * state[0]
+        return FrameBox(zero, zero, zero, zero, zero, zero, zero, zero, zero)
 
+    def rest(self, mesh: Any, state: Any, gap: Any) -> Any:
+        """Put the frame upright about x = 0, its feet at a gap (L) above the ground."""
 
-@family_function
-def limit_frame_step(frame: Any, mesh: Any, state: Any, drop: Any, fraction: Any) -> Any:
-    """Share of ``state -= drop`` (at most 1) that leaves every point ``fraction`` of its gap."""
+    def mass_of(self, mesh: Any, coordinate: Any) -> Any:
+        """Mass, or moment of inertia, that belongs to one of the frame's own coordinates."""
+        return 0.0
 
+    def moments(self, mesh: Any, vector: Any) -> Any:
+        """Sums of mass times x and of mass times y over the frame: of a state or of a velocity."""
+        zero = 0.0 * vector[0]
+        return zero, zero
 
-@family_function
-def contact_points(frame: Any, mesh: Any) -> Any:
-    """Number of the frame's own points that can touch the ground."""
+    def slide(self, mesh: Any, vector: Any, along_x: Any) -> Any:
+        """Add a displacement along x (or its rate) to the frame's coordinates."""
 
+    def energy(self, mesh: Any, state: Any) -> Any:
+        """Elastic energy of the frame (in EI/L)."""
+        return 0.0 * state[0]
 
-@family_function
-def contact_point(frame: Any, mesh: Any, point: Any, state: Any, velocity: Any) -> Any:
-    """Place (x, y) of such a point (in L) and its velocity (in L/T)."""
-
-
-@family_function
-def point_mass(frame: Any, mesh: Any, point: Any, state: Any) -> Any:
-    """Mass (in rho A L) that a vertical push at such a point moves."""
-
-
-@family_function
-def point_weight(frame: Any, mesh: Any, point: Any, contact: Any) -> Any:
-    """Factor of the contact force at such a point."""
-
-
-@family_function
-def corner_point(frame: Any, mesh: Any, corner: Any, state: Any, velocity: Any) -> Any:
-    """Place (x, y) of a corner of a moving frame (in L) and its velocity (in L/T): left foot,
-    left top, right top, right foot."""
-
-
-@family_function
-def frame_box(frame: Any, mesh: Any, state: Any, velocity: Any) -> Any:
-    """The :class:`FrameBox` of a moving frame."""
-
-
-@family_function
-def rest_frame(frame: Any, mesh: Any, state: Any, gap: Any) -> Any:
-    """Put the frame upright about x = 0, its feet at a gap (L) above the ground."""
-
-
-@family_function
-def frame_mass(frame: Any, mesh: Any, coordinate: Any) -> Any:
-    """Mass, or moment of inertia, that belongs to one of the frame's own coordinates."""
-
-
-@family_function
-def frame_moments(frame: Any, mesh: Any, vector: Any) -> Any:
-    """Sums of mass times x and of mass times y over the frame: of a state or of a velocity."""
-
-
-@family_function
-def slide_frame(frame: Any, mesh: Any, vector: Any, along_x: Any) -> Any:
-    """Add a displacement along x (or its rate) to the frame's coordinates."""
-
-
-@family_function
-def frame_energy(frame: Any, mesh: Any, state: Any) -> Any:
-    """Elastic energy of the frame (in EI/L)."""
-
-
-@family_function
-def frame_dissipation(frame: Any, damping: Any, mesh: Any, state: Any, velocity: Any) -> Any:
-    """Power that material damping takes out of the frame (in EI/(L T))."""
+    def dissipation(self, damping: Any, mesh: Any, state: Any, velocity: Any) -> Any:
+        """Power that material damping takes out of the frame (in EI/(L T))."""
+        return 0.0 * state[0]

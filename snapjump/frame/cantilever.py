@@ -2,69 +2,55 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.discretization.base import EndTangents, clamp_offset, node_dofs, turn_length
-from snapjump.frame.base import condense_first, condense_last, end_tangents, place_ends
+from snapjump.discretization.base import EndTangents
+from snapjump.frame.base import Frame
 from snapjump.frame.ends import release_first_node
-from snapjump.frame.immovable import immovable
-from snapjump.load.base import tip_load
 from snapjump.number.functions import cos, sin
 
 
-@immovable
+@Frame.member
 class CantileverFrame(NamedTuple):
     """The left end clamped at the origin."""
 
+    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Any) -> Any:
+        zero = 0.0 * state[0]
+        _, _, moment = load.tip_load()
+        return EndTangents(
+            cos(angles.left),
+            -sin(angles.left),
+            -angles.left_rate,
+            zero + 1.0,
+            zero,
+            zero,
+            zero + 1.0,
+            zero + moment,
+        )
 
-@end_tangents.member(CantileverFrame)
-def _end_tangents(
-    frame: CantileverFrame, mesh: Any, load: Any, angles: Any, state: Any, turning: Any
-) -> Any:
-    zero = 0.0 * state[0]
-    _, _, moment = tip_load(load)
-    return EndTangents(
-        cos(angles.left),
-        -sin(angles.left),
-        -angles.left_rate,
-        zero + 1.0,
-        zero,
-        zero,
-        zero + 1.0,
-        zero + moment,
-    )
+    def place_ends(self, mesh: Any, discretization: Any, angles: Any, state: Any) -> None:
+        offset = discretization.clamp_distance()
+        state[0] = offset * cos(angles.left)
+        state[1] = -offset * sin(angles.left)
+        if discretization.node_dofs() == 3:
+            state[2] = -discretization.turn_length() * angles.left
 
+    def condense_first(
+        self,
+        mesh: Any,
+        tangents: Any,
+        discretization: Any,
+        hinge: Any,
+        state: Any,
+        system: Any,
+    ) -> None:
+        release_first_node(discretization.node_dofs(), system.residual, system.band)
 
-@place_ends.member(CantileverFrame)
-def _place_ends(
-    frame: CantileverFrame, mesh: Any, discretization: Any, angles: Any, state: Any
-) -> None:
-    offset = clamp_offset(discretization)
-    state[0] = offset * cos(angles.left)
-    state[1] = -offset * sin(angles.left)
-    if node_dofs(discretization) == 3:
-        state[2] = -turn_length(discretization) * angles.left
-
-
-@condense_first.member(CantileverFrame)
-def _condense_first(
-    frame: CantileverFrame,
-    mesh: Any,
-    tangents: Any,
-    discretization: Any,
-    hinge: Any,
-    state: Any,
-    system: Any,
-) -> None:
-    release_first_node(node_dofs(discretization), system.residual, system.band)
-
-
-@condense_last.member(CantileverFrame)
-def _condense_last(
-    frame: CantileverFrame,
-    mesh: Any,
-    tangents: Any,
-    discretization: Any,
-    hinge: Any,
-    state: Any,
-    system: Any,
-) -> None:
-    pass
+    def condense_last(
+        self,
+        mesh: Any,
+        tangents: Any,
+        discretization: Any,
+        hinge: Any,
+        state: Any,
+        system: Any,
+    ) -> None:
+        pass

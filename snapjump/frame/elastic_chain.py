@@ -9,7 +9,6 @@ of first order in the mesh, of a few percent of the bending of a frame that hard
 
 from typing import Any
 
-from snapjump.damping.base import viscous_stiffening, viscous_strain
 from snapjump.discretization.der_elements import (
     Block,
     Coupling,
@@ -47,8 +46,8 @@ def hinge(
     density = frame.bending / node_length(frame, mesh, node)
     rate = growth * (after.turn_rate - before.turn_rate)
     bent = 2.0 * (t - natural_tangent(mesh, node))
-    curvature = viscous_strain(damping, bent, rate) * density
-    elastic = growth * viscous_stiffening(damping, rate_factor) * density
+    curvature = damping.viscous_strain(bent, rate) * density
+    elastic = growth * damping.stiffening(rate_factor) * density
     return curvature * growth, growth * fma(curvature, t, elastic)
 
 
@@ -87,12 +86,12 @@ def add_chain_forces(
             next_moment, stiffness = hinge(frame, mesh, damping, node + 1, edge, after, rate_factor)
         length = edge_length(frame, mesh, node)
         stretching = frame.stretching / length
-        force = stretching * viscous_strain(damping, edge.length - length, edge.stretch_rate)
+        force = stretching * damping.viscous_strain(edge.length - length, edge.stretch_rate)
         sideways = (moment - next_moment) * edge.over
         fx = force * edge.cx - sideways * edge.cy
         fy = force * edge.cy + sideways * edge.cx
         own = edge_block(
-            stretching * viscous_stiffening(damping, rate_factor),
+            stretching * damping.stiffening(rate_factor),
             force * edge.over,
             sideways * edge.over,
             edge,
@@ -163,7 +162,7 @@ def chain_dissipation(frame: Any, damping: Any, mesh: Any, state: Any, velocity:
             power = power + (moving - elastic) * (after.turn_rate - edge.turn_rate)
         length = edge_length(frame, mesh, j)
         strain = after.length - length
-        viscous = viscous_strain(damping, strain, after.stretch_rate) - strain
+        viscous = damping.viscous_strain(strain, after.stretch_rate) - strain
         power = power + frame.stretching / length * viscous * after.stretch_rate
         edge = after
         still = resting

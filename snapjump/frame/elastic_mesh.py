@@ -6,7 +6,6 @@ two corners; the right leg mirrors the left one. Edge j joins nodes j and j + 1.
 
 from typing import Any, NamedTuple
 
-from snapjump.contact.base import contact_weights
 from snapjump.discretization.edge import make_edge
 from snapjump.number.dispatch import kernel
 
@@ -106,8 +105,8 @@ def mount_at(edge: Any, sign: Any, state: Any) -> Mount:
 
 
 @kernel
-def weight_at(frame: Any, mesh: Any, node: Any, contact: Any) -> Any:
+def weight_at(frame: Any, mesh: Any, node: Any, ground: Any) -> Any:
     """Factor of the contact force at a node."""
     if is_corner(mesh, node):
-        return contact_weights(contact)[1] + 0.0 * frame.node_weight
+        return ground.corner_share + 0.0 * frame.node_weight
     return frame.node_weight + frame.length_weight * node_length(frame, mesh, node)

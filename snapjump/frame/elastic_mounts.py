@@ -6,21 +6,9 @@ back the same way.
 
 from typing import Any
 
-from snapjump.discretization.base import (
-    HALF_BANDWIDTH,
-    EndTangents,
-    clamp_offset,
-    node_dofs,
-)
-from snapjump.frame.base import (
-    Turning,
-    condense_first,
-    condense_last,
-    end_tangents,
-    mount_turning,
-    place_ends,
-)
-from snapjump.frame.elastic_body import ElasticFrame
+from snapjump.discretization.base import HALF_BANDWIDTH, EndTangents
+from snapjump.frame.base import Turning
+from snapjump.frame.elastic_body import ElasticBody
 from snapjump.frame.elastic_mesh import DOFS, LEFT_MOUNT, Mount, mount_at, right_mount
 from snapjump.frame.ends import move_first, move_last
 from snapjump.number.dispatch import kernel
@@ -35,14 +23,6 @@ def turning_of(edge: Any, state: Any, vector: Any) -> Any:
     along_x = vector[i + 2] - vector[i]
     along_y = vector[i + 3] - vector[i + 1]
     return mount.slope_x * along_x + mount.slope_y * along_y
-
-
-@mount_turning.member(ElasticFrame)
-def _mount_turning(frame: ElasticFrame, mesh: Any, state: Any, vector: Any) -> Turning:
-    return Turning(
-        turning_of(mesh[LEFT_MOUNT], state, vector),
-        turning_of(right_mount(mesh), state, vector),
-    )
 
 
 @kernel
@@ -66,42 +46,6 @@ def right_tangent(frame: Any, mesh: Any, angle: Any, state: Any) -> Any:
     y = right.y - left.y
     bending = (x * right.cy - y * right.cx) / sqrt(x * x + y * y)
     return turned(right, angle - (1.0 - frame.right_follow) * bending)
-
-
-@end_tangents.member(ElasticFrame)
-def _end_tangents(
-    frame: ElasticFrame, mesh: Any, load: Any, angles: Any, state: Any, turning: Turning
-) -> Any:
-    left_x, left_y = turned(mount_at(mesh[LEFT_MOUNT], 1.0, state), -angles.left)
-    right_x, right_y = right_tangent(frame, mesh, angles.right, state)
-    zero = 0.0 * left_x
-    return EndTangents(
-        left_x,
-        left_y,
-        turning.left - angles.left_rate,
-        right_x,
-        right_y,
-        turning.right + angles.right_rate,
-        zero,
-        zero,
-    )
-
-
-@place_ends.member(ElasticFrame)
-def _place_ends(
-    frame: ElasticFrame, mesh: Any, discretization: Any, angles: Any, state: Any
-) -> None:
-    offset = clamp_offset(discretization)
-    left = mount_at(mesh[LEFT_MOUNT], 1.0, state)
-    right = mount_at(right_mount(mesh), -1.0, state)
-    left_x, left_y = turned(left, -angles.left)
-    right_x, right_y = right_tangent(frame, mesh, angles.right, state)
-    first = mesh[DOFS]
-    last = state.shape[0] - node_dofs(discretization)
-    state[first] = left.x + frame.inset * left.cx + offset * left_x
-    state[first + 1] = left.y + frame.inset * left.cy + offset * left_y
-    state[last] = right.x - frame.inset * right.cx - offset * right_x
-    state[last + 1] = right.y - frame.inset * right.cy - offset * right_y
 
 
 @kernel
@@ -135,41 +79,78 @@ def spread_mount(edge: Any, column: Any, state: Any, system: Any) -> None:
         mounts[column + a] = 0.0 * moment
 
 
-@condense_first.member(ElasticFrame)
-def _condense_first(
-    frame: ElasticFrame,
-    mesh: Any,
-    tangents: Any,
-    discretization: Any,
-    hinge: Any,
-    state: Any,
-    system: Any,
-) -> None:
-    offset = clamp_offset(discretization)
-    mount = mount_at(mesh[LEFT_MOUNT], 1.0, state)
-    arm_x = frame.inset * mount.cx + offset * tangents.left_x
-    arm_y = frame.inset * mount.cy + offset * tangents.left_y
-    move_first(discretization, hinge, arm_x, arm_y, system.mounts, system)
-    spread_mount(mesh[LEFT_MOUNT], 0, state, system)
+class ElasticMounts(ElasticBody):
+    """The elastic frame with its mounts."""
 
+    inset: Any
+    right_follow: Any
 
-@condense_last.member(ElasticFrame)
-def _condense_last(
-    frame: ElasticFrame,
-    mesh: Any,
-    tangents: Any,
-    discretization: Any,
-    hinge: Any,
-    state: Any,
-    system: Any,
-) -> None:
-    offset = clamp_offset(discretization)
-    mount = mount_at(right_mount(mesh), -1.0, state)
-    arm_x = -frame.inset * mount.cx - offset * tangents.right_x
-    arm_y = -frame.inset * mount.cy - offset * tangents.right_y
-    last = (state.shape[0] - mesh[DOFS]) // node_dofs(discretization) - 1
-    move_last(discretization, last, hinge, arm_x, arm_y, system.mounts, system, 3)
-    spread_mount(right_mount(mesh), 3, state, system)
+    def mount_turning(self, mesh: Any, state: Any, vector: Any) -> Turning:
+        return Turning(
+            turning_of(mesh[LEFT_MOUNT], state, vector),
+            turning_of(right_mount(mesh), state, vector),
+        )
+
+    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Turning) -> Any:
+        left_x, left_y = turned(mount_at(mesh[LEFT_MOUNT], 1.0, state), -angles.left)
+        right_x, right_y = right_tangent(self, mesh, angles.right, state)
+        zero = 0.0 * left_x
+        return EndTangents(
+            left_x,
+            left_y,
+            turning.left - angles.left_rate,
+            right_x,
+            right_y,
+            turning.right + angles.right_rate,
+            zero,
+            zero,
+        )
+
+    def place_ends(self, mesh: Any, discretization: Any, angles: Any, state: Any) -> None:
+        offset = discretization.clamp_distance()
+        left = mount_at(mesh[LEFT_MOUNT], 1.0, state)
+        right = mount_at(right_mount(mesh), -1.0, state)
+        left_x, left_y = turned(left, -angles.left)
+        right_x, right_y = right_tangent(self, mesh, angles.right, state)
+        first = mesh[DOFS]
+        last = state.shape[0] - discretization.node_dofs()
+        state[first] = left.x + self.inset * left.cx + offset * left_x
+        state[first + 1] = left.y + self.inset * left.cy + offset * left_y
+        state[last] = right.x - self.inset * right.cx - offset * right_x
+        state[last + 1] = right.y - self.inset * right.cy - offset * right_y
+
+    def condense_first(
+        self,
+        mesh: Any,
+        tangents: Any,
+        discretization: Any,
+        hinge: Any,
+        state: Any,
+        system: Any,
+    ) -> None:
+        offset = discretization.clamp_distance()
+        mount = mount_at(mesh[LEFT_MOUNT], 1.0, state)
+        arm_x = self.inset * mount.cx + offset * tangents.left_x
+        arm_y = self.inset * mount.cy + offset * tangents.left_y
+        move_first(discretization, hinge, arm_x, arm_y, system.mounts, system)
+        spread_mount(mesh[LEFT_MOUNT], 0, state, system)
+
+    def condense_last(
+        self,
+        mesh: Any,
+        tangents: Any,
+        discretization: Any,
+        hinge: Any,
+        state: Any,
+        system: Any,
+    ) -> None:
+        offset = discretization.clamp_distance()
+        mount = mount_at(right_mount(mesh), -1.0, state)
+        arm_x = -self.inset * mount.cx - offset * tangents.right_x
+        arm_y = -self.inset * mount.cy - offset * tangents.right_y
+        last = (state.shape[0] - mesh[DOFS]) // discretization.node_dofs() - 1
+        move_last(discretization, last, hinge, arm_x, arm_y, system.mounts, system, 3)
+        spread_mount(right_mount(mesh), 3, state, system)
 
 
 @kernel

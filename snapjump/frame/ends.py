@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from snapjump.discretization.base import EndHinge, node_dofs, turn_length
+from snapjump.discretization.base import EndHinge
 from snapjump.number.dispatch import kernel
 
 
@@ -161,8 +161,8 @@ def move_first(
     """Move the first node onto columns 0, 1, 2 of the border: x, y and direction of a mount."""
     band = system.band
     border = system.border
-    if node_dofs(discretization) == 3:
-        length = turn_length(discretization)
+    if discretization.node_dofs() == 3:
+        length = discretization.turn_length()
         condense_turning_node(0, length, arm_x, arm_y, residual, system, 0)
         for row in range(3, 6):
             add_border(band[0, row], band[1, row - 1], arm_x, arm_y, border, row, 0)
@@ -191,10 +191,10 @@ def move_last(
     """Move node ``last``, the last one, onto three columns of the border."""
     band = system.band
     border = system.border
-    dofs = node_dofs(discretization)
+    dofs = discretization.node_dofs()
     row = dofs * last
     if dofs == 3:
-        length = turn_length(discretization)
+        length = discretization.turn_length()
         condense_turning_node(row, length, arm_x, arm_y, residual, system, column)
         for k in range(1, 4):
             j = row - k

@@ -3,49 +3,38 @@
 from typing import Any, NamedTuple
 
 from snapjump.discretization.base import EndTangents
-from snapjump.frame.base import condense_first, condense_last, end_tangents, place_ends
-from snapjump.frame.immovable import immovable
+from snapjump.frame.base import Frame
 
 
-@immovable
+@Frame.member
 class NoFrame(NamedTuple):
     """Nothing is held."""
 
+    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Any) -> Any:
+        zero = 0.0 * state[0]
+        return EndTangents(zero, zero, zero, zero, zero, zero, zero, zero)
 
-@end_tangents.member(NoFrame)
-def _end_tangents(
-    frame: NoFrame, mesh: Any, load: Any, angles: Any, state: Any, turning: Any
-) -> Any:
-    zero = 0.0 * state[0]
-    return EndTangents(zero, zero, zero, zero, zero, zero, zero, zero)
+    def place_ends(self, mesh: Any, discretization: Any, angles: Any, state: Any) -> None:
+        pass
 
+    def condense_first(
+        self,
+        mesh: Any,
+        tangents: Any,
+        discretization: Any,
+        hinge: Any,
+        state: Any,
+        system: Any,
+    ) -> None:
+        pass
 
-@place_ends.member(NoFrame)
-def _place_ends(frame: NoFrame, mesh: Any, discretization: Any, angles: Any, state: Any) -> None:
-    pass
-
-
-@condense_first.member(NoFrame)
-def _condense_first(
-    frame: NoFrame,
-    mesh: Any,
-    tangents: Any,
-    discretization: Any,
-    hinge: Any,
-    state: Any,
-    system: Any,
-) -> None:
-    pass
-
-
-@condense_last.member(NoFrame)
-def _condense_last(
-    frame: NoFrame,
-    mesh: Any,
-    tangents: Any,
-    discretization: Any,
-    hinge: Any,
-    state: Any,
-    system: Any,
-) -> None:
-    pass
+    def condense_last(
+        self,
+        mesh: Any,
+        tangents: Any,
+        discretization: Any,
+        hinge: Any,
+        state: Any,
+        system: Any,
+    ) -> None:
+        pass

@@ -2,16 +2,8 @@
 
 from typing import Any
 
-from snapjump.contact.base import (
-    Approach,
-    acts,
-    bounce_rate_squared,
-    force_if_acting,
-    note_contact,
-    pressing_force,
-)
+from snapjump.contact.base import Approach, force_if_acting, note_contact, pressing_force
 from snapjump.frame.base import FrameForces
-from snapjump.friction.base import has_friction, is_lagged, slip
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import any_true, maximum, minimum, where
 
@@ -46,14 +38,14 @@ def add_point_contact(
     largest = figures.largest_force
     smallest = minimum(figures.smallest_gap, gap)
     fastest = figures.contact_rate_squared
-    if has_friction(friction) and is_lagged(friction):
+    if friction.exists() and friction.is_lagged():
         before = Approach(begun_speed, 0.0 * rate, begun, begun_speed, 0.0 * rate)
-        if any_true(acts(contact, begun, before)):
+        if any_true(contact.active(begun, before)):
             _, normal, _ = force_if_acting(contact, begun, before)
             velocity = work.velocity[0, i]
-            ratio, _ = slip(friction, velocity, 0.0 * velocity)
+            ratio = friction.ratio(velocity)
             residual[row] += ratio * normal * weight
-    near = acts(contact, gap, approach)
+    near = contact.active(gap, approach)
     if any_true(near):
         _, force, stiffness = force_if_acting(contact, gap, approach)
         force = force * weight
@@ -61,12 +53,13 @@ def add_point_contact(
         residual[row + 1] -= force
         band[row + 1, 0] += stiffness
         largest = maximum(largest, force)
-        fastest = maximum(fastest, bounce_rate_squared(contact, stiffness, mass, speed))
-        if has_friction(friction) and not is_lagged(friction):
+        fastest = maximum(fastest, contact.bounce_rate_squared(stiffness, mass, speed))
+        if friction.exists() and not friction.is_lagged():
             normal = pressing_force(contact, work, slot, force)
             velocity = (work.state[i] - work.origin[i]) * rate
             previous = work.slip[slot]
-            ratio, slope = slip(friction, velocity, previous)
+            ratio = friction.ratio(velocity)
+            slope = friction.slope(velocity, previous)
             work.slip[slot] = where(near, velocity, previous)
             # d(drag)/d(gap) is left out: it alone would make the band unsymmetric.
             residual[row] += ratio * normal

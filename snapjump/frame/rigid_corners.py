@@ -2,18 +2,8 @@
 
 from typing import Any
 
-from snapjump.contact.base import (
-    Approach,
-    acts,
-    bounce_rate_squared,
-    contact_weights,
-    force_if_acting,
-    is_impulsive,
-    note_contact,
-    pressing_force,
-)
+from snapjump.contact.base import Approach, force_if_acting, note_contact, pressing_force
 from snapjump.frame.base import FrameForces
-from snapjump.friction.base import has_friction, is_lagged, slip
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import any_true, cos, maximum, minimum, sin, where
 
@@ -53,14 +43,13 @@ def add_lagged_corner_friction(
     zero = 0.0 * approach.rate
     begun = approach.begun
     before = Approach(approach.begun_speed, zero, begun, approach.begun_speed, zero)
-    if any_true(acts(model.contact, begun, before)):
+    if any_true(model.contact.active(begun, before)):
         _, normal, _ = force_if_acting(model.contact, begun, before)
         start = work.start[2]
         _, sy = corner_arm(frame, corner, cos(start), sin(start))
         velocity = work.velocity[0, 0] - sy * work.velocity[0, 2]
-        ratio, _ = slip(model.friction, velocity, 0.0 * velocity)
-        _, weight = contact_weights(model.contact)
-        drag = ratio * normal * weight
+        ratio = model.friction.ratio(velocity)
+        drag = ratio * normal * model.ground.corner_share
         residual[0] += drag
         residual[2] -= ry * drag
 
@@ -86,11 +75,12 @@ def add_corner_friction(
     turn = (work.state[2] - work.origin[2]) * rate
     velocity = (work.state[0] - work.origin[0]) * rate - ry * turn
     previous = work.slip[corner]
-    ratio, slope = slip(friction, velocity, previous)
+    ratio = friction.ratio(velocity)
+    slope = friction.slope(velocity, previous)
     work.slip[corner] = where(near, velocity, previous)
     normal = pressing_force(model.contact, work, corner, force)
     # A constraint's stiffness is no derivative of the force that friction sees.
-    yielding = 0.0 if is_impulsive(model.contact) else 1.0
+    yielding = 0.0 if model.contact.is_impulsive() else 1.0
     drag = ratio * normal
     residual[0] += drag
     residual[2] -= ry * drag
@@ -117,7 +107,7 @@ def add_corner_contacts(
     largest = figures.largest_force
     smallest = figures.smallest_gap
     fastest = figures.contact_rate_squared
-    _, weight = contact_weights(contact)
+    weight = model.ground.corner_share
     c = cos(state[2])
     s = sin(state[2])
     for corner in range(4):
@@ -126,8 +116,8 @@ def add_corner_contacts(
         smallest = minimum(smallest, gap)
         effective = 1.0 / (1.0 / frame.mass + rx * rx / frame.inertia)
         approach = corner_approach(frame, motion, work, corner, rx, effective)
-        near = acts(contact, gap, approach)
-        if has_friction(model.friction) and is_lagged(model.friction):
+        near = contact.active(gap, approach)
+        if model.friction.exists() and model.friction.is_lagged():
             add_lagged_corner_friction(model, motion, work, corner, frame, ry, approach)
         if any_true(near):
             _, force, stiffness = force_if_acting(contact, gap, approach)
@@ -140,9 +130,9 @@ def add_corner_contacts(
             square[1, 2] += stiffness * rx
             square[2, 1] += stiffness * rx
             square[2, 2] += stiffness * rx * rx + force * ry
-            bounce = bounce_rate_squared(contact, stiffness, effective, approach.speed)
+            bounce = contact.bounce_rate_squared(stiffness, effective, approach.speed)
             fastest = maximum(fastest, bounce)
-            if has_friction(model.friction) and not is_lagged(model.friction):
+            if model.friction.exists() and not model.friction.is_lagged():
                 add_corner_friction(
                     model, motion, work, corner, frame, rx, ry, near, force, stiffness
                 )

@@ -5,32 +5,37 @@ A law is a ``NamedTuple`` of dimensionless numbers. Forces are in EI/L^2, veloci
 
 from typing import Any
 
-from snapjump.number.dispatch import family_function, kernel
+from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, where
+from snapjump.number.methods import Contract, required
 
 
-@family_function
-def has_friction(friction: Any) -> Any:
-    """Whether friction terms are compiled in."""
+class FrictionLaw(Contract):
+    """Friction against the ground: the friction ratio of a sliding velocity."""
 
+    def exists(self) -> Any:
+        """Whether friction terms are compiled in."""
+        return True
 
-@family_function
-def is_lagged(friction: Any) -> Any:
-    """Whether normal force and velocity are those of the step's beginning."""
+    def is_lagged(self) -> Any:
+        """Whether normal force and velocity are those of the step's beginning."""
+        return False
 
+    @required
+    def holds(self) -> Any:
+        """Whether friction keeps a resting robot in its place (a mask)."""
 
-@family_function
-def holds(friction: Any) -> Any:
-    """Whether friction keeps a resting robot in its place (a mask)."""
+    @required
+    def ratio(self, velocity: Any) -> Any:
+        """Friction force over normal force."""
 
+    @required
+    def slope(self, velocity: Any, previous: Any) -> Any:
+        """Its derivative by the velocity.
 
-@family_function
-def slip(friction: Any, velocity: Any, previous: Any) -> Any:
-    """Friction force over normal force, and its derivative with respect to the velocity.
-
-    ``previous`` is the velocity at the Newton iterate before: a law may use it to linearise
-    safely where its derivative jumps.
-    """
+        ``previous`` is the velocity at the Newton iterate before: a law may use it to linearise
+        safely where its derivative jumps.
+        """
 
 
 @kernel

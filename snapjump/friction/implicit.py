@@ -2,36 +2,27 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.friction.base import has_friction, holds, is_lagged, regularised_sign, slip
+from snapjump.friction.base import FrictionLaw, regularised_sign
 from snapjump.number.functions import where
 
 
+@FrictionLaw.member
 class ImplicitFriction(NamedTuple):
     """Coefficient mu and velocity threshold eps_v (in L/T) of smoothed Coulomb friction."""
 
     mu: float
     velocity_threshold: float
 
+    def holds(self) -> Any:
+        return self.mu > 0.0
 
-@has_friction.member(ImplicitFriction)
-def _has_friction(friction: ImplicitFriction) -> bool:
-    return True
+    def ratio(self, velocity: Any) -> Any:
+        sign, _ = regularised_sign(velocity, self.velocity_threshold)
+        return self.mu * sign
 
-
-@is_lagged.member(ImplicitFriction)
-def _is_lagged(friction: ImplicitFriction) -> bool:
-    return False
-
-
-@slip.member(ImplicitFriction)
-def _slip(friction: ImplicitFriction, velocity: Any, previous: Any) -> Any:
-    sign, slope = regularised_sign(velocity, friction.velocity_threshold)
-    # Newton would jump to and fro across the stick zone: after a change of sign, use the slope
-    # at rest, the steepest there is.
-    slope = where(velocity * previous < 0.0, 2.0 / friction.velocity_threshold, slope)
-    return friction.mu * sign, friction.mu * slope
-
-
-@holds.member(ImplicitFriction)
-def _holds(friction: ImplicitFriction) -> Any:
-    return friction.mu > 0.0
+    def slope(self, velocity: Any, previous: Any) -> Any:
+        _, slope = regularised_sign(velocity, self.velocity_threshold)
+        # Newton would jump to and fro across the stick zone: after a change of sign, use the slope
+        # at rest, the steepest there is.
+        slope = where(velocity * previous < 0.0, 2.0 / self.velocity_threshold, slope)
+        return self.mu * slope

@@ -5,32 +5,25 @@ It is explicit, hence unstable for steps above eps_v m / (mu N).
 
 from typing import Any, NamedTuple
 
-from snapjump.friction.base import has_friction, holds, is_lagged, regularised_sign, slip
+from snapjump.friction.base import FrictionLaw, regularised_sign
 
 
+@FrictionLaw.member
 class LaggedFriction(NamedTuple):
     """Coefficient mu and velocity threshold eps_v (in L/T) of smoothed Coulomb friction."""
 
     mu: float
     velocity_threshold: float
 
+    def is_lagged(self) -> bool:
+        return True
 
-@has_friction.member(LaggedFriction)
-def _has_friction(friction: LaggedFriction) -> bool:
-    return True
+    def holds(self) -> Any:
+        return self.mu > 0.0
 
+    def ratio(self, velocity: Any) -> Any:
+        sign, _ = regularised_sign(velocity, self.velocity_threshold)
+        return self.mu * sign
 
-@is_lagged.member(LaggedFriction)
-def _is_lagged(friction: LaggedFriction) -> bool:
-    return True
-
-
-@slip.member(LaggedFriction)
-def _slip(friction: LaggedFriction, velocity: Any, previous: Any) -> Any:
-    sign, _ = regularised_sign(velocity, friction.velocity_threshold)
-    return friction.mu * sign, 0.0 * sign
-
-
-@holds.member(LaggedFriction)
-def _holds(friction: LaggedFriction) -> Any:
-    return friction.mu > 0.0
+    def slope(self, velocity: Any, previous: Any) -> Any:
+        return 0.0 * velocity

@@ -2,28 +2,21 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.friction.base import has_friction, holds, is_lagged, slip
+from snapjump.friction.base import FrictionLaw
 
 
+@FrictionLaw.member
 class NoFriction(NamedTuple):
     """A perfectly slippery ground."""
 
+    def exists(self) -> bool:
+        return False
 
-@has_friction.member(NoFriction)
-def _has_friction(friction: NoFriction) -> bool:
-    return False
+    def holds(self) -> bool:
+        return False
 
+    def ratio(self, velocity: Any) -> Any:
+        return 0.0 * velocity
 
-@is_lagged.member(NoFriction)
-def _is_lagged(friction: NoFriction) -> bool:
-    return False
-
-
-@slip.member(NoFriction)
-def _slip(friction: NoFriction, velocity: Any, previous: Any) -> Any:
-    return 0.0 * velocity, 0.0 * velocity
-
-
-@holds.member(NoFriction)
-def _holds(friction: NoFriction) -> bool:
-    return False
+    def slope(self, velocity: Any, previous: Any) -> Any:
+        return 0.0 * velocity

@@ -14,7 +14,7 @@ An explicit scheme has one stage, whose position is known and whose forces are o
 
 from typing import Any, NamedTuple
 
-from snapjump.number.dispatch import family_function
+from snapjump.number.methods import Contract, required
 
 
 class Rates(NamedTuple):
@@ -24,74 +24,65 @@ class Rates(NamedTuple):
     inertia_rate: Any
 
 
-@family_function
-def slots(scheme: Any) -> Any:
-    """Velocities and accelerations to keep; a constant while compiling."""
+class TimeIntegrator(Contract):
+    """Time integrators: the contract that every one fulfils."""
 
+    @required
+    def slots(self) -> Any:
+        """Velocities and accelerations to keep; a constant while compiling."""
 
-@family_function
-def stage_count(scheme: Any) -> Any:
-    """Stages S of a step; a constant while compiling."""
+    @required
+    def stage_count(self) -> Any:
+        """Stages S of a step; a constant while compiling."""
 
+    @required
+    def is_explicit(self) -> Any:
+        """Whether the stage's position is known beforehand; a constant while compiling."""
 
-@family_function
-def is_explicit(scheme: Any) -> Any:
-    """Whether the stage's position is known beforehand; a constant while compiling."""
+    @required
+    def ends_in_a_stage(self) -> Any:
+        """Whether the last stage is the end of the step; a constant while compiling."""
 
+    @required
+    def stage_node(self, stage: Any) -> Any:
+        """Time of a stage, as a share of the step."""
 
-@family_function
-def ends_in_a_stage(scheme: Any) -> Any:
-    """Whether the last stage is the end of the step; a constant while compiling."""
+    @required
+    def stage_rates(self, step: Any, ratio: Any) -> Any:
+        """The :class:`Rates` of a step; ``ratio`` is its size over the last one's, first 0."""
 
+    @required
+    def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
+        """Fill ``weights`` (slots) with what :func:`predict` needs at every lane's own stage."""
 
-@family_function
-def stage_node(scheme: Any, stage: Any) -> Any:
-    """Time of a stage, as a share of the step."""
+    @required
+    def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
+        """Origin, drift and first guess of coordinate ``i`` of a stage."""
 
+    @required
+    def store_stage(
+        self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
+    ) -> Any:
+        """Keep velocity and acceleration of the stage that has just converged.
 
-@family_function
-def stage_rates(scheme: Any, step: Any, ratio: Any) -> Any:
-    """The :class:`Rates` of a step; ``ratio`` is its size over the last one's, 0 for the first."""
+        An explicit scheme finds the stage's acceleration in ``work.change``.
 
+        Returns the step's estimated error in position (L, root mean square over the coordinates)
+        for lanes whose last stage it was.
+        """
 
-@family_function
-def weigh_slots(scheme: Any, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
-    """Fill ``weights`` (slots) with what :func:`predict` needs at every lane's own stage."""
+    @required
+    def end_step(self, work: Any, step: Any, mask: Any) -> None:
+        """Move state and last slot from the last stage to the step's end, where they differ."""
 
+    @required
+    def keep_history(self, work: Any, step: Any, mask: Any) -> None:
+        """Update the slot of history of lanes whose step stands, before the step is committed."""
 
-@family_function
-def predict(scheme: Any, work: Any, i: Any, stage: Any, rates: Any) -> Any:
-    """Origin, drift and first guess of coordinate ``i`` of a stage."""
+    @required
+    def error_power(self) -> Any:
+        """Power of the step with which the estimated error shrinks."""
 
-
-@family_function
-def store_stage(
-    scheme: Any, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
-) -> Any:
-    """Keep velocity and acceleration of the stage that has just converged.
-
-    An explicit scheme finds the stage's acceleration in ``work.change``.
-
-    Returns the step's estimated error in position (L, root mean square over the coordinates) for
-    lanes whose last stage it was.
-    """
-
-
-@family_function
-def end_step(scheme: Any, work: Any, step: Any, mask: Any) -> None:
-    """Move state and last slot from the last stage to the end of the step, where they differ."""
-
-
-@family_function
-def keep_history(scheme: Any, work: Any, step: Any, mask: Any) -> None:
-    """Update the slot of history of lanes whose step stands, before the step is committed."""
-
-
-@family_function
-def error_order(scheme: Any) -> Any:
-    """Power of the step with which the estimated error shrinks."""
-
-
-@family_function
-def quadrature_weight(scheme: Any, stage: Any) -> Any:
-    """Weight of a stage (0: the beginning) in an integral over the step."""
+    @required
+    def quadrature_weight(self, stage: Any) -> Any:
+        """Weight of a stage (0: the beginning) in an integral over the step."""

@@ -10,26 +10,114 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.integrator.base import (
-    Rates,
-    end_step,
-    ends_in_a_stage,
-    error_order,
-    is_explicit,
-    keep_history,
-    predict,
-    quadrature_weight,
-    slots,
-    stage_count,
-    stage_node,
-    stage_rates,
-    store_stage,
-    weigh_slots,
-)
+from snapjump.integrator.base import Rates, TimeIntegrator
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import any_true, fma, sqrt, where
 
 
+@kernel
+def pick(table: Any, stage: Any) -> Any:
+    """The table's entry at every lane's own stage."""
+    value = 0.0 * stage
+    for k in range(table.shape[0]):
+        value = where(stage == 1.0 * k, table[k] + value, value)
+    return value
+
+
+@kernel
+def step_error(tableau: Any, work: Any, i: Any, step: Any) -> Any:
+    """Difference of the step from the comparison method, in position over the step (L/T)."""
+    total = 0.0 * step
+    if tableau.ends_in_a_stage():
+        for k in range(len(tableau.error)):
+            total = fma(tableau.error[k], work.velocity[k, i], total)
+    else:
+        for k in range(len(tableau.error)):
+            total = fma(step * tableau.error[k], work.acceleration[k, i], total)
+    return total
+
+
+class DirkScheme(TimeIntegrator):
+    """What all tableaux have in common, but for how their steps end."""
+
+    gamma: Any
+    matrix: Any
+    nodes: Any
+    weights: Any
+    error: Any
+    error_order: Any
+
+    def slots(self) -> Any:
+        return len(self.error)
+
+    def stage_count(self) -> Any:
+        return len(self.error) - 1
+
+    def is_explicit(self) -> bool:
+        return False
+
+    def stage_node(self, stage: Any) -> Any:
+        return pick(self.nodes, stage)
+
+    def stage_rates(self, step: Any, ratio: Any) -> Any:
+        rate = 1.0 / (self.gamma * step)
+        return Rates(rate, rate)
+
+    def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
+        for k in range(len(self.error) - 1):
+            weights[k] = step * pick(self.matrix[:, k], stage)
+
+    def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
+        origin = work.start[i]
+        drift = work.velocity[0, i]
+        guess = work.acceleration[0, i]
+        for k in range(len(self.error) - 1):
+            earlier = work.acceleration[k, i]
+            origin = fma(work.weights[k], work.velocity[k, i], origin)
+            drift = fma(work.weights[k], earlier, drift)
+            guess = where(stage > 1.0 * k, earlier, guess)
+        share = 1.0 / rates.rate_factor
+        return origin, drift, origin + share * (drift + share * guess)
+
+    def store_stage(
+        self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
+    ) -> Any:
+        last = len(self.error) - 1
+        rate = rates.rate_factor
+        for k in range(1, last):
+            here = mask & (stage == 1.0 * k)
+            if any_true(here):
+                velocity = work.velocity[k]
+                acceleration = work.acceleration[k]
+                for i in range(work.state.shape[0]):
+                    v = (work.state[i] - work.origin[i]) * rate
+                    a = (v - work.drift[i]) * rate
+                    velocity[i] = where(here, v, velocity[i])
+                    acceleration[i] = where(here, a, acceleration[i])
+        total = 0.0 * rate
+        if any_true(mask & (stage >= 1.0 * last)):
+            # The last stage is used up at once: other lanes' entries may be overwritten.
+            velocity = work.velocity[last]
+            acceleration = work.acceleration[last]
+            for i in range(work.state.shape[0]):
+                v = (work.state[i] - work.origin[i]) * rate
+                velocity[i] = v
+                acceleration[i] = (v - work.drift[i]) * rate
+                error = step_error(self, work, i, step)
+                total = fma(error, error, total)
+        return sqrt(total / work.state.shape[0]) * step
+
+    def keep_history(self, work: Any, step: Any, mask: Any) -> None:
+        pass
+
+    def error_power(self) -> Any:
+        return self.error_order
+
+    def quadrature_weight(self, stage: Any) -> Any:
+        return self.weights[stage]
+
+
+@DirkScheme.member
 class Tableau(NamedTuple):
     """A Butcher tableau whose last stage is the end of the step.
 
@@ -45,132 +133,8 @@ class Tableau(NamedTuple):
     error: tuple[float, ...]
     error_order: float
 
+    def ends_in_a_stage(self) -> bool:
+        return True
 
-@kernel
-def pick(table: Any, stage: Any) -> Any:
-    """The table's entry at every lane's own stage."""
-    value = 0.0 * stage
-    for k in range(table.shape[0]):
-        value = where(stage == 1.0 * k, table[k] + value, value)
-    return value
-
-
-def _slots(tableau: Any) -> Any:
-    return len(tableau.error)
-
-
-def _stage_count(tableau: Any) -> Any:
-    return len(tableau.error) - 1
-
-
-def _is_explicit(tableau: Any) -> bool:
-    return False
-
-
-def _stage_node(tableau: Any, stage: Any) -> Any:
-    return pick(tableau.nodes, stage)
-
-
-def _stage_rates(tableau: Any, step: Any, ratio: Any) -> Any:
-    rate = 1.0 / (tableau.gamma * step)
-    return Rates(rate, rate)
-
-
-def _weigh_slots(tableau: Any, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
-    for k in range(len(tableau.error) - 1):
-        weights[k] = step * pick(tableau.matrix[:, k], stage)
-
-
-def _predict(tableau: Any, work: Any, i: Any, stage: Any, rates: Any) -> Any:
-    origin = work.start[i]
-    drift = work.velocity[0, i]
-    guess = work.acceleration[0, i]
-    for k in range(len(tableau.error) - 1):
-        earlier = work.acceleration[k, i]
-        origin = fma(work.weights[k], work.velocity[k, i], origin)
-        drift = fma(work.weights[k], earlier, drift)
-        guess = where(stage > 1.0 * k, earlier, guess)
-    share = 1.0 / rates.rate_factor
-    return origin, drift, origin + share * (drift + share * guess)
-
-
-def _store_stage(
-    tableau: Any, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
-) -> Any:
-    last = len(tableau.error) - 1
-    rate = rates.rate_factor
-    for k in range(1, last):
-        here = mask & (stage == 1.0 * k)
-        if any_true(here):
-            velocity = work.velocity[k]
-            acceleration = work.acceleration[k]
-            for i in range(work.state.shape[0]):
-                v = (work.state[i] - work.origin[i]) * rate
-                a = (v - work.drift[i]) * rate
-                velocity[i] = where(here, v, velocity[i])
-                acceleration[i] = where(here, a, acceleration[i])
-    total = 0.0 * rate
-    if any_true(mask & (stage >= 1.0 * last)):
-        # The last stage is used up at once: other lanes' entries may be overwritten.
-        velocity = work.velocity[last]
-        acceleration = work.acceleration[last]
-        for i in range(work.state.shape[0]):
-            v = (work.state[i] - work.origin[i]) * rate
-            velocity[i] = v
-            acceleration[i] = (v - work.drift[i]) * rate
-            error = step_error(tableau, work, i, step)
-            total = fma(error, error, total)
-    return sqrt(total / work.state.shape[0]) * step
-
-
-@kernel
-def step_error(tableau: Any, work: Any, i: Any, step: Any) -> Any:
-    """Difference of the step from the comparison method, in position over the step (L/T)."""
-    total = 0.0 * step
-    if ends_in_a_stage(tableau):
-        for k in range(len(tableau.error)):
-            total = fma(tableau.error[k], work.velocity[k, i], total)
-    else:
-        for k in range(len(tableau.error)):
-            total = fma(step * tableau.error[k], work.acceleration[k, i], total)
-    return total
-
-
-def _keep_history(tableau: Any, work: Any, step: Any, mask: Any) -> None:
-    pass
-
-
-def _error_order(tableau: Any) -> Any:
-    return tableau.error_order
-
-
-def _quadrature_weight(tableau: Any, stage: Any) -> Any:
-    return tableau.weights[stage]
-
-
-def register(kind: type) -> None:
-    """Make a class of tableaux a member, but for how its steps end."""
-    slots.member(kind)(_slots)
-    stage_count.member(kind)(_stage_count)
-    is_explicit.member(kind)(_is_explicit)
-    stage_node.member(kind)(_stage_node)
-    stage_rates.member(kind)(_stage_rates)
-    weigh_slots.member(kind)(_weigh_slots)
-    predict.member(kind)(_predict)
-    store_stage.member(kind)(_store_stage)
-    keep_history.member(kind)(_keep_history)
-    error_order.member(kind)(_error_order)
-    quadrature_weight.member(kind)(_quadrature_weight)
-
-
-register(Tableau)
-
-
-@ends_in_a_stage.member(Tableau)
-def _ends_in_a_stage(tableau: Tableau) -> bool:
-    return True
-
-
-@end_step.member(Tableau)
-def _end_step(tableau: Tableau, work: Any, step: Any, mask: Any) -> None:
-    pass
+    def end_step(self, work: Any, step: Any, mask: Any) -> None:
+        pass

@@ -11,22 +11,7 @@ slot 2 the forces: s_0 among the accelerations, s_1 among the velocities until t
 
 from typing import Any, NamedTuple
 
-from snapjump.integrator.base import (
-    Rates,
-    end_step,
-    ends_in_a_stage,
-    error_order,
-    is_explicit,
-    keep_history,
-    predict,
-    quadrature_weight,
-    slots,
-    stage_count,
-    stage_node,
-    stage_rates,
-    store_stage,
-    weigh_slots,
-)
+from snapjump.integrator.base import Rates, TimeIntegrator
 from snapjump.number.functions import absolute, fma, maximum, sqrt, where
 
 FORCES = 2
@@ -35,6 +20,7 @@ FORCES = 2
 SMALLEST_ERROR_FACTOR = 1.0 / 12.0
 
 
+@TimeIntegrator.member
 class GeneralizedAlpha(NamedTuple):
     """The method's four parameters."""
 
@@ -43,93 +29,67 @@ class GeneralizedAlpha(NamedTuple):
     alpha_m: float
     alpha_f: float
 
+    def slots(self) -> int:
+        return 3
 
-@slots.member(GeneralizedAlpha)
-def _slots(scheme: GeneralizedAlpha) -> int:
-    return 3
+    def stage_count(self) -> int:
+        return 1
 
+    def is_explicit(self) -> bool:
+        return False
 
-@stage_count.member(GeneralizedAlpha)
-def _stage_count(scheme: GeneralizedAlpha) -> int:
-    return 1
+    def ends_in_a_stage(self) -> bool:
+        return True
 
+    def stage_node(self, stage: Any) -> Any:
+        return 1.0 + 0.0 * stage
 
-@is_explicit.member(GeneralizedAlpha)
-def _is_explicit(scheme: GeneralizedAlpha) -> bool:
-    return False
+    def stage_rates(self, step: Any, ratio: Any) -> Any:
+        share = (1.0 - self.alpha_m) / (1.0 - self.alpha_f)
+        return Rates(self.gamma / (self.beta * step), share / (self.gamma * step))
 
+    def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
+        weights[0] = step
 
-@ends_in_a_stage.member(GeneralizedAlpha)
-def _ends_in_a_stage(scheme: GeneralizedAlpha) -> bool:
-    return True
-
-
-@stage_node.member(GeneralizedAlpha)
-def _stage_node(scheme: GeneralizedAlpha, stage: Any) -> Any:
-    return 1.0 + 0.0 * stage
-
-
-@stage_rates.member(GeneralizedAlpha)
-def _stage_rates(scheme: GeneralizedAlpha, step: Any, ratio: Any) -> Any:
-    share = (1.0 - scheme.alpha_m) / (1.0 - scheme.alpha_f)
-    return Rates(scheme.gamma / (scheme.beta * step), share / (scheme.gamma * step))
-
-
-@weigh_slots.member(GeneralizedAlpha)
-def _weigh_slots(scheme: GeneralizedAlpha, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
-    weights[0] = step
-
-
-@predict.member(GeneralizedAlpha)
-def _predict(scheme: GeneralizedAlpha, work: Any, i: Any, stage: Any, rates: Any) -> Any:
-    h = work.weights[0]
-    a = work.acceleration[0, i]
-    forces = work.acceleration[FORCES, i]
-    velocity = work.velocity[0, i]
-    coasting = fma(h, velocity, work.start[i])
-    known = fma(h * (1.0 - scheme.gamma), a, velocity)
-    origin = coasting + h * (h * (0.5 - scheme.beta) * a - scheme.beta / scheme.gamma * known)
-    carried = scheme.alpha_m * a - scheme.alpha_f * forces
-    drift = known - h * scheme.gamma / (1.0 - scheme.alpha_m) * carried
-    return origin, drift, fma(0.5 * h * h, a, coasting)
-
-
-@store_stage.member(GeneralizedAlpha)
-def _store_stage(
-    scheme: GeneralizedAlpha, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
-) -> Any:
-    factor = maximum(absolute(scheme.beta - 1.0 / 6.0), SMALLEST_ERROR_FACTOR)
-    over = 1.0 / (scheme.gamma * step)
-    total = 0.0 * step
-    for i in range(work.state.shape[0]):
+    def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
+        h = work.weights[0]
         a = work.acceleration[0, i]
-        known = fma(step * (1.0 - scheme.gamma), a, work.velocity[0, i])
-        v = (work.state[i] - work.origin[i]) * rates.rate_factor
-        after = (v - known) * over
-        work.velocity[1, i] = v
-        work.acceleration[1, i] = after
-        work.velocity[FORCES, i] = (v - work.drift[i]) * rates.inertia_rate
-        total = fma(after - a, after - a, total)
-    return sqrt(total / work.state.shape[0]) * (factor * step * step)
+        forces = work.acceleration[FORCES, i]
+        velocity = work.velocity[0, i]
+        coasting = fma(h, velocity, work.start[i])
+        known = fma(h * (1.0 - self.gamma), a, velocity)
+        origin = coasting + h * (h * (0.5 - self.beta) * a - self.beta / self.gamma * known)
+        carried = self.alpha_m * a - self.alpha_f * forces
+        drift = known - h * self.gamma / (1.0 - self.alpha_m) * carried
+        return origin, drift, fma(0.5 * h * h, a, coasting)
 
+    def store_stage(
+        self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
+    ) -> Any:
+        factor = maximum(absolute(self.beta - 1.0 / 6.0), SMALLEST_ERROR_FACTOR)
+        over = 1.0 / (self.gamma * step)
+        total = 0.0 * step
+        for i in range(work.state.shape[0]):
+            a = work.acceleration[0, i]
+            known = fma(step * (1.0 - self.gamma), a, work.velocity[0, i])
+            v = (work.state[i] - work.origin[i]) * rates.rate_factor
+            after = (v - known) * over
+            work.velocity[1, i] = v
+            work.acceleration[1, i] = after
+            work.velocity[FORCES, i] = (v - work.drift[i]) * rates.inertia_rate
+            total = fma(after - a, after - a, total)
+        return sqrt(total / work.state.shape[0]) * (factor * step * step)
 
-@end_step.member(GeneralizedAlpha)
-def _end_step(scheme: GeneralizedAlpha, work: Any, step: Any, mask: Any) -> None:
-    pass
+    def end_step(self, work: Any, step: Any, mask: Any) -> None:
+        pass
 
+    def keep_history(self, work: Any, step: Any, mask: Any) -> None:
+        for i in range(work.state.shape[0]):
+            forces = work.velocity[FORCES, i]
+            work.acceleration[FORCES, i] = where(mask, forces, work.acceleration[FORCES, i])
 
-@keep_history.member(GeneralizedAlpha)
-def _keep_history(scheme: GeneralizedAlpha, work: Any, step: Any, mask: Any) -> None:
-    for i in range(work.state.shape[0]):
-        forces = work.velocity[FORCES, i]
-        work.acceleration[FORCES, i] = where(mask, forces, work.acceleration[FORCES, i])
+    def error_power(self) -> float:
+        return 3.0
 
-
-@error_order.member(GeneralizedAlpha)
-def _error_order(scheme: GeneralizedAlpha) -> float:
-    return 3.0
-
-
-@quadrature_weight.member(GeneralizedAlpha)
-def _quadrature_weight(scheme: GeneralizedAlpha, stage: Any) -> float:
-    return 0.5
+    def quadrature_weight(self, stage: Any) -> float:
+        return 0.5

@@ -8,11 +8,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.integrator.base import end_step, ends_in_a_stage
-from snapjump.integrator.dirk import register
+from snapjump.integrator.dirk import DirkScheme
 from snapjump.number.functions import where
 
 
+@DirkScheme.member
 class QuadratureTableau(NamedTuple):
     """A :class:`~snapjump.integrator.dirk.Tableau` whose stage 0 has no weight.
 
@@ -26,24 +26,17 @@ class QuadratureTableau(NamedTuple):
     error: tuple[float, ...]
     error_order: float
 
+    def ends_in_a_stage(self) -> bool:
+        return False
 
-register(QuadratureTableau)
-
-
-@ends_in_a_stage.member(QuadratureTableau)
-def _ends_after_its_stages(tableau: QuadratureTableau) -> bool:
-    return False
-
-
-@end_step.member(QuadratureTableau)
-def _add_up_stages(tableau: QuadratureTableau, work: Any, step: Any, mask: Any) -> None:
-    last = len(tableau.error) - 1
-    for i in range(work.state.shape[0]):
-        position = work.start[i]
-        velocity = work.velocity[0, i]
-        for k in range(1, last + 1):
-            weight = step * tableau.weights[k]
-            position = position + weight * work.velocity[k, i]
-            velocity = velocity + weight * work.acceleration[k, i]
-        work.state[i] = where(mask, position, work.state[i])
-        work.velocity[last, i] = where(mask, velocity, work.velocity[last, i])
+    def end_step(self, work: Any, step: Any, mask: Any) -> None:
+        last = len(self.error) - 1
+        for i in range(work.state.shape[0]):
+            position = work.start[i]
+            velocity = work.velocity[0, i]
+            for k in range(1, last + 1):
+                weight = step * self.weights[k]
+                position = position + weight * work.velocity[k, i]
+                velocity = velocity + weight * work.acceleration[k, i]
+            work.state[i] = where(mask, position, work.state[i])
+            work.velocity[last, i] = where(mask, velocity, work.velocity[last, i])

@@ -2,19 +2,20 @@
 
 from typing import Any
 
-from snapjump.number.dispatch import family_function
+from snapjump.number.methods import Contract
 
 
-@family_function
-def gravity(load: Any) -> Any:
-    """Downward acceleration (in L/T^2)."""
+class Load(Contract):
+    """Weight and dead forces; by default there are none."""
 
+    def gravity(self) -> Any:
+        """Downward acceleration (in L/T^2)."""
+        return 0.0
 
-@family_function
-def pull(load: Any) -> Any:
-    """Acceleration along +x (in L/T^2), of masses on a slope."""
+    def pull(self) -> Any:
+        """Acceleration along +x (in L/T^2), of masses on a slope."""
+        return 0.0
 
-
-@family_function
-def tip_load(load: Any) -> Any:
-    """Force (x, y) on the last node and moment on the last tangent."""
+    def tip_load(self) -> Any:
+        """Force (x, y) on the last node and moment on the last tangent."""
+        return 0.0, 0.0, 0.0

@@ -2,9 +2,10 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.load.base import gravity, pull, tip_load
+from snapjump.load.base import Load
 
 
+@Load.member
 class TipLoad(NamedTuple):
     """Force components (EI/L^2) and moment (EI/L) at the last node."""
 
@@ -12,17 +13,5 @@ class TipLoad(NamedTuple):
     force_y: float
     moment: float
 
-
-@gravity.member(TipLoad)
-def _gravity(load: TipLoad) -> float:
-    return 0.0
-
-
-@tip_load.member(TipLoad)
-def _tip(load: TipLoad) -> Any:
-    return load.force_x, load.force_y, load.moment
-
-
-@pull.member(TipLoad)
-def _pull(load: TipLoad) -> float:
-    return 0.0
+    def tip_load(self) -> Any:
+        return self.force_x, self.force_y, self.moment

@@ -2,8 +2,10 @@
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 from snapjump.checks import check_choice, check_number
+from snapjump.contact.base import Ground
 from snapjump.contact.hunt_crossley import HuntCrossley
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.contact.none import NoContact
@@ -18,11 +20,28 @@ PAPER_ELEMENTS = 66  # of the mesh whose every node the paper gives the stiffnes
 CLEARANCE_M = 2.0e-5  # where nothing pushes from afar, a robot this high is in the air
 
 
-def node_weight(weighting: str, discretization: DiscretizationOptions | None) -> float:
-    """Share of the stiffness at a node; all of it for a lone mass, without a discretization."""
-    if discretization is None or weighting == "per_node":
-        return 1.0
-    return PAPER_ELEMENTS / discretization.elements
+def is_per_length(options: Any, law: Any) -> bool:
+    """Whether a law's force belongs to a length of the beam, and not to a node: a law that has no
+    choice is, but for a constraint, whose force is what it takes."""
+    return not law.is_impulsive() and getattr(options, "weighting", "per_length") == "per_length"
+
+
+def ground(
+    options: Any, law: Any, scales: Scales, discretization: DiscretizationOptions | None
+) -> Ground:
+    """Shares of the law's force at nodes and corners, and where a robot is in the air.
+
+    Per length, a node's share falls as the mesh is refined; a lone mass, without a discretization,
+    has all of it.
+    """
+    share = 1.0
+    if discretization is not None and is_per_length(options, law):
+        share = PAPER_ELEMENTS / discretization.elements
+    return Ground(
+        node_share=share,
+        corner_share=1.0,
+        clearance=law.reach() if law.keeps_open() else CLEARANCE_M / scales.length_m,
+    )
 
 
 @dataclass(frozen=True)
@@ -45,16 +64,12 @@ class LogBarrierOptions:
         check_number("contact.damping_s", self.damping_s, 0.0, unit="s")
         check_choice("contact.weighting", self.weighting, WEIGHTINGS)
 
-    def member(
-        self, scales: Scales, discretization: DiscretizationOptions | None = None
-    ) -> LogBarrier:
+    def member(self, scales: Scales) -> LogBarrier:
         """The dimensionless law."""
         return LogBarrier(
             stiffness=self.stiffness_N_m / scales.stiffness_N_m,
             distance=self.distance_m / scales.length_m,
             relaxation_time=self.damping_s / scales.time_s,
-            node_weight=node_weight(self.weighting, discretization),
-            corner_weight=1.0,
         )
 
 
@@ -72,15 +87,10 @@ class PenaltyOptions:
         check_number("contact.stiffness_N_m", self.stiffness_N_m, 0.0, above=True, unit="N/m")
         check_choice("contact.weighting", self.weighting, WEIGHTINGS)
 
-    def member(
-        self, scales: Scales, discretization: DiscretizationOptions | None = None
-    ) -> Penalty:
+    def member(self, scales: Scales) -> Penalty:
         """The dimensionless law."""
         return Penalty(
             stiffness=self.stiffness_N_m / scales.stiffness_N_m,
-            clearance=CLEARANCE_M / scales.length_m,
-            node_weight=node_weight(self.weighting, discretization),
-            corner_weight=1.0,
         )
 
 
@@ -105,18 +115,13 @@ class HuntCrossleyOptions:
         check_number("contact.penetration_m", self.penetration_m, 0.0, above=True, unit="m")
         check_choice("contact.weighting", self.weighting, WEIGHTINGS)
 
-    def member(
-        self, scales: Scales, discretization: DiscretizationOptions | None = None
-    ) -> HuntCrossley:
+    def member(self, scales: Scales) -> HuntCrossley:
         """The dimensionless law."""
         secant = self.stiffness_N_m / scales.stiffness_N_m
         speed = self.impact_speed_m_s / scales.velocity_m_s
         return HuntCrossley(
             stiffness=secant / math.sqrt(self.penetration_m / scales.length_m),
             damping=damping_number(self.restitution) / speed,
-            clearance=CLEARANCE_M / scales.length_m,
-            node_weight=node_weight(self.weighting, discretization),
-            corner_weight=1.0,
         )
 
 
@@ -151,19 +156,15 @@ class SignoriniOptions:
     def __post_init__(self) -> None:
         check_number("contact.restitution", self.restitution, 0.0, 1.0)
 
-    def member(
-        self, scales: Scales, discretization: DiscretizationOptions | None = None
-    ) -> Signorini:
+    def member(self, scales: Scales) -> Signorini:
         """The dimensionless law."""
-        return Signorini(self.restitution, CLEARANCE_M / scales.length_m)
+        return Signorini(self.restitution)
 
 
 @dataclass(frozen=True)
 class NoContactOptions:
     """No ground: every contact term is left out of the compiled program."""
 
-    def member(
-        self, scales: Scales, discretization: DiscretizationOptions | None = None
-    ) -> NoContact:
+    def member(self, scales: Scales) -> NoContact:
         """The empty law."""
         return NoContact()

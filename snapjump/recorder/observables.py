@@ -9,32 +9,17 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.clamp.base import clamp_angles
-from snapjump.contact.base import contact_weights, force_if_acting, has_contact
-from snapjump.discretization.base import clamp_offset
+from snapjump.contact.base import force_if_acting
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import STAGE, TIME
 from snapjump.engine.powers import approach_of, frame_point, node_point
-from snapjump.frame.base import (
-    STILL,
-    contact_points,
-    end_tangents,
-    frame_dofs,
-    point_mass,
-    point_weight,
-)
-from snapjump.integrator.base import stage_count
+from snapjump.frame.base import STILL
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import any_true, sqrt
-from snapjump.recorder.base import (
-    record_end,
-    record_robot,
-    record_stage,
-    record_start,
-    record_step,
-)
+from snapjump.recorder.base import Recorder
 
 
+@Recorder.member
 class ObservablesRecorder(NamedTuple):
     """At most S steps.
 
@@ -49,6 +34,30 @@ class ObservablesRecorder(NamedTuple):
     forces: NDArray[np.float64]
     pending: NDArray[np.float64]
     clock: NDArray[np.float64]
+
+    def record_start(self, model: Any, masses: Any, work: Any) -> None:
+        motion = Motion(work.clock[TIME], 0.0, 0.0, 0.0)
+        observe(self, model, motion, masses, work, work.start, work.velocity[0])
+        keep(self)
+
+    def record_stage(
+        self,
+        model: Any,
+        masses: Any,
+        motion: Any,
+        scheme: Any,
+        work: Any,
+        converged: Any,
+    ) -> None:
+        last = scheme.stage_count()
+        if any_true(work.clock[STAGE] >= 1.0 * last):
+            observe(self, model, motion, masses, work, work.state, work.velocity[last])
+
+    def record_step(self, model: Any, masses: Any, scheme: Any, work: Any, good: Any) -> None:
+        time = work.clock[TIME]
+        if any_true(time > self.clock[0]):
+            self.clock[0] = time
+            keep(self)
 
 
 def make_observables(steps: int) -> ObservablesRecorder:
@@ -66,11 +75,11 @@ def make_observables(steps: int) -> ObservablesRecorder:
 @kernel
 def middle_height(model: Any, mesh: Any, time: Any, state: Any, nodes: Any) -> Any:
     """Distance (L) of the beam's middle from the line through both mounts, positive above."""
-    dofs = frame_dofs(model.frame, mesh)
+    dofs = model.frame.dofs(mesh)
     stride = (state.shape[0] - dofs) // nodes
-    angles = clamp_angles(model.clamp, time)
-    tangents = end_tangents(model.frame, mesh, model.load, angles, state, STILL)
-    offset = clamp_offset(model.discretization)
+    angles = model.clamp.angles(time)
+    tangents = model.frame.end_tangents(mesh, model.load, angles, state, STILL)
+    offset = model.discretization.clamp_distance()
     first = dofs
     last = dofs + stride * (nodes - 1)
     left_x = state[first] - offset * tangents.left_x
@@ -88,9 +97,8 @@ def middle_height(model: Any, mesh: Any, time: Any, state: Any, nodes: Any) -> A
 def ground_force(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity: Any) -> Any:
     """Sum of the normal forces (EI/L^2) at all nodes and corners."""
     total = 0.0 * state[0]
-    if has_contact(model.contact):
+    if model.contact.exists():
         mesh = work.mesh
-        by_node, _ = contact_weights(model.contact)
         before = work.velocity[0]
         for node in range(masses.shape[0]):
             if masses[node] > 0.0:
@@ -98,14 +106,14 @@ def ground_force(model: Any, motion: Any, masses: Any, work: Any, state: Any, ve
                 begun = node_point(model, mesh, node, work.start, before)
                 approach = approach_of(motion, now, begun, masses[node])
                 _, force, _ = force_if_acting(model.contact, now.gap, approach)
-                total += by_node * force
-        for point in range(contact_points(model.frame, mesh)):
+                total += model.ground.node_share * force
+        for point in range(model.frame.contact_points(mesh)):
             now = frame_point(model, mesh, point, state, velocity)
             begun = frame_point(model, mesh, point, work.start, before)
-            mass = point_mass(model.frame, mesh, point, state)
+            mass = model.frame.point_mass(mesh, point, state)
             approach = approach_of(motion, now, begun, mass)
             _, force, _ = force_if_acting(model.contact, now.gap, approach)
-            total += point_weight(model.frame, mesh, point, model.contact) * force
+            total += model.frame.point_share(mesh, point, model.ground) * force
     return total
 
 
@@ -128,47 +136,3 @@ def keep(recorder: Any) -> None:
         recorder.heights[k] = recorder.pending[1]
         recorder.forces[k] = recorder.pending[2]
     recorder.filled[0] = k + 1
-
-
-@record_start.member(ObservablesRecorder)
-def _record_start(recorder: ObservablesRecorder, model: Any, masses: Any, work: Any) -> None:
-    motion = Motion(work.clock[TIME], 0.0, 0.0, 0.0)
-    observe(recorder, model, motion, masses, work, work.start, work.velocity[0])
-    keep(recorder)
-
-
-@record_stage.member(ObservablesRecorder)
-def _record_stage(
-    recorder: ObservablesRecorder,
-    model: Any,
-    masses: Any,
-    motion: Any,
-    scheme: Any,
-    work: Any,
-    converged: Any,
-) -> None:
-    last = stage_count(scheme)
-    if any_true(work.clock[STAGE] >= 1.0 * last):
-        observe(recorder, model, motion, masses, work, work.state, work.velocity[last])
-
-
-@record_step.member(ObservablesRecorder)
-def _record_step(
-    recorder: ObservablesRecorder, model: Any, masses: Any, scheme: Any, work: Any, good: Any
-) -> None:
-    time = work.clock[TIME]
-    if any_true(time > recorder.clock[0]):
-        recorder.clock[0] = time
-        keep(recorder)
-
-
-@record_robot.member(ObservablesRecorder)
-def _record_robot(recorder: ObservablesRecorder, lane: Any, robot: Any) -> None:
-    pass
-
-
-@record_end.member(ObservablesRecorder)
-def _record_end(
-    recorder: ObservablesRecorder, model: Any, masses: Any, lane: Any, robot: Any
-) -> None:
-    pass

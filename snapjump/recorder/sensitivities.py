@@ -8,27 +8,18 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.contact.base import contact_reach
-from snapjump.discretization.base import node_dofs
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clock import MARK
 from snapjump.engine.differentiate import commit, differentiate_stages
 from snapjump.engine.model import with_numbers
 from snapjump.engine.shadow import Shadow, view_shadow
-from snapjump.frame.base import contact_point, contact_points, frame_dofs
 from snapjump.linear_solver.more_sides import FOUR
 from snapjump.number.array import uncounted
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.dual import PARAMETERS, constant, dual, slope_at, slopes_of, value_of
 from snapjump.number.functions import any_true, where
 from snapjump.number.lane import view_numbers
-from snapjump.recorder.base import (
-    record_end,
-    record_robot,
-    record_stage,
-    record_start,
-    record_step,
-)
+from snapjump.recorder.base import Recorder
 
 Array = NDArray[np.float64]
 
@@ -36,6 +27,7 @@ Array = NDArray[np.float64]
 FAR = 1.0e30  # no contact near to being made or broken
 
 
+@Recorder.member
 class SensitivityRecorder(NamedTuple):
     """Of R robots in W lanes.
 
@@ -58,6 +50,63 @@ class SensitivityRecorder(NamedTuple):
     chosen: NDArray[np.int64]
     corrections: NDArray[np.int64]
 
+    def record_robot(self, lane: Any, robot: Any) -> None:
+        memory = self.memory
+        work = view_shadow(self.shadow, lane, memory.mesh)
+        numbers = view_numbers(self.numbers[robot], FOUR)
+        starts = view_numbers(self.starts[robot], FOUR)
+        for k in range(work.numbers.shape[0]):
+            work.numbers[k] = dual(memory.numbers[k, lane], numbers[k])
+        for i in range(work.state.shape[0]):
+            work.start[i] = dual(memory.start[i, lane], starts[0, i])
+            for slot in range(work.velocity.shape[0]):
+                work.velocity[slot, i] = dual(memory.velocity[slot, i, lane], starts[1, i])
+                work.acceleration[slot, i] = dual(memory.acceleration[slot, i, lane], starts[2, i])
+        self.nearest[lane] = FAR
+        for point in range(self.falling.shape[1]):
+            self.falling[lane, point] = 0.0
+
+    def record_stage(
+        self,
+        model: Any,
+        masses: Any,
+        motion: Any,
+        scheme: Any,
+        work: Any,
+        converged: Any,
+    ) -> None:
+        count = marked(self, work, converged)
+        differentiate_stages(
+            model,
+            scheme,
+            masses,
+            uncounted(self.memory),
+            uncounted(self.shadow),
+            uncounted(self.chosen),
+            count,
+            self.corrections[0],
+        )
+
+    def record_step(self, model: Any, masses: Any, scheme: Any, work: Any, good: Any) -> None:
+        if any_true(good):
+            memory = uncounted(self.memory)
+            shadow = uncounted(self.shadow)
+            for c in range(marked(self, work, good)):
+                commit(scheme, memory, shadow, self.chosen[c])
+                look_for_grazes(self, memory, shadow, model, masses, self.chosen[c])
+
+    def record_end(self, model: Any, masses: Any, lane: Any, robot: Any) -> None:
+        mesh = self.memory.mesh
+        work = view_shadow(self.shadow, lane, mesh)
+        shadow = with_numbers(model, work.numbers)
+        flight = view_numbers(self.flights[robot], FOUR)
+        x, y, vx, vy = centre_of_mass(shadow, masses, mesh, work.start, work.velocity[0])
+        flight[0] = slopes_of(x)
+        flight[1] = slopes_of(y)
+        flight[2] = slopes_of(vx)
+        flight[3] = slopes_of(vy)
+        self.grazes[robot] = self.nearest[lane]
+
 
 @kernel
 def marked(recorder: Any, work: Any, mask: Any) -> int:
@@ -69,52 +118,6 @@ def marked(recorder: Any, work: Any, mask: Any) -> int:
             recorder.chosen[count] = lane
             count += 1
     return count
-
-
-@record_robot.member(SensitivityRecorder)
-def _record_robot(recorder: SensitivityRecorder, lane: Any, robot: Any) -> None:
-    memory = recorder.memory
-    work = view_shadow(recorder.shadow, lane, memory.mesh)
-    numbers = view_numbers(recorder.numbers[robot], FOUR)
-    starts = view_numbers(recorder.starts[robot], FOUR)
-    for k in range(work.numbers.shape[0]):
-        work.numbers[k] = dual(memory.numbers[k, lane], numbers[k])
-    for i in range(work.state.shape[0]):
-        work.start[i] = dual(memory.start[i, lane], starts[0, i])
-        for slot in range(work.velocity.shape[0]):
-            work.velocity[slot, i] = dual(memory.velocity[slot, i, lane], starts[1, i])
-            work.acceleration[slot, i] = dual(memory.acceleration[slot, i, lane], starts[2, i])
-    recorder.nearest[lane] = FAR
-    for point in range(recorder.falling.shape[1]):
-        recorder.falling[lane, point] = 0.0
-
-
-@record_start.member(SensitivityRecorder)
-def _record_start(recorder: SensitivityRecorder, model: Any, masses: Any, work: Any) -> None:
-    pass
-
-
-@record_stage.member(SensitivityRecorder)
-def _record_stage(
-    recorder: SensitivityRecorder,
-    model: Any,
-    masses: Any,
-    motion: Any,
-    scheme: Any,
-    work: Any,
-    converged: Any,
-) -> None:
-    count = marked(recorder, work, converged)
-    differentiate_stages(
-        model,
-        scheme,
-        masses,
-        uncounted(recorder.memory),
-        uncounted(recorder.shadow),
-        uncounted(recorder.chosen),
-        count,
-        recorder.corrections[0],
-    )
 
 
 @kernel
@@ -143,44 +146,16 @@ def look_for_grazes(
     mesh = memory.mesh
     work = view_shadow(shadow, lane, mesh)
     model = with_numbers(template, work.numbers)
-    reach = value_of(contact_reach(model.contact) + constant(0.0))
-    corners = contact_points(model.frame, mesh)
+    reach = value_of(model.contact.reach() + constant(0.0))
+    corners = model.frame.contact_points(mesh)
     falling = uncounted(recorder.falling[lane])
     nearest = recorder.nearest[lane]
     for point in range(corners):
-        _, gap, _, rise = contact_point(model.frame, mesh, point, work.start, work.velocity[0])
+        _, gap, _, rise = model.frame.contact_point(mesh, point, work.start, work.velocity[0])
         nearest = graze(falling, point, gap, value_of(rise), reach, nearest)
     for node in range(masses.shape[0]):
         if masses[node] > 0.0:
-            i = node_dofs(model.discretization) * node + frame_dofs(model.frame, mesh) + 1
+            i = model.discretization.node_dofs() * node + model.frame.dofs(mesh) + 1
             rise = memory.velocity[0, i, lane]
             nearest = graze(falling, corners + node, work.start[i], rise, reach, nearest)
     recorder.nearest[lane] = nearest
-
-
-@record_step.member(SensitivityRecorder)
-def _record_step(
-    recorder: SensitivityRecorder, model: Any, masses: Any, scheme: Any, work: Any, good: Any
-) -> None:
-    if any_true(good):
-        memory = uncounted(recorder.memory)
-        shadow = uncounted(recorder.shadow)
-        for c in range(marked(recorder, work, good)):
-            commit(scheme, memory, shadow, recorder.chosen[c])
-            look_for_grazes(recorder, memory, shadow, model, masses, recorder.chosen[c])
-
-
-@record_end.member(SensitivityRecorder)
-def _record_end(
-    recorder: SensitivityRecorder, model: Any, masses: Any, lane: Any, robot: Any
-) -> None:
-    mesh = recorder.memory.mesh
-    work = view_shadow(recorder.shadow, lane, mesh)
-    shadow = with_numbers(model, work.numbers)
-    flight = view_numbers(recorder.flights[robot], FOUR)
-    x, y, vx, vy = centre_of_mass(shadow, masses, mesh, work.start, work.velocity[0])
-    flight[0] = slopes_of(x)
-    flight[1] = slopes_of(y)
-    flight[2] = slopes_of(vx)
-    flight[3] = slopes_of(vy)
-    recorder.grazes[robot] = recorder.nearest[lane]

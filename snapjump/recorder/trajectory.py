@@ -12,21 +12,14 @@ from numpy.typing import NDArray
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.clock import LARGEST_RESIDUAL, STAGE, STEP, TIME
 from snapjump.engine.powers import powers
-from snapjump.frame.base import border_width
-from snapjump.integrator.base import is_explicit, quadrature_weight
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, any_true, maximum
-from snapjump.recorder.base import (
-    record_end,
-    record_robot,
-    record_stage,
-    record_start,
-    record_step,
-)
+from snapjump.recorder.base import Recorder
 
 LEDGER = 4  # works of friction, damping, clamps, contact
 
 
+@Recorder.member
 class TrajectoryRecorder(NamedTuple):
     """Samples, at most S of them, and the ledger between them.
 
@@ -47,6 +40,51 @@ class TrajectoryRecorder(NamedTuple):
     begun: NDArray[np.float64]
     ended: NDArray[np.float64]
     clock: NDArray[np.float64]
+
+    def record_start(self, model: Any, masses: Any, work: Any) -> None:
+        motion = Motion(work.clock[TIME], 0.0, 0.0, 0.0)
+        now = powers(model, motion, masses, work, work.start, work.velocity[0])
+        for w in range(LEDGER):
+            self.begun[w] = now[w]
+        keep_sample(self, work)
+
+    def record_stage(
+        self,
+        model: Any,
+        masses: Any,
+        motion: Any,
+        scheme: Any,
+        work: Any,
+        converged: Any,
+    ) -> None:
+        if not scheme.is_explicit():
+            assembly = assemble(model, motion, masses, work)
+            left = 0.0
+            if model.frame.border_width() > 0:
+                left = largest_entry(work.system.frame_residual, left)
+            left = largest_entry(work.system.residual, left) / (assembly.largest_force + 1e-300)
+            work.clock[LARGEST_RESIDUAL] = maximum(work.clock[LARGEST_RESIDUAL], left)
+        stage = int(work.clock[STAGE])
+        step = work.clock[STEP]
+        now = powers(model, motion, masses, work, work.state, work.velocity[stage])
+        for w in range(LEDGER):
+            self.ended[w] = now[w]
+        for w in range(LEDGER):
+            if stage == 1:
+                self.pending[w] = step * scheme.quadrature_weight(0) * self.begun[w]
+            self.pending[w] += step * scheme.quadrature_weight(stage) * self.ended[w]
+
+    def record_step(self, model: Any, masses: Any, scheme: Any, work: Any, good: Any) -> None:
+        time = work.clock[TIME]
+        if any_true(time > self.clock[0]):
+            self.clock[0] = time
+            for w in range(LEDGER):
+                self.totals[w] += self.pending[w]
+                self.begun[w] = self.ended[w]
+            last = self.times[self.filled[0] - 1]
+            room = self.filled[0] < self.times.shape[0] - 1
+            if room and time >= last + self.interval[0]:
+                keep_sample(self, work)
 
 
 def make_recorder(size: int, duration: float, interval: float) -> TrajectoryRecorder:
@@ -86,68 +124,3 @@ def keep_sample(recorder: Any, work: Any) -> None:
     for w in range(LEDGER):
         recorder.works[k, w] = recorder.totals[w]
     recorder.filled[0] = k + 1
-
-
-@record_start.member(TrajectoryRecorder)
-def _record_start(recorder: TrajectoryRecorder, model: Any, masses: Any, work: Any) -> None:
-    motion = Motion(work.clock[TIME], 0.0, 0.0, 0.0)
-    now = powers(model, motion, masses, work, work.start, work.velocity[0])
-    for w in range(LEDGER):
-        recorder.begun[w] = now[w]
-    keep_sample(recorder, work)
-
-
-@record_stage.member(TrajectoryRecorder)
-def _record_stage(
-    recorder: TrajectoryRecorder,
-    model: Any,
-    masses: Any,
-    motion: Any,
-    scheme: Any,
-    work: Any,
-    converged: Any,
-) -> None:
-    if not is_explicit(scheme):
-        assembly = assemble(model, motion, masses, work)
-        left = 0.0
-        if border_width(model.frame) > 0:
-            left = largest_entry(work.system.frame_residual, left)
-        left = largest_entry(work.system.residual, left) / (assembly.largest_force + 1e-300)
-        work.clock[LARGEST_RESIDUAL] = maximum(work.clock[LARGEST_RESIDUAL], left)
-    stage = int(work.clock[STAGE])
-    step = work.clock[STEP]
-    now = powers(model, motion, masses, work, work.state, work.velocity[stage])
-    for w in range(LEDGER):
-        recorder.ended[w] = now[w]
-    for w in range(LEDGER):
-        if stage == 1:
-            recorder.pending[w] = step * quadrature_weight(scheme, 0) * recorder.begun[w]
-        recorder.pending[w] += step * quadrature_weight(scheme, stage) * recorder.ended[w]
-
-
-@record_step.member(TrajectoryRecorder)
-def _record_step(
-    recorder: TrajectoryRecorder, model: Any, masses: Any, scheme: Any, work: Any, good: Any
-) -> None:
-    time = work.clock[TIME]
-    if any_true(time > recorder.clock[0]):
-        recorder.clock[0] = time
-        for w in range(LEDGER):
-            recorder.totals[w] += recorder.pending[w]
-            recorder.begun[w] = recorder.ended[w]
-        last = recorder.times[recorder.filled[0] - 1]
-        room = recorder.filled[0] < recorder.times.shape[0] - 1
-        if room and time >= last + recorder.interval[0]:
-            keep_sample(recorder, work)
-
-
-@record_robot.member(TrajectoryRecorder)
-def _record_robot(recorder: TrajectoryRecorder, lane: Any, robot: Any) -> None:
-    pass
-
-
-@record_end.member(TrajectoryRecorder)
-def _record_end(
-    recorder: TrajectoryRecorder, model: Any, masses: Any, lane: Any, robot: Any
-) -> None:
-    pass

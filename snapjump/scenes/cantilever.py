@@ -10,12 +10,11 @@ from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.base import internal_energy, node_dofs
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.work import NO_MESH, make_work
-from snapjump.frame.base import STILL, end_tangents
+from snapjump.frame.base import STILL
 from snapjump.frame.cantilever import CantileverFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.tip import TipLoad
@@ -41,7 +40,7 @@ def bend_cantilever(
         NoDamping(),
         TipLoad(0.0, 0.0, 0.0),
     )
-    dofs = node_dofs(rod)
+    dofs = rod.node_dofs()
     memory = make_work(elements + 1, 0, 2, ROWS, len(numbers_of(model)), 1, dofs)
     memory.state[0::dofs, 0] = np.linspace(0.0, 1.0, elements + 1)
     masses = np.zeros(elements + 1)
@@ -55,8 +54,8 @@ def bend_cantilever(
             raise ArithmeticError(f"no equilibrium at {k} / {steps} of the tip load")
     state = memory.state[:, 0].copy()
     flat = ClampAngles(0.0, 0.0, 0.0, 0.0)
-    tangents = end_tangents(CantileverFrame(), NO_MESH, load, flat, state, STILL)
-    energy = float(internal_energy(rod, state, tangents))
+    tangents = CantileverFrame().end_tangents(NO_MESH, load, flat, state, STILL)
+    energy = float(rod.internal_energy(state, tangents))
     return state.reshape(-1, dofs)[:, :2], energy, int(negative)
 
 

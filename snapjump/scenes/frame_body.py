@@ -7,7 +7,7 @@ from snapjump.composition import Simulation
 from snapjump.engine.work import NO_MESH
 from snapjump.frame.elastic import ElasticFrame
 from snapjump.frame.rigid import RigidFrame
-from snapjump.options.contact import PAPER_ELEMENTS
+from snapjump.options.contact import PAPER_ELEMENTS, is_per_length
 from snapjump.options.frame import ElasticFrameOptions, Mesh
 
 
@@ -112,7 +112,8 @@ def elastic_frame(simulation: Simulation, mount_height_bar: float) -> ElasticFra
     end = simulation.discretization.clamped_mass_bar
     mass = rigid.mass + float(options.beam_on_top)
     nodes = options.contact == "nodes"
-    per_node = getattr(simulation.contact, "weighting", "per_node") == "per_node"
+    law = simulation.contact.member(simulation.robot.scales)
+    per_node = not is_per_length(simulation.contact, law)
     return ElasticFrame(
         half_span=0.5 * width,
         mount_y=mount,

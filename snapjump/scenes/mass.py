@@ -8,7 +8,7 @@ import numpy as np
 
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
-from snapjump.contact.base import Approach, contact_reach, force_if_acting
+from snapjump.contact.base import Approach, force_if_acting
 from snapjump.contact.resting import resting_gap
 from snapjump.damping.none import NoDamping
 from snapjump.discretization.none import LooseNodes
@@ -17,8 +17,8 @@ from snapjump.engine import clock as c
 from snapjump.engine.model import Model
 from snapjump.engine.status import NAMES, OK, REASONS
 from snapjump.frame.none import NoFrame
-from snapjump.friction.base import slip
 from snapjump.load.inclined import InclinedGravity
+from snapjump.options.contact import ground
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
 from snapjump.scenes.runner import March, Progress
@@ -30,14 +30,16 @@ def mass_model(simulation: Simulation, gravity_m_s2: float, incline: float) -> M
     scales = simulation.robot.scales
     angle = math.atan(incline)
     fall = gravity_m_s2 / scales.acceleration_m_s2
+    law = simulation.contact.member(scales)
     return Model(
         LooseNodes(),
         NoFrame(),
         ConstantRate(0.0, 1.0, 1.0, 0.0),
-        simulation.contact.member(scales),
+        law,
         simulation.friction.member(scales, simulation.environment.mu),
         NoDamping(),
         InclinedGravity(fall * math.cos(angle), fall * math.sin(angle)),
+        ground(simulation.contact, law, scales, None),
     )
 
 
@@ -47,7 +49,7 @@ def beginning(
     """Acceleration (L/T^2) of the mass at its first moment."""
     approach = Approach(velocity[1], 0.0, state[1], velocity[1], 0.0)
     normal = float(force_if_acting(model.contact, state[1], approach)[1]) / mass_bar
-    ratio, _ = slip(model.friction, velocity[0], 0.0)
+    ratio = model.friction.ratio(velocity[0])
     return model.load.tangential - float(ratio) * normal, normal - model.load.normal
 
 
@@ -95,7 +97,7 @@ def simulate_bounce_scene(simulation: Simulation, progress: Progress | None = No
     scene, scales = simulation.sim, simulation.robot.scales
     model = mass_model(simulation, 0.0, 0.0)
     mass = scene.mass_kg / scales.mass_kg
-    start = (0.0, float(contact_reach(model.contact)))
+    start = (0.0, float(model.contact.reach()))
     fall = (0.0, -scene.speed_m_s / scales.velocity_m_s)
     result, arrays = march_mass(simulation, model, mass, start, fall, progress)
     speed = arrays["node_vy_m_s"][-1, 0]

@@ -6,11 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
-from snapjump.contact.base import contact_weights
 from snapjump.contact.resting import resting_gap
-from snapjump.discretization.base import clamp_offset
 from snapjump.engine.model import Model
-from snapjump.frame.base import frame_dofs, rest_frame
 from snapjump.scenes.frame_body import compression, frame_mesh
 from snapjump.statics.chain_state import chain_state
 from snapjump.statics.elastica import buckled_arch, resampled
@@ -25,18 +22,17 @@ def resting_guesses(simulations: Sequence[Simulation], models: Sequence[Model]) 
     x, y = buckled_arch(
         np.array([compression(simulation) for simulation in simulations]), discretization.elements
     )
-    chain, skipped = discretization.moving_elements, clamp_offset(rod)
+    chain, skipped = discretization.moving_elements, rod.clamp_distance()
     x, y = resampled(x, skipped, chain), resampled(y, skipped, chain)
     rows = []
     for k, (simulation, model) in enumerate(zip(simulations, models, strict=True)):
         frame = model.frame
         weight = (frame.mass + beam_mass) * model.load.acceleration
-        _, by_corner = contact_weights(model.contact)
-        gap = resting_gap(model.contact, weight, 2.0 * by_corner)
+        gap = resting_gap(model.contact, weight, 2.0 * model.ground.corner_share)
         mesh = frame_mesh(simulation, frame)
         beam = chain_state(rod, x[k], y[k] + (gap - frame.foot_y) + frame.mount_y)
-        state = np.concatenate([np.zeros(frame_dofs(frame, mesh)), beam])
-        rest_frame(frame, mesh, state, gap)
+        state = np.concatenate([np.zeros(frame.dofs(mesh)), beam])
+        frame.rest(mesh, state, gap)
         rows.append(state)
     return np.array(rows)
 

@@ -8,13 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
-from snapjump.discretization.base import node_dofs
 from snapjump.engine.clock import ROWS, TIME
 from snapjump.engine.march import Limits, Queue, find_starts, march
 from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.work import NO_MESH, Work, make_work
-from snapjump.frame.base import frame_dofs
-from snapjump.integrator.base import slots
 from snapjump.number.announcement import load
 from snapjump.number.memory import aligned_zeros
 from snapjump.recorder.none import NoRecorder
@@ -74,12 +71,12 @@ class March:
         """Memory for so many robots side by side, from wherever ``allocate`` takes arrays."""
         return make_work(
             len(self.masses),
-            frame_dofs(self.models[0].frame, self.mesh),
-            slots(self.scheme),
+            self.models[0].frame.dofs(self.mesh),
+            self.scheme.slots(),
             ROWS,
             self.numbers.shape[1],
             lanes,
-            node_dofs(self.models[0].discretization),
+            self.models[0].discretization.node_dofs(),
             self.mesh,
             allocate,
         )

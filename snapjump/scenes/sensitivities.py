@@ -11,8 +11,6 @@ from snapjump.engine.clock import ROWS
 from snapjump.engine.differentiate_start import differentiate_starts
 from snapjump.engine.shadow import make_shadow
 from snapjump.engine.work import Work, make_work
-from snapjump.frame.base import frame_dofs
-from snapjump.integrator.base import is_explicit, slots
 from snapjump.number.announcement import load
 from snapjump.number.dual import PARAMETERS
 from snapjump.number.memory import aligned_zeros
@@ -50,7 +48,7 @@ def check_differentiable(simulation: Simulation) -> None:
             f"at least {SMALLEST_STICK_ZONE_M_S:g} m/s with sensitivities: steps do not resolve a "
             "smaller stick zone (0.01 instead of 0.0001 moves x by 0.1 % in the median)",
         )
-    if is_explicit(simulation.integrator.scheme()):
+    if simulation.integrator.scheme().is_explicit():
         raise ParameterError(
             "integrator", simulation.name("integrator"), "an implicit one with sensitivities"
         )
@@ -60,8 +58,8 @@ def single_memory(march: March) -> Work:
     """Memory for one robot of a march."""
     return make_work(
         len(march.masses),
-        frame_dofs(march.models[0].frame, march.mesh),
-        slots(march.scheme),
+        march.models[0].frame.dofs(march.mesh),
+        march.scheme.slots(),
         ROWS,
         march.numbers.shape[1],
         1,

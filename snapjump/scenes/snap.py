@@ -39,7 +39,7 @@ def simulate_snap_scene(simulation: Simulation, progress: Progress | None = None
             delta_alpha=lag,
             rise_time=scene.rise_time_s / scales.time_s,
         ),
-        contact=simulation.contact.member(scales, simulation.discretization),
+        contact=simulation.contact.member(scales),
         friction=simulation.friction.member(scales, simulation.environment.mu),
         damping=simulation.damping.member(scales),
         load=NoLoad(),

@@ -3,35 +3,12 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.clamp.base import clamp_angles
 from snapjump.composition import Simulation
-from snapjump.contact.base import (
-    Approach,
-    contact_energy,
-    contact_reach,
-    contact_weights,
-    force_if_acting,
-    has_contact,
-    is_impulsive,
-)
-from snapjump.discretization.base import TURN_INERTIA, has_elements, internal_energy, node_dofs
+from snapjump.contact.base import Approach, force_if_acting
+from snapjump.discretization.base import TURN_INERTIA
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.model import Model
-from snapjump.frame.base import (
-    STILL,
-    contact_point,
-    contact_points,
-    corner_point,
-    end_tangents,
-    frame_box,
-    frame_dofs,
-    frame_energy,
-    frame_mass,
-    frame_moments,
-    point_weight,
-)
-from snapjump.friction.base import has_friction, slip
-from snapjump.load.base import gravity, pull
+from snapjump.frame.base import STILL
 from snapjump.scenes.runner import March
 
 Array = NDArray[np.float64]
@@ -56,11 +33,11 @@ def trajectory_arrays(simulation: Simulation, model: Model, march: March) -> dic
     """Everything that ``trajectory.npz`` holds; S samples, N + 1 nodes, 4 corners."""
     scales = simulation.robot.scales
     times, states, velocities, works = samples_of(march)
-    dofs = frame_dofs(model.frame, march.mesh)
-    stride = node_dofs(model.discretization)
+    dofs = model.frame.dofs(march.mesh)
+    stride = model.discretization.node_dofs()
     nodes, speeds = states[:, dofs:], velocities[:, dofs:]
     begun = model.clamp.start / model.clamp.rate if model.clamp.rate else 0.0
-    angles = [clamp_angles(model.clamp, t) for t in times]
+    angles = [model.clamp.angles(t) for t in times]
     arrays = {
         "time_s": (times + begun) * scales.time_s,
         "node_x_m": nodes[:, 0::stride] * scales.length_m,
@@ -72,7 +49,7 @@ def trajectory_arrays(simulation: Simulation, model: Model, march: March) -> dic
     }
     if dofs:
         arrays |= frame_arrays(march, states, velocities)
-    if has_contact(model.contact):
+    if model.contact.exists():
         arrays |= contact_arrays(march, states, velocities)
         if dofs:
             arrays |= frame_contact_arrays(march, states, velocities)
@@ -85,11 +62,11 @@ def frame_arrays(march: March, states: Array, velocities: Array) -> dict[str, Ar
     model, mesh, masses = march.models[0], march.mesh, march.masses
     scales = march.simulation.robot.scales
     rows = list(zip(states, velocities, strict=True))
-    boxes = [frame_box(model.frame, mesh, q, v) for q, v in rows]
+    boxes = [model.frame.box(mesh, q, v) for q, v in rows]
     angle = np.unwrap([np.arctan2(float(b.sine), float(b.cosine)) for b in boxes])
     x, y, vx, vy = centre_of_mass(model, masses, mesh, states.T, velocities.T)
     corners = np.array(
-        [[corner_point(model.frame, mesh, k, q, v)[:2] for k in range(4)] for q, v in rows]
+        [[model.frame.corner_point(mesh, k, q, v)[:2] for k in range(4)] for q, v in rows]
     )
     return {
         "frame_x_m": np.array([b.x for b in boxes]) * scales.length_m,
@@ -108,21 +85,21 @@ def frame_contact_arrays(march: March, states: Array, velocities: Array) -> dict
     """Gaps and forces at the frame's corners; a node of an elastic frame counts to the nearest."""
     model, mesh = march.models[0], march.mesh
     frame, scales = model.frame, march.simulation.robot.scales
-    count = contact_points(frame, mesh)
+    count = frame.contact_points(mesh)
     points = np.array(
         [
-            [contact_point(frame, mesh, k, q, v) for k in range(count)]
+            [frame.contact_point(mesh, k, q, v) for k in range(count)]
             for q, v in zip(states, velocities, strict=True)
         ]
     )
-    weights = np.array([point_weight(frame, mesh, k, model.contact) for k in range(count)])
+    weights = np.array([frame.point_share(mesh, k, model.ground) for k in range(count)])
     first = points[0, :, :2]
-    corners = np.array([corner_point(frame, mesh, k, states[0], states[0])[:2] for k in range(4)])
+    corners = np.array([frame.corner_point(mesh, k, states[0], states[0])[:2] for k in range(4)])
     nearest = np.argmin(np.linalg.norm(first[:, None] - corners, axis=2), axis=1)
     belongs = (nearest[:, None] == np.arange(4)) * weights[:, None]
     gaps = [points[:, nearest == k, 1].min(axis=1) for k in range(4)]
     arrays = {"corner_gap_m": np.column_stack(gaps) * scales.length_m}
-    if is_impulsive(model.contact):
+    if model.contact.is_impulsive():
         return arrays
     slides, speeds = points[:, :, 2], points[:, :, 3]
     normal, drag = point_forces(model, points[:, :, 1], slides, speeds, 1.0)
@@ -142,12 +119,12 @@ def point_forces(
     """
     normal = np.zeros_like(gaps)
     drag = np.zeros_like(gaps)
-    for index in zip(*np.nonzero(gaps < contact_reach(model.contact)), strict=True):
+    for index in zip(*np.nonzero(gaps < model.contact.reach()), strict=True):
         gap, speed = float(gaps[index]), float(speeds[index])
         _, force, _ = force_if_acting(model.contact, gap, Approach(speed, 0.0, gap, speed, 0.0))
         normal[index] = weight * force
-        if has_friction(model.friction):
-            ratio, _ = slip(model.friction, float(slides[index]), 0.0)
+        if model.friction.exists():
+            ratio = model.friction.ratio(float(slides[index]))
             drag[index] = -ratio * normal[index]
     return normal, drag
 
@@ -158,16 +135,15 @@ def contact_arrays(march: March, states: Array, velocities: Array) -> dict[str, 
     The forces of a constraint are none of the state, and are left out.
     """
     model, scales = march.models[0], march.simulation.robot.scales
-    dofs = frame_dofs(model.frame, march.mesh)
-    stride = node_dofs(model.discretization)
-    weight, _ = contact_weights(model.contact)
+    dofs = model.frame.dofs(march.mesh)
+    stride = model.discretization.node_dofs()
     gaps = states[:, dofs + 1 :: stride]
     arrays = {"node_gap_m": gaps * scales.length_m}
-    if is_impulsive(model.contact):
+    if model.contact.is_impulsive():
         return arrays
     held = np.where(march.masses > 0.0, gaps, np.inf)
     slides, speeds = velocities[:, dofs::stride], velocities[:, dofs + 1 :: stride]
-    normal, drag = point_forces(model, held, slides, speeds, weight)
+    normal, drag = point_forces(model, held, slides, speeds, model.ground.node_share)
     return {
         **arrays,
         "node_normal_N": normal * scales.force_N,
@@ -178,14 +154,17 @@ def contact_arrays(march: March, states: Array, velocities: Array) -> dict[str, 
 def stored_contact_energy(march: March, state: Array) -> float:
     """Energy in the barrier (EI/L)."""
     model, mesh = march.models[0], march.mesh
-    weight, _ = contact_weights(model.contact)
-    reach = contact_reach(model.contact)
-    heights = state[frame_dofs(model.frame, mesh) + 1 :: node_dofs(model.discretization)]
-    points = [(weight, gap) for mass, gap in zip(march.masses, heights, strict=True) if mass > 0.0]
-    for k in range(contact_points(model.frame, mesh)):
-        gap = contact_point(model.frame, mesh, k, state, state)[1]
-        points.append((point_weight(model.frame, mesh, k, model.contact), gap))
-    return float(sum(w * contact_energy(model.contact, float(g)) for w, g in points if g < reach))
+    reach = model.contact.reach()
+    heights = state[model.frame.dofs(mesh) + 1 :: model.discretization.node_dofs()]
+    points = [
+        (model.ground.node_share, gap)
+        for mass, gap in zip(march.masses, heights, strict=True)
+        if mass > 0.0
+    ]
+    for k in range(model.frame.contact_points(mesh)):
+        gap = model.frame.contact_point(mesh, k, state, state)[1]
+        points.append((model.frame.point_share(mesh, k, model.ground), gap))
+    return float(sum(w * model.contact.energy(float(g)) for w, g in points if g < reach))
 
 
 def energy_arrays(
@@ -196,27 +175,27 @@ def energy_arrays(
     What the integrator itself dissipated is what the other entries leave unexplained.
     """
     model, mesh, masses = march.models[0], march.mesh, march.masses
-    dofs = frame_dofs(model.frame, mesh)
-    stride = node_dofs(model.discretization)
+    dofs = model.frame.dofs(mesh)
+    stride = model.discretization.node_dofs()
     weights = np.outer(masses, [1.0, 1.0, TURN_INERTIA][:stride]).ravel()
     kinetic = 0.5 * (velocities[:, dofs:] ** 2) @ weights
-    fall = gravity(model.load)
-    tug = pull(model.load)
+    fall = model.load.gravity()
+    tug = model.load.pull()
     potential = (fall * states[:, dofs + 1 :: stride] - tug * states[:, dofs::stride]) @ masses
     for k in range(dofs):
-        mass = float(frame_mass(model.frame, mesh, k))
+        mass = float(model.frame.mass_of(mesh, k))
         kinetic = kinetic + 0.5 * mass * velocities[:, k] ** 2
     if dofs:
-        potential = potential + fall * frame_moments(model.frame, mesh, states.T)[1]
+        potential = potential + fall * model.frame.moments(mesh, states.T)[1]
     elastic = np.zeros(len(times))
-    if has_elements(model.discretization):
+    if model.discretization.has_elements():
         for n, (time, state) in enumerate(zip(times, states, strict=True)):
-            angles = clamp_angles(model.clamp, time)
-            tangents = end_tangents(model.frame, mesh, model.load, angles, state, STILL)
-            elastic[n] = internal_energy(model.discretization, state[dofs:], tangents)
-            elastic[n] += frame_energy(model.frame, mesh, state)
+            angles = model.clamp.angles(time)
+            tangents = model.frame.end_tangents(mesh, model.load, angles, state, STILL)
+            elastic[n] = model.discretization.internal_energy(state[dofs:], tangents)
+            elastic[n] += model.frame.energy(mesh, state)
     contact = np.zeros(len(times))
-    if has_contact(model.contact):
+    if model.contact.exists():
         contact = np.array([stored_contact_energy(march, q) for q in states])
     stored = elastic + kinetic + potential + contact
     friction, damping, clamps, impacts = works.T

@@ -1,6 +1,7 @@
 """The clamped arch as a static problem: equilibria, energies and tangents at given clamp angles."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,22 +10,15 @@ from snapjump.clamp.base import ClampAngles
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.base import (
-    axial_stiffness,
-    clamp_offset,
-    internal_energy,
-    node_dofs,
-)
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.newton import ROUNDING
 from snapjump.engine.work import NO_MESH, make_work
-from snapjump.frame.base import STILL, end_tangents
+from snapjump.frame.base import STILL
 from snapjump.frame.fixed import FixedFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.none import NoLoad
-from snapjump.options.discretization import DiscretizationOptions
 from snapjump.parameters.robot import Robot
 from snapjump.statics.band import smallest_eigenvalue
 from snapjump.statics.chain_state import chain_state
@@ -71,16 +65,16 @@ class StaticArch:
     ``rounding`` (EI/L^2) is what rounding may leave of any residual.
     """
 
-    def __init__(self, robot: Robot, discretization: DiscretizationOptions, epsilon: float):
+    def __init__(self, robot: Robot, discretization: Any, epsilon: float):
         self.epsilon = epsilon
         self.discretization = discretization
-        self.rod = discretization.member(robot)
+        self.rod: Any = discretization.member(robot)
         self.frame = FixedFrame(0.5 * (1.0 - epsilon), 0.0)
         self.masses = discretization.masses()
-        self.node_dofs = node_dofs(self.rod)
+        self.node_dofs = self.rod.node_dofs()
         self.size = self.node_dofs * len(self.masses)
         self.free = slice(self.node_dofs, self.size - self.node_dofs)
-        self.rounding = ROUNDING * axial_stiffness(self.rod)
+        self.rounding = ROUNDING * self.rod.axial_stiffness()
         self.negative_pivots, self.accuracy = 0, 0.0
         model = self._model(0.0, 0.0)
         self.memory = make_work(
@@ -95,7 +89,7 @@ class StaticArch:
         """State of the exact arch between flat clamps, buckled up or down."""
         x, y = buckled_arch(self.epsilon, self.discretization.elements)
         chain = self.discretization.moving_elements
-        skipped = clamp_offset(self.rod)
+        skipped = self.rod.clamp_distance()
         return chain_state(
             self.rod,
             resampled(x, skipped, chain),
@@ -166,8 +160,8 @@ class StaticArch:
     def equilibrium(self, state: Array, left: float, right: float) -> Equilibrium:
         """Describe a settled state."""
         angles = ClampAngles(left, right, 0.0, 0.0)
-        tangents = end_tangents(self.frame, NO_MESH, NoLoad(), angles, state, STILL)
-        energy = float(internal_energy(self.rod, state, tangents))
+        tangents = self.frame.end_tangents(NO_MESH, NoLoad(), angles, state, STILL)
+        energy = float(self.rod.internal_energy(state, tangents))
         return Equilibrium(
             state[0 :: self.node_dofs].copy(),
             state[1 :: self.node_dofs].copy(),

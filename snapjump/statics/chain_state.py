@@ -5,7 +5,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.discretization.base import node_dofs, turn_length
 from snapjump.number.dispatch import compiled
 from snapjump.number.functions import arctan, sqrt
 
@@ -27,10 +26,10 @@ def chord_angles(x: Any, y: Any) -> Any:
 def chain_state(discretization: Any, x: Array, y: Array) -> Array:
     """State of nodes at places x, y (in L) between flat clamps; nodes that turn lie along the
     chords of their neighbours."""
-    dofs = node_dofs(discretization)
+    dofs = discretization.node_dofs()
     state = np.zeros(dofs * len(x))
     state[0::dofs] = x
     state[1::dofs] = y
     if dofs == 3:
-        state[5:-3:3] = turn_length(discretization) * chord_angles(x, y)
+        state[5:-3:3] = discretization.turn_length() * chord_angles(x, y)
     return state

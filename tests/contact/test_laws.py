@@ -3,21 +3,10 @@
 import numpy as np
 import pytest
 
-from snapjump.contact.base import (
-    Approach,
-    acts,
-    at_rest,
-    clearance,
-    contact_energy,
-    contact_force,
-    contact_loss,
-    contact_reach,
-    force_if_acting,
-    keeps_open,
-)
+from snapjump.contact.base import Approach, at_rest, force_if_acting
 from snapjump.contact.signorini import SKIN
 from snapjump.families import FAMILIES
-from snapjump.options.contact import damping_number
+from snapjump.options.contact import damping_number, ground
 from snapjump.parameters.robot import Robot
 
 OPTIONS = {name: cls for name, cls in FAMILIES["contact"].items() if name != "none"}
@@ -31,11 +20,16 @@ laws = pytest.mark.parametrize("name", sorted(VARIANTS))
 STEP = 1e-30
 
 
+def push(law, gap, approach):
+    """Force and slope."""
+    return law.force(gap, approach), law.slope(gap, approach)
+
+
 def law_and_gaps(name):
     law = VARIANTS[name].member(SCALES)
-    if keeps_open(law):
-        return law, contact_reach(law) * np.array([0.01, 0.3, 0.7, 0.95])
-    return law, contact_reach(law) - np.array([1e-6, 1e-4, 2e-3])
+    if law.keeps_open():
+        return law, law.reach() * np.array([0.01, 0.3, 0.7, 0.95])
+    return law, law.reach() - np.array([1e-6, 1e-4, 2e-3])
 
 
 @laws
@@ -49,7 +43,7 @@ def test_stiffness_is_the_force_s_total_derivative(name):
 
             def force(moved, gap=gap, speed=speed, begun=begun):
                 now = speed + rate * (moved - gap)
-                return contact_force(law, moved, Approach(now, rate, begun, speed, 0.3))
+                return push(law, moved, Approach(now, rate, begun, speed, 0.3))
 
             moved = np.complex128(complex(gap, STEP))
             _, stiffness = force(np.complex128(gap))
@@ -61,12 +55,12 @@ def test_stiffness_is_the_force_s_total_derivative(name):
 def test_force_at_rest_is_the_gradient_of_the_energy(name):
     law, gaps = law_and_gaps(name)
     if name == "signorini":
-        assert contact_energy(law, gaps[0]) == 0.0
+        assert law.energy(gaps[0]) == 0.0
         return
     for gap in gaps:
         moved = np.complex128(complex(gap, STEP))
-        slope = -np.imag(contact_energy(law, moved)) / STEP
-        assert contact_force(law, gap, at_rest(gap))[0] == pytest.approx(slope, rel=1e-9)
+        slope = -np.imag(law.energy(moved)) / STEP
+        assert push(law, gap, at_rest(gap))[0] == pytest.approx(slope, rel=1e-9)
 
 
 @laws
@@ -80,25 +74,25 @@ def test_no_law_pulls_and_none_gives_energy(name):
             assert np.isfinite([force, stiffness]).all()
             # An impact law takes energy at the end of a step, by the change of the speed in it.
             if active and name != "signorini":
-                assert contact_loss(law, gap, approach) >= -1e-12 * force * abs(speed)
+                assert law.loss(gap, approach) >= -1e-12 * force * abs(speed)
 
 
 @laws
 def test_nothing_acts_out_of_reach(name):
     law, _ = law_and_gaps(name)
-    gap = contact_reach(law) + 1e-9
+    gap = law.reach() + 1e-9
     active, force, stiffness = force_if_acting(law, gap, at_rest(gap))
     assert not active and force == stiffness == 0.0
-    assert clearance(law) >= contact_reach(law)
-    assert not acts(law, 0.1, Approach(-1.0, 400.0, 0.1025, -1.0, 0.0))
+    assert ground(VARIANTS[name], law, SCALES, None).clearance >= law.reach()
+    assert not law.active(0.1, Approach(-1.0, 400.0, 0.1025, -1.0, 0.0))
 
 
 def test_energy_taken_by_damping_is_force_times_speed():
     law = VARIANTS["logbarrier damped"].member(SCALES)
-    gap = 0.5 * contact_reach(law)
-    elastic, stiffness = contact_force(law, gap, at_rest(gap))
+    gap = 0.5 * law.reach()
+    elastic, stiffness = push(law, gap, at_rest(gap))
     speed = -0.2
-    lost = contact_loss(law, gap, Approach(speed, 0.0, gap, speed, 0.0))
+    lost = law.loss(gap, Approach(speed, 0.0, gap, speed, 0.0))
     assert lost == pytest.approx(law.relaxation_time * stiffness * speed**2, rel=1e-9)
 
 
@@ -122,7 +116,7 @@ def test_signorini_s_target():
         """The gap at which the force vanishes."""
         inertia = 1.0
         gap = -0.1
-        force, stiffness = contact_force(law, gap, Approach(speed, rate, begun, speed, inertia))
+        force, stiffness = push(law, gap, Approach(speed, rate, begun, speed, inertia))
         return gap + force / stiffness
 
     assert target(0.3, -1.0) == pytest.approx(SKIN)  # far away

@@ -6,29 +6,20 @@ import math
 import numpy as np
 import pytest
 
-from snapjump.contact.base import (
-    RESTING_SPEED,
-    at_rest,
-    bounce_rate_squared,
-    contact_energy,
-    contact_force,
-    contact_reach,
-    contact_weights,
-    has_contact,
-)
+from snapjump.contact.base import RESTING_SPEED, at_rest
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.contact.none import NoContact
-from snapjump.options.contact import LogBarrierOptions
+from snapjump.options.contact import LogBarrierOptions, ground
 from snapjump.options.discretization import DiscreteElasticRodOptions
 from snapjump.units import Scales
 
-LAW = LogBarrier(3.0e4, 0.025, 0.0, 1.0, 1.0)
-UNIT = LogBarrier(1.0, 1.0, 0.0, 1.0, 1.0)
+LAW = LogBarrier(3.0e4, 0.025, 0.0)
+UNIT = LogBarrier(1.0, 1.0, 0.0)
 
 
 def force_at(law, gap):
     """Force and stiffness at rest."""
-    return contact_force(law, gap, at_rest(gap))
+    return law.force(gap, at_rest(gap)), law.slope(gap, at_rest(gap))
 
 
 shares = pytest.mark.parametrize("share", [1e-6, 0.01, 0.3, 0.8, 0.999, 1.0])
@@ -41,7 +32,7 @@ def test_force_and_stiffness_are_derivatives_of_the_energy(share):
     moved = np.complex128(complex(gap, step))
     force, stiffness = force_at(LAW, gap)
     scale = LAW.stiffness * LAW.distance
-    slope = contact_energy(LAW, moved).imag / step
+    slope = LAW.energy(moved).imag / step
     assert force == pytest.approx(-slope, rel=1e-10, abs=1e-13 * scale)
     curvature = -force_at(LAW, moved)[0].imag / step
     assert stiffness == pytest.approx(curvature, rel=1e-10, abs=1e-12 * LAW.stiffness)
@@ -50,7 +41,7 @@ def test_force_and_stiffness_are_derivatives_of_the_energy(share):
 def test_energy_is_the_paper_s():
     gap = 0.4 * LAW.distance
     expected = -LAW.stiffness * (gap - LAW.distance) ** 2 * cmath.log(gap / LAW.distance).real
-    assert contact_energy(LAW, gap) == pytest.approx(expected, rel=1e-14)
+    assert LAW.energy(gap) == pytest.approx(expected, rel=1e-14)
     # The paper prints the bracket of dE/dd; what pushes upwards is its negative.
     ratio = gap / LAW.distance
     printed = (gap - LAW.distance) * (2.0 * math.log(ratio) - LAW.distance / gap + 1.0)
@@ -59,11 +50,11 @@ def test_energy_is_the_paper_s():
 
 
 def test_continuous_to_second_order_where_contact_begins():
-    assert contact_reach(LAW) == LAW.distance
+    assert LAW.reach() == LAW.distance
     for share in (1.0, 1.0 - 1e-9):
         gap = share * LAW.distance
         force, stiffness = force_at(LAW, gap)
-        assert abs(contact_energy(LAW, gap)) < 1e-20
+        assert abs(LAW.energy(gap)) < 1e-20
         assert abs(force) < 1e-10
         assert abs(stiffness) < 1e-3
 
@@ -88,7 +79,7 @@ def test_force_and_stiffness_grow_without_bound_as_the_gap_closes():
     ],
 )
 def test_lowest_point_of_a_bounce(speed, lowest, force, frequency):
-    assert contact_energy(UNIT, lowest) == pytest.approx(0.5 * speed**2, rel=1e-7)
+    assert UNIT.energy(lowest) == pytest.approx(0.5 * speed**2, rel=1e-7)
     pushed, stiffness = force_at(UNIT, lowest)
     assert pushed == pytest.approx(force, rel=1e-8)
     assert math.sqrt(stiffness) == pytest.approx(frequency, rel=1e-8)
@@ -96,12 +87,12 @@ def test_lowest_point_of_a_bounce(speed, lowest, force, frequency):
 
 def test_lowest_point_of_a_bounce_in_si_units():
     # C2_barrier_dim: m = 4 g, v = 1 m/s, and a beam node at 10 m/s
-    law = LogBarrier(1e4, 5e-4, 0.0, 1.0, 1.0)
+    law = LogBarrier(1e4, 5e-4, 0.0)
     for mass, speed, lowest, force, frequency in (
         (0.004, 1.0, 0.0001226955281, 22.20411361, 7836.888746),
         (7.575757576e-07, 10.0, 0.0003816042592, 1.007199562, 157436.2187),
     ):
-        assert contact_energy(law, lowest) == pytest.approx(0.5 * mass * speed**2, rel=1e-7)
+        assert law.energy(lowest) == pytest.approx(0.5 * mass * speed**2, rel=1e-7)
         pushed, stiffness = force_at(law, lowest)
         assert pushed == pytest.approx(force, rel=1e-8)
         assert math.sqrt(stiffness / mass) == pytest.approx(frequency, rel=1e-8)
@@ -117,17 +108,17 @@ def test_lowest_point_of_a_bounce_in_si_units():
     ],
 )
 def test_gap_at_rest(mass, gap, frequency):
-    force, stiffness = force_at(LogBarrier(1e4, 5e-4, 0.0, 1.0, 1.0), gap)
+    force, stiffness = force_at(LogBarrier(1e4, 5e-4, 0.0), gap)
     assert force == pytest.approx(10.0 * mass, rel=1e-7)
     assert math.sqrt(stiffness / mass) == pytest.approx(frequency, rel=1e-7)
 
 
 def test_steps_resolve_bounces_but_not_rest():
-    fast = bounce_rate_squared(LAW, 8.0, 2.0, 10.0 * RESTING_SPEED)
+    fast = LAW.bounce_rate_squared(8.0, 2.0, 10.0 * RESTING_SPEED)
     assert fast == 4.0
-    assert bounce_rate_squared(LAW, 8.0, 2.0, -10.0 * RESTING_SPEED) == fast
-    assert bounce_rate_squared(LAW, 8.0, 2.0, 0.1 * RESTING_SPEED) == pytest.approx(0.04)
-    assert bounce_rate_squared(LAW, 8.0, 2.0, 0.0) == 0.0
+    assert LAW.bounce_rate_squared(8.0, 2.0, -10.0 * RESTING_SPEED) == fast
+    assert LAW.bounce_rate_squared(8.0, 2.0, 0.1 * RESTING_SPEED) == pytest.approx(0.04)
+    assert LAW.bounce_rate_squared(8.0, 2.0, 0.0) == 0.0
 
 
 def test_weights_by_length_do_not_depend_on_the_mesh():
@@ -135,7 +126,8 @@ def test_weights_by_length_do_not_depend_on_the_mesh():
 
     def weights(weighting, elements):
         options = LogBarrierOptions(weighting=weighting)
-        return contact_weights(options.member(scales, DiscreteElasticRodOptions(elements)))
+        mesh = DiscreteElasticRodOptions(elements)
+        return ground(options, options.member(scales), scales, mesh)[:2]
 
     assert weights("per_node", 33) == weights("per_node", 132) == (1.0, 1.0)
     assert weights("per_length", 66) == (1.0, 1.0)  # the paper's mesh
@@ -146,9 +138,8 @@ def test_weights_by_length_do_not_depend_on_the_mesh():
 
 
 def test_no_contact_exerts_nothing():
-    assert has_contact(LAW)
-    assert not has_contact(NoContact())
-    assert contact_reach(NoContact()) == 0.0
+    assert LAW.exists()
+    assert not NoContact().exists()
+    assert NoContact().reach() == 0.0
     assert force_at(NoContact(), 0.3) == (0.0, 0.0)
-    assert contact_energy(NoContact(), 0.3) == 0.0
-    assert contact_weights(NoContact()) == (0.0, 0.0)
+    assert NoContact().energy(0.3) == 0.0

@@ -1,6 +1,5 @@
 import pytest
 
-from snapjump.damping.base import mass_damping, viscous_stiffening, viscous_strain
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.mass_proportional import MassProportional
 from snapjump.damping.none import NoDamping
@@ -15,16 +14,16 @@ def test_stiffening_is_the_derivative_of_the_strain(law):
     rate_factor, origin, strain = 40.0, 0.02, 0.05
 
     def viscous(s):
-        return viscous_strain(law, s, (s - origin) * rate_factor)
+        return law.viscous_strain(s, (s - origin) * rate_factor)
 
     slope = viscous(complex(strain, 1e-30)).imag / 1e-30
-    assert viscous_stiffening(law, rate_factor) == pytest.approx(slope, rel=1e-14)
-    assert viscous_strain(law, strain, 0.0) == strain
+    assert law.stiffening(rate_factor) == pytest.approx(slope, rel=1e-14)
+    assert law.viscous_strain(strain, 0.0) == strain
 
 
 def test_what_each_law_damps():
-    assert [viscous_strain(law, 0.5, 2.0) for law in LAWS] == [0.5, 0.5 + 0.03 * 2.0, 0.5]
-    assert [mass_damping(law) for law in LAWS] == [0.0, 0.0, 0.7]
+    assert [law.viscous_strain(0.5, 2.0) for law in LAWS] == [0.5, 0.5 + 0.03 * 2.0, 0.5]
+    assert [law.drag() for law in LAWS] == [0.0, 0.0, 0.7]
 
 
 def test_options_are_in_seconds():

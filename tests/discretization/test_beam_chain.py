@@ -12,11 +12,8 @@ from snapjump.contact.none import NoContact
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.mass_proportional import MassProportional
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.base import chain_powers, internal_energy
 from snapjump.discretization.beam_elements import (
     Span,
-    strain_element,
-    straining_energy,
 )
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.geometrically_exact import GeometricallyExact
@@ -100,10 +97,10 @@ def test_element_value_gradient_and_hessian(beam, turn):
     z = np.array([0.99 * LENGTH * np.cos(turn + 0.2), LENGTH * np.sin(turn + 0.2), turn])
 
     def gradient(z):
-        return np.array(strain_element(beam, ELASTIC, Span(*z, 0.0, 0.0, 0.0, 0.0))[:3])
+        return np.array(beam.strain_element(ELASTIC, Span(*z, 0.0, 0.0, 0.0, 0.0))[:3])
 
-    own = strain_element(beam, ELASTIC, Span(*z, 0.0, 0.0, 0.0, 0.0))
-    expected = complex_step(lambda z: straining_energy(beam, *z), z)
+    own = beam.strain_element(ELASTIC, Span(*z, 0.0, 0.0, 0.0, 0.0))
+    expected = complex_step(lambda z: beam.straining_energy(*z), z)
     np.testing.assert_allclose(own[:3], expected, rtol=0.0, atol=1e-13 * np.abs(expected).max())
     hessian = np.array(
         [[own.xx, own.xy, own.xt], [own.xy, own.yy, own.yt], [own.xt, own.yt, own.tt]]
@@ -117,7 +114,7 @@ def test_element_value_gradient_and_hessian(beam, turn):
 def test_residual_is_the_gradient_of_the_energy(beam, seed):
     q = bent_state(seed)
     by_hand = 0.5 * np.sum(strains(beam, q) ** 2)
-    assert internal_energy(beam, q, None) == pytest.approx(by_hand, rel=1e-12)
+    assert beam.internal_energy(q, None) == pytest.approx(by_hand, rel=1e-12)
     gradient = complex_step(lambda y: 0.5 * np.sum(strains(beam, y) ** 2), q)
     _, work = assembled(model_of(beam), STILL, MASSLESS, q)
     error = np.abs(residual_of(work, 0)[FREE] - gradient[FREE]).max()
@@ -170,9 +167,9 @@ def test_kelvin_voigt_is_the_gradient_of_its_dissipation(beam, seed):
     )
     error = np.abs((damped - elastic)[FREE] - expected[FREE]).max()
     assert error <= 1e-8 * np.abs(expected).max()
-    powers = chain_powers(beam, KelvinVoigt(RELAXATION), q, velocity, None)
+    powers = beam.chain_powers(KelvinVoigt(RELAXATION), q, velocity, None)
     assert powers.dissipation == pytest.approx(RELAXATION * rates @ rates, rel=1e-9)
-    assert chain_powers(beam, ELASTIC, q, velocity, None).dissipation == 0.0
+    assert beam.chain_powers(ELASTIC, q, velocity, None).dissipation == 0.0
 
 
 @beams
@@ -182,7 +179,7 @@ def test_end_forces_and_moments_are_those_of_the_energy(beam):
     # The left clamp's moment counts against its direction, as of a hinge that begins there.
     moments = [-LENGTH * gradient[2], LENGTH * gradient[-1]]
     expected = [*moments, *gradient[:2], *gradient[-3:-1]]
-    actual = chain_powers(beam, ELASTIC, q, 0.0 * q, None)[1:]
+    actual = beam.chain_powers(ELASTIC, q, 0.0 * q, None)[1:]
     np.testing.assert_allclose(actual, expected, rtol=0.0, atol=1e-10 * np.abs(gradient).max())
 
 
@@ -195,12 +192,12 @@ def test_rigid_turns_change_nothing(beam, turn):
     turned[0::3] = c * q[0::3] - s * q[1::3] + 5.0
     turned[1::3] = s * q[0::3] + c * q[1::3]
     turned[2::3] += LENGTH * turn
-    assert internal_energy(beam, turned, None) == pytest.approx(
-        internal_energy(beam, q, None), rel=1e-11
+    assert beam.internal_energy(turned, None) == pytest.approx(
+        beam.internal_energy(q, None), rel=1e-11
     )
     spinning = np.empty_like(q)
     spinning[0::3], spinning[1::3], spinning[2::3] = -3.0 * q[1::3], 3.0 * q[0::3], 3.0 * LENGTH
-    moving = chain_powers(beam, KelvinVoigt(1.0), q, spinning, None)
+    moving = beam.chain_powers(KelvinVoigt(1.0), q, spinning, None)
     assert abs(moving.dissipation) < 1e-9
 
 

@@ -7,6 +7,7 @@ import pytest
 from numba import njit
 
 from snapjump.clamp.constant_rate import ConstantRate
+from snapjump.contact.base import Ground
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.engine.assemble import Motion
@@ -45,10 +46,11 @@ def test_lanes_and_scalars_agree_to_the_last_bit(name):
         options.member(Robot()),
         RigidFrame(0.4, -0.15, -0.25, 0.25, 15.0, 1.3),
         ConstantRate(0.35, 1.5, 0.6, 0.1),
-        LogBarrier(4e3, 0.025, 0.0, 7.0, 1.5),
+        LogBarrier(4e3, 0.025, 0.0),
         ImplicitFriction(0.4, 0.25),
         KelvinVoigt(1e-3),
         Gravity(20.0),
+        Ground(7.0, 1.5, 0.025),
     )
     numbers = numbers_of(model)
     rng = np.random.default_rng(0)

@@ -10,7 +10,7 @@ from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.contact.none import NoContact
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.base import EndTangents, chain_powers, internal_energy
+from snapjump.discretization.base import EndTangents
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.engine.assemble import Motion
 from snapjump.engine.model import Model
@@ -99,7 +99,7 @@ def test_energy_is_that_of_turning_angles_and_lengths(clamp):
     xi = np.hypot(ex, ey) / rod.element_length - 1.0
     expected = 0.5 * np.sum(curvature**2 * hinges)
     expected += 0.5 * rod.stretching_stiffness * np.sum(xi**2) * rod.element_length
-    energy = internal_energy(rod, q, tangents_of(left, right, 0.0, 0.0))
+    energy = rod.internal_energy(q, tangents_of(left, right, 0.0, 0.0))
     assert energy == pytest.approx(expected, rel=1e-12)
 
 
@@ -110,7 +110,7 @@ def test_residual_is_the_gradient_of_the_energy(clamp, seed):
     q = bent_state(rod, seed)
     left, right = clamp_directions(0.0)
     tangents = tangents_of(left, right, 0.0, 0.0)
-    gradient = complex_step(lambda y: internal_energy(rod, y, tangents), q)
+    gradient = complex_step(lambda y: rod.internal_energy(y, tangents), q)
     by_hand = complex_step(lambda y: 0.5 * np.sum(strains(rod, y, left, right) ** 2), q)
     _, work = assembled(fixed_model(rod), STILL, massless(q), q)
     scale = np.abs(gradient).max()
@@ -174,10 +174,10 @@ def test_kelvin_voigt_is_the_gradient_of_its_dissipation(clamp, seed):
     assert np.abs(viscous[free] - expected[free]).max() <= 1e-8 * np.abs(expected).max()
 
     tangents = tangents_of(left, right, -ANGLES.rate, ANGLES.rate)
-    powers = chain_powers(rod, KelvinVoigt(RELAXATION), q, velocity, tangents)
+    powers = rod.chain_powers(KelvinVoigt(RELAXATION), q, velocity, tangents)
     assert powers.dissipation == pytest.approx(RELAXATION * rates @ rates, rel=1e-9)
     assert powers.dissipation > 0.0
-    assert chain_powers(rod, NoDamping(), q, velocity, tangents).dissipation == 0.0
+    assert rod.chain_powers(NoDamping(), q, velocity, tangents).dissipation == 0.0
 
 
 @clamps
@@ -185,7 +185,7 @@ def test_end_forces_and_moments_are_those_of_the_energy(clamp):
     rod = make_rod(clamp)
     q = bent_state(rod, 4)
     left, right = clamp_directions(0.0)
-    powers = chain_powers(rod, NoDamping(), q, 0.0 * q, tangents_of(left, right, 0.0, 0.0))
+    powers = rod.chain_powers(NoDamping(), q, 0.0 * q, tangents_of(left, right, 0.0, 0.0))
     everything = np.concatenate([q, [left, right]])
     gradient = complex_step(
         lambda z: 0.5 * np.sum(strains(rod, z[:-2], z[-2], z[-1]) ** 2), everything
@@ -204,12 +204,12 @@ def test_rigid_motion_costs_nothing(clamp):
     velocity = np.empty_like(q)
     velocity[0::2] = 5.0 - turn * q[1::2]
     velocity[1::2] = -2.0 + turn * q[0::2]
-    still = chain_powers(rod, NoDamping(), q, velocity, tangents_of(-0.3, 0.2, turn, turn))
-    moving = chain_powers(rod, KelvinVoigt(1.0), q, velocity, tangents_of(-0.3, 0.2, turn, turn))
+    still = rod.chain_powers(NoDamping(), q, velocity, tangents_of(-0.3, 0.2, turn, turn))
+    moving = rod.chain_powers(KelvinVoigt(1.0), q, velocity, tangents_of(-0.3, 0.2, turn, turn))
     assert abs(moving.dissipation) < 1e-10
     np.testing.assert_allclose(moving[1:], still[1:], rtol=1e-7)
     # One clamp that does not turn along is enough to dissipate.
-    held = chain_powers(rod, KelvinVoigt(1.0), q, velocity, tangents_of(-0.3, 0.2, 0.0, turn))
+    held = rod.chain_powers(KelvinVoigt(1.0), q, velocity, tangents_of(-0.3, 0.2, 0.0, turn))
     assert held.dissipation > 1.0
 
 

@@ -8,30 +8,16 @@ import pytest
 from plain_python import assembled, complex_step, plain_work, residual_of
 
 from snapjump.checks import ParameterError
-from snapjump.clamp.base import clamp_angles
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation, with_tier
-from snapjump.contact.base import contact_energy
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.base import internal_energy
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.newton import solve_linearised
 from snapjump.engine.powers import powers
 from snapjump.families import FAMILIES
-from snapjump.frame.base import (
-    STILL,
-    end_tangents,
-    frame_box,
-    frame_energy,
-    frame_mass,
-    limit_frame_step,
-    mount_turning,
-    place_ends,
-    point_weight,
-    rest_frame,
-)
+from snapjump.frame.base import STILL
 from snapjump.frame.elastic_chain import add_chain_forces
 from snapjump.frame.elastic_mesh import right_mount
 from snapjump.friction.none import NoFriction
@@ -74,8 +60,8 @@ class Case:
     def state(self, free: Any, time: float = 0.0) -> Any:
         state = np.zeros(len(free) + 4, np.asarray(free).dtype)
         state[self.keep] = free
-        angles = clamp_angles(self.model.clamp, time)
-        place_ends(self.model.frame, self.mesh, self.model.discretization, angles, state)
+        angles = self.model.clamp.angles(time)
+        self.model.frame.place_ends(self.mesh, self.model.discretization, angles, state)
         return state
 
     def assembled(self, free: Any, motion: Motion, origin: Any) -> Any:
@@ -92,19 +78,19 @@ class Case:
 def test_residual_is_the_gradient_of_the_whole_energy(clamp, contact):
     case = Case(small_robot(clamp, contact=contact))
     model, mesh, dofs = case.model, case.mesh, case.dofs
-    angles = clamp_angles(model.clamp, 0.0)
+    angles = model.clamp.angles(0.0)
 
     def potential(z):
         state = case.state(z)
-        tangents = end_tangents(model.frame, mesh, model.load, angles, state, STILL)
-        energy = internal_energy(model.discretization, state[dofs:], tangents)
-        energy = energy + frame_energy(model.frame, mesh, state)
+        tangents = model.frame.end_tangents(mesh, model.load, angles, state, STILL)
+        energy = model.discretization.internal_energy(state[dofs:], tangents)
+        energy = energy + model.frame.energy(mesh, state)
         fall = model.load.acceleration
         for k in range(0, dofs, 2):
-            energy = energy + fall * frame_mass(model.frame, mesh, k) * state[k + 1]
-            weight = point_weight(model.frame, mesh, k // 2, model.contact)
+            energy = energy + fall * model.frame.mass_of(mesh, k) * state[k + 1]
+            weight = model.frame.point_share(mesh, k // 2, model.ground)
             if state[k + 1].real < model.contact.distance:
-                energy = energy + weight * contact_energy(model.contact, state[k + 1])
+                energy = energy + weight * model.contact.energy(state[k + 1])
         return energy + fall * (case.masses @ state[dofs + 1 :: 2])
 
     origin = case.state(case.free)
@@ -141,19 +127,14 @@ def test_mounts_turn_with_their_edges():
 
     def directions(t):
         moved = state + t[0] * vector
-        tangents = end_tangents(
-            case.model.frame,
-            case.mesh,
-            case.model.load,
-            clamp_angles(ConstantRate(0.0, 1.0, 1.0, 0.0), 0.0),
-            moved,
-            STILL,
+        tangents = case.model.frame.end_tangents(
+            case.mesh, case.model.load, ConstantRate(0.0, 1.0, 1.0, 0.0).angles(0.0), moved, STILL
         )
         return np.array([tangents.left_y / tangents.left_x, tangents.right_y / tangents.right_x])
 
     slopes = complex_step(directions, [0.0]).ravel()
     values = directions([0.0])
-    turning = mount_turning(case.model.frame, case.mesh, state, vector)
+    turning = case.model.frame.mount_turning(case.mesh, state, vector)
     np.testing.assert_allclose(turning, slopes / (1.0 + values**2), rtol=1e-10)
 
 
@@ -182,9 +163,9 @@ def test_mass_outline_and_centre_are_the_rigid_frame_s():
     frame = case.model.frame
     rigid = rigid_frame(simulation, frame.mount_y)
     state = resting_guess(simulation, case.model)
-    masses = [frame_mass(frame, case.mesh, k) for k in range(0, case.dofs, 2)]
+    masses = [frame.mass_of(case.mesh, k) for k in range(0, case.dofs, 2)]
     assert sum(masses) == pytest.approx(rigid.mass, rel=1e-12)
-    box = frame_box(frame, case.mesh, state, 0.0 * state)
+    box = frame.box(case.mesh, state, 0.0 * state)
     assert (box.cosine, box.sine) == (1.0, 0.0)
     assert box.top_y - box.foot_y == pytest.approx(0.5)
     assert box.mount_y - box.foot_y == pytest.approx(frame.mount_y)
@@ -209,7 +190,7 @@ def test_no_node_falls_below_its_share_of_the_gap():
     state = case.state(case.free)
     drop = np.zeros(len(state))
     drop[1] = 4.0 * state[1]
-    share = limit_frame_step(case.model.frame, case.mesh, state, drop, 0.15)
+    share = case.model.frame.limit_step(case.mesh, state, drop, 0.15)
     assert state[1] - share * drop[1] == pytest.approx(0.15 * state[1])
 
 
@@ -217,9 +198,9 @@ def test_a_clamp_that_does_not_follow_its_leg_turns_with_the_mounts_line():
     """Only the right tangent changes; a share of one is the mount's own edge."""
     all_of_it, none = (Case(small_robot(right_follow=share)) for share in (1.0, 0.0))
     state = all_of_it.state(all_of_it.free)
-    flat = clamp_angles(ConstantRate(0.0, 1.0, 1.0, 0.0), 0.0)
+    flat = ConstantRate(0.0, 1.0, 1.0, 0.0).angles(0.0)
     with_leg, without = (
-        end_tangents(c.model.frame, c.mesh, c.model.load, flat, state, STILL)
+        c.model.frame.end_tangents(c.mesh, c.model.load, flat, state, STILL)
         for c in (all_of_it, none)
     )
     assert without[:3] == with_leg[:3]
@@ -260,7 +241,7 @@ def test_the_legs_open_like_beams_under_a_thrust_between_the_mounts():
     mesh = frame_mesh(simulation, frame)
     dofs = int(mesh[0])
     rest = np.zeros(dofs)
-    rest_frame(frame, mesh, rest, 1.0)
+    frame.rest(mesh, rest, 1.0)
 
     def gradient(state):
         residual = np.zeros(dofs, state.dtype)

@@ -5,6 +5,7 @@ import pytest
 from plain_python import assembled, complex_step, dense, residual_of
 
 from snapjump.clamp.constant_rate import ConstantRate
+from snapjump.contact.base import Ground
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.damping.none import NoDamping
 from snapjump.discretization.none import LooseNodes
@@ -20,10 +21,11 @@ MODEL = Model(
     LooseNodes(),
     NoFrame(),
     ConstantRate(0.0, 1.0, 1.0, 0.0),
-    LogBarrier(4e3, 0.025, 0.0, 7.0, 1.5),
+    LogBarrier(4e3, 0.025, 0.0),
     ImplicitFriction(0.4, 0.25),
     NoDamping(),
     InclinedGravity(20.0, 6.0),
+    Ground(7.0, 1.5, 0.025),
 )
 STATE = np.array([0.0, 0.01, 0.1, 0.02, 0.2, 0.5])  # two in the barrier, one above it
 ORIGIN = STATE - np.array([1e-3, 1e-4, 0.05, 0.0, 0.1, 0.0])

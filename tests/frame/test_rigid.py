@@ -6,22 +6,19 @@ import numpy as np
 import pytest
 from plain_python import assembled, complex_step, dense, residual_of
 
-from snapjump.clamp.base import clamp_angles
 from snapjump.clamp.constant_rate import ConstantRate
-from snapjump.contact.base import contact_energy
+from snapjump.contact.base import Ground
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.contact.none import NoContact
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.mass_proportional import MassProportional
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.base import clamp_offset, internal_energy, node_dofs, turn_length
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.model import Model
 from snapjump.engine.powers import powers
 from snapjump.engine.work import NO_MESH
 from snapjump.frame.base import STILL as NOT_TURNING
-from snapjump.frame.base import corner_point, end_tangents, limit_frame_step, place_ends
 from snapjump.frame.rigid import RigidFrame
 from snapjump.friction.implicit import ImplicitFriction
 from snapjump.friction.lagged import LaggedFriction
@@ -37,7 +34,8 @@ from snapjump.parameters.robot import Robot
 
 ELEMENTS = 9
 FRAME = RigidFrame(0.4, -0.15, -0.25, 0.25, 15.0, 1.3)
-BARRIER = LogBarrier(4e3, 0.025, 0.0, 7.0, 1.5)
+BARRIER = LogBarrier(4e3, 0.025, 0.0)
+GROUND = Ground(7.0, 1.5, 0.025)
 CLAMP = ConstantRate(0.35, 1.5, 0.6, 0.1)
 HELD = ConstantRate(0.35, 1.5, 0.0, 0.1)
 STILL = Motion(0.0, 0.0, 0.0, 0.0)
@@ -68,26 +66,26 @@ def make_model(
     rod = RODS[clamp].member(Robot())
     if stretching is not None:
         rod = rod._replace(stretching_stiffness=stretching)
-    return Model(rod, FRAME, programme, contact, friction, damping, load)
+    return Model(rod, FRAME, programme, contact, friction, damping, load, GROUND)
 
 
 def masses_of(model: Model) -> Any:
-    nodes = ELEMENTS + 1 if clamp_offset(model.discretization) == 0.0 else ELEMENTS - 1
+    nodes = ELEMENTS + 1 if model.discretization.clamp_distance() == 0.0 else ELEMENTS - 1
     masses = np.full(nodes, 1.0 / ELEMENTS)
     masses[[0, -1]] = 0.0
     return masses
 
 
 def angles_at(model: Model, time: float = 0.0) -> Any:
-    return clamp_angles(model.clamp, time)
+    return model.clamp.angles(time)
 
 
 def full_state(model: Model, free: Any, angles: Any) -> Any:
     """State with the slave nodes in place; ``free`` are the frame's and the free nodes'."""
     free = np.asarray(free)
-    zero = np.zeros(node_dofs(model.discretization), free.dtype)
+    zero = np.zeros(model.discretization.node_dofs(), free.dtype)
     state = np.concatenate([free[:3], zero, free[3:], zero])
-    place_ends(model.frame, NO_MESH, model.discretization, angles, state)
+    model.frame.place_ends(NO_MESH, model.discretization, angles, state)
     return state
 
 
@@ -95,27 +93,27 @@ def arch(model: Model, height: float = 0.6, turn: float = 0.1, seed: int = 0) ->
     """Free coordinates of a tilted robot with a kinked, slightly stretched arch."""
     rng = np.random.default_rng(seed)
     nodes = len(masses_of(model))
-    offset = clamp_offset(model.discretization)
+    offset = model.discretization.clamp_distance()
     s = np.linspace(-1.0, 1.0, nodes)
     x = (FRAME.half_span - offset) * s
     y = FRAME.mount_y + 0.25 * (1.0 - s * s) - 0.3 * offset
     nodes_xy = np.stack([x, y], axis=1)[1:-1] + rng.uniform(-1e-3, 1e-3, (nodes - 2, 2))
     c, si = np.cos(turn), np.sin(turn)
     turned = nodes_xy @ np.array([[c, si], [-si, c]]) + [0.05, height]
-    if node_dofs(model.discretization) == 3:
+    if model.discretization.node_dofs() == 3:
         directions = turn + np.linspace(0.4, -0.4, nodes)[1:-1] + rng.uniform(-0.1, 0.1, nodes - 2)
-        turned = np.column_stack([turned, turn_length(model.discretization) * directions])
+        turned = np.column_stack([turned, model.discretization.turn_length() * directions])
     return np.concatenate([[0.05, height, turn], turned.ravel()])
 
 
 def free_part(model: Model, values: Any) -> Any:
-    dofs = node_dofs(model.discretization)
+    dofs = model.discretization.node_dofs()
     return np.concatenate([values[:3], values[3 + dofs : -dofs]])
 
 
 def push_into_barrier(model: Model, free: Any) -> None:
     """Put three nodes of the beam close to the ground."""
-    dofs = node_dofs(model.discretization)
+    dofs = model.discretization.node_dofs()
     free[4 + 2 * dofs : 4 + 5 * dofs : dofs] = [0.011, 0.013, 0.012]
 
 
@@ -131,7 +129,7 @@ def check_tangent(model: Model, motion: Motion, free: Any, origin: Any = None) -
         return free_part(model, residual_of(work, DOFS))
 
     _, work = assembled(model, motion, masses, full_state(model, free, angles), origin=origin)
-    dofs = node_dofs(model.discretization)
+    dofs = model.discretization.node_dofs()
     keep = np.r_[0:3, 3 + dofs : 3 + dofs * (len(masses) - 1)]
     matrix = dense(work, DOFS)[np.ix_(keep, keep)]
     expected = complex_step(residual, free)
@@ -150,15 +148,15 @@ def test_residual_is_the_gradient_of_the_whole_energy(clamp):
 
     def potential(z):
         state = full_state(model, z, angles)
-        tangents = end_tangents(FRAME, NO_MESH, model.load, angles, state, NOT_TURNING)
-        energy = internal_energy(model.discretization, state[3:], tangents)
-        heights = state[4 :: node_dofs(model.discretization)]
+        tangents = FRAME.end_tangents(NO_MESH, model.load, angles, state, NOT_TURNING)
+        energy = model.discretization.internal_energy(state[3:], tangents)
+        heights = state[4 :: model.discretization.node_dofs()]
         energy = energy + 20.0 * (FRAME.mass * state[1] + masses @ heights)
-        points = [(corner_point(FRAME, NO_MESH, k, state, 0 * state)[1], 1.5) for k in range(4)]
+        points = [(FRAME.corner_point(NO_MESH, k, state, 0 * state)[1], 1.5) for k in range(4)]
         points += [(y, 7.0) for y in heights[1:-1]]
         near = [(gap, weight) for gap, weight in points if gap.real < BARRIER.distance]
         assert len(near) >= 4
-        return energy + sum(weight * contact_energy(BARRIER, gap) for gap, weight in near)
+        return energy + sum(weight * BARRIER.energy(gap) for gap, weight in near)
 
     figures, work = assembled(model, STILL, masses, full_state(model, free, angles))
     expected = complex_step(potential, free)
@@ -261,13 +259,13 @@ def test_internal_forces_have_no_resultant(clamp, damping):
     drift = (state - origin) * MOVING.rate_factor  # as fast as now: no acceleration
     _, work = assembled(model, MOVING, masses_of(model), state, origin=origin, drift=drift)
     force = residual_of(work, DOFS)
-    dofs = node_dofs(model.discretization)
+    dofs = model.discretization.node_dofs()
     nodes, places = force[3:].reshape(-1, dofs), state[3:].reshape(-1, dofs)
     scale = np.abs(force).max()
     resultant = force[:2] + nodes[:, :2].sum(axis=0)
     moment = force[2] + state[0] * force[1] - state[1] * force[0]
     moment += np.sum(places[:, 0] * nodes[:, 1] - places[:, 1] * nodes[:, 0])
-    moment += turn_length(model.discretization) * nodes[:, 2:].sum()
+    moment += model.discretization.turn_length() * nodes[:, 2:].sum()
     assert scale > 1.0
     assert np.abs(resultant).max() < 1e-11 * scale * len(nodes)
     assert abs(moment) < 1e-11 * scale * len(nodes)
@@ -285,8 +283,8 @@ def test_clamps_give_the_power_that_the_energy_gains(clamp):
         # The right clamp turns along with the left one, at the same rate.
         moved = angles._replace(left=angles.left + turned[0], right=angles.right + turned[0])
         at = full_state(model, np.asarray(free, complex), moved)
-        tangents = end_tangents(FRAME, NO_MESH, model.load, moved, at, NOT_TURNING)
-        return internal_energy(model.discretization, at[3:], tangents)
+        tangents = FRAME.end_tangents(NO_MESH, model.load, moved, at, NOT_TURNING)
+        return model.discretization.internal_energy(at[3:], tangents)
 
     gain = complex_step(energy, [0.0])[0] * CLAMP.rate
     _, work = assembled(model, STILL, masses, state)
@@ -315,8 +313,8 @@ def test_ends_are_where_the_frame_holds_them(clamp):
     model = make_model(clamp)
     angles = angles_at(model)
     state = full_state(model, arch(model, turn=0.4), angles)
-    offset = clamp_offset(model.discretization)
-    dofs = node_dofs(model.discretization)
+    offset = model.discretization.clamp_distance()
+    dofs = model.discretization.node_dofs()
     for node, side, direction in (
         (state[3 : 3 + dofs], -1.0, 0.4 - angles.left),
         (state[-dofs:], 1.0, 0.4 + angles.right),
@@ -327,7 +325,7 @@ def test_ends_are_where_the_frame_holds_them(clamp):
         expected = mount - side * offset * np.array([np.cos(direction), np.sin(direction)])
         np.testing.assert_allclose(node[:2], expected, atol=1e-14)
         if dofs == 3:
-            assert node[2] == pytest.approx(turn_length(model.discretization) * direction)
+            assert node[2] == pytest.approx(model.discretization.turn_length() * direction)
 
 
 @pytest.mark.parametrize("turn", [-3.0, -0.2, 0.0, 1.5])
@@ -336,18 +334,16 @@ def test_a_step_leaves_every_corner_its_share_of_gap(turn):
     limited = 0
     for _ in range(200):
         state = np.array([0.0, 0.5 + rng.uniform(), turn])
-        gaps = [corner_point(FRAME, NO_MESH, k, state, 0 * state)[1] for k in range(4)]
+        gaps = [FRAME.corner_point(NO_MESH, k, state, 0 * state)[1] for k in range(4)]
         if min(gaps) <= 0.0:
             continue
         drop = rng.normal(0.0, 1.0, 3)
-        share = limit_frame_step(FRAME, NO_MESH, state, drop, 0.15)
+        share = FRAME.limit_step(NO_MESH, state, drop, 0.15)
         assert 0.0 < share <= 1.0
         limited += share < 1.0
         after = state - share * drop
         for k, gap in enumerate(gaps):
-            assert corner_point(FRAME, NO_MESH, k, after, 0 * after)[1] >= 0.15 * gap * (
-                1.0 - 1e-12
-            )
+            assert FRAME.corner_point(NO_MESH, k, after, 0 * after)[1] >= 0.15 * gap * (1.0 - 1e-12)
     assert limited > 20
 
 
@@ -355,16 +351,16 @@ def test_corner_velocity_is_the_derivative_of_its_place():
     state, velocity = np.array([0.1, 0.6, 0.3]), np.array([0.4, -0.2, 2.0])
     for corner in range(4):
         moved = complex_step(
-            lambda t, k=corner: corner_point(FRAME, NO_MESH, k, state + t[0] * velocity, velocity)[
+            lambda t, k=corner: FRAME.corner_point(NO_MESH, k, state + t[0] * velocity, velocity)[
                 0
             ],
             [0.0],
         )[0]
-        assert corner_point(FRAME, NO_MESH, corner, state, velocity)[2] == pytest.approx(
+        assert FRAME.corner_point(NO_MESH, corner, state, velocity)[2] == pytest.approx(
             moved, rel=1e-12
         )
     corners = {
-        tuple(np.round(corner_point(FRAME, NO_MESH, k, 0 * state, velocity)[:2], 12))
+        tuple(np.round(FRAME.corner_point(NO_MESH, k, 0 * state, velocity)[:2], 12))
         for k in range(4)
     }
     assert corners == {(x, y) for x in (-0.4, 0.4) for y in (-0.25, 0.25)}
@@ -373,7 +369,7 @@ def test_corner_velocity_is_the_derivative_of_its_place():
 @clamps
 def test_centre_of_mass_weighs_frame_and_beam(clamp):
     model = make_model(clamp)
-    dofs = node_dofs(model.discretization)
+    dofs = model.discretization.node_dofs()
     masses = masses_of(model)
     state = full_state(model, arch(model), angles_at(model))
     x, y, vx, vy = centre_of_mass(model, masses, NO_MESH, state, 2.0 * state)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from snapjump.friction.base import has_friction, is_lagged, regularised_sign, slip
+from snapjump.friction.base import regularised_sign
 from snapjump.friction.implicit import ImplicitFriction
 from snapjump.friction.lagged import LaggedFriction
 from snapjump.friction.none import NoFriction
@@ -46,27 +46,29 @@ def test_odd_monotone_and_never_above_one():
     [(0.05, 0.08712907082), (0.15, 0.2928932188), (0.29, 0.8174258142)],
 )
 def test_creep_on_a_slope(tangent, creep):
-    ratio, _ = slip(LAW, creep * THRESHOLD, 0.0)
+    ratio = LAW.ratio(creep * THRESHOLD)
     assert ratio == pytest.approx(tangent, rel=1e-8)
 
 
 def test_implicit_law_has_the_slope_at_rest_after_a_change_of_sign():
-    kept = slip(LAW, 5.0 * THRESHOLD, 0.5 * THRESHOLD)
-    turned = slip(LAW, 5.0 * THRESHOLD, -0.5 * THRESHOLD)
-    assert kept == (MU, 0.0)
-    assert turned == (MU, pytest.approx(2.0 * MU / THRESHOLD))
+    kept = LAW.slope(5.0 * THRESHOLD, 0.5 * THRESHOLD)
+    turned = LAW.slope(5.0 * THRESHOLD, -0.5 * THRESHOLD)
+    assert LAW.ratio(5.0 * THRESHOLD) == MU
+    assert kept == 0.0
+    assert turned == pytest.approx(2.0 * MU / THRESHOLD)
     # At the first iterate there is no velocity before.
-    assert slip(LAW, 0.5 * THRESHOLD, 0.0)[1] == pytest.approx(MU / THRESHOLD)
+    assert LAW.slope(0.5 * THRESHOLD, 0.0) == pytest.approx(MU / THRESHOLD)
 
 
 def test_lagged_law_has_the_same_force_and_no_derivative():
     lagged = LaggedFriction(MU, THRESHOLD)
     for v in speeds:
-        assert slip(lagged, v, -v) == (slip(LAW, v, v)[0], 0.0)
+        assert lagged.ratio(v) == LAW.ratio(v)
+        assert lagged.slope(v, -v) == 0.0
 
 
 def test_what_the_laws_declare():
     laws = [LAW, LaggedFriction(MU, THRESHOLD), NoFriction()]
-    assert [has_friction(law) for law in laws] == [True, True, False]
-    assert [is_lagged(law) for law in laws] == [False, True, False]
-    assert slip(NoFriction(), 1.0, 1.0) == (0.0, 0.0)
+    assert [law.exists() for law in laws] == [True, True, False]
+    assert [law.is_lagged() for law in laws] == [False, True, False]
+    assert NoFriction().ratio(1.0) == NoFriction().slope(1.0, 1.0) == 0.0

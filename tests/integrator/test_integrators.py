@@ -10,16 +10,7 @@ from plain_python import plain_work
 from scipy.integrate import solve_ivp
 
 from snapjump.clamp.constant_rate import ConstantRate
-from snapjump.contact.base import (
-    acts,
-    bounce_rate_squared,
-    contact_force,
-    contact_reach,
-    contact_weights,
-    has_contact,
-    is_impulsive,
-    keeps_open,
-)
+from snapjump.contact.base import ContactLaw
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.contact.none import NoContact
 from snapjump.damping.mass_proportional import MassProportional
@@ -33,14 +24,6 @@ from snapjump.engine.stage import begin_stage, commit_step, keep_stage, reach_en
 from snapjump.families import FAMILIES
 from snapjump.frame.none import NoFrame
 from snapjump.friction.none import NoFriction
-from snapjump.integrator.base import (
-    ends_in_a_stage,
-    error_order,
-    is_explicit,
-    quadrature_weight,
-    slots,
-    stage_count,
-)
 from snapjump.load.inclined import InclinedGravity
 
 MEMBERS = FAMILIES["integrator"]
@@ -65,9 +48,9 @@ class Integration:
     def __init__(self, name, model, state, velocity, acceleration):
         self.scheme = VARIANTS[name].scheme()
         self.model = model
-        self.work = plain_work(1, 0, stages=slots(self.scheme))
+        self.work = plain_work(1, 0, stages=self.scheme.slots())
         self.work.start[:] = self.work.state[:] = state
-        for k in range(slots(self.scheme)):
+        for k in range(self.scheme.slots()):
             self.work.velocity[k] = velocity
             self.work.acceleration[k] = acceleration
 
@@ -76,12 +59,12 @@ class Integration:
         work, clock = self.work, self.work.clock
         clock[STEP] = size
         error = 0.0
-        for stage in range(1, stage_count(self.scheme) + 1):
+        for stage in range(1, self.scheme.stage_count() + 1):
             clock[STAGE] = 1.0 * stage
             begin_stage(self.model, self.scheme, MASSES, work, True)
             motion = stage_motion(self.scheme, work)
             for _ in range(30):
-                if is_explicit(self.scheme):
+                if self.scheme.is_explicit():
                     outcome = evaluate_forces(self.model, motion, MASSES, work, True)
                 else:
                     outcome = newton_iteration(
@@ -91,7 +74,7 @@ class Integration:
                     break
             assert outcome.converged
             error = keep_stage(self.scheme, work, motion, True)
-        if not ends_in_a_stage(self.scheme):
+        if not self.scheme.ends_in_a_stage():
             assert not reach_end(self.model, self.scheme, MASSES, work, True)
         commit_step(self.scheme, work, True)
         return error
@@ -105,16 +88,14 @@ class Integration:
 def test_what_is_declared_fits_the_scheme(name):
     member = VARIANTS[name]
     scheme = member.scheme()
-    assert member.stages == stage_count(scheme) < slots(scheme)
-    weights = [quadrature_weight(scheme, k) for k in range(stage_count(scheme) + 1)]
+    assert member.stages == scheme.stage_count() < scheme.slots()
+    weights = [scheme.quadrature_weight(k) for k in range(scheme.stage_count() + 1)]
     assert sum(weights) == pytest.approx(1.0, abs=1e-14)
-    assert member.order >= 1 and error_order(scheme) >= 2.0
+    assert member.order >= 1 and scheme.error_power() >= 2.0
 
 
 # A mass that oscillates in the barrier under a slope's gravity: smooth, nonlinear, damped.
-MODEL = model_of(
-    LogBarrier(40.0, 1.0, 0.0, 1.0, 1.0), MassProportional(0.3), InclinedGravity(10, 1)
-)
+MODEL = model_of(LogBarrier(40.0, 1.0, 0.0), MassProportional(0.3), InclinedGravity(10, 1))
 DURATION = 0.3
 BEGIN = np.array([0.0, 0.75, 0.2, 0.3])
 
@@ -169,40 +150,47 @@ def test_estimate_of_the_error_shrinks_as_declared(name):
     coarse = {1: 160, 2: 40, 3: 24, 4: 12}[member.order]
     estimates = [integrate(name, np.ones(n))[1] for n in (coarse, 2 * coarse)]
     measured = math.log2(estimates[0] / estimates[1])
-    assert measured >= error_order(member.scheme()) - 1.3
+    assert measured >= member.scheme().error_power() - 1.3
     assert estimates[1] > 0.0
 
 
+class Anywhere(ContactLaw):
+    """A law in place of the ground's that acts at every height."""
+
+    def reach(self):
+        return 1e9
+
+    def energy(self, gap):
+        return 0.0 * gap
+
+    def bounce_rate_squared(self, stiffness, mass, speed):
+        return 0.0
+
+
+@Anywhere.member
 class Pendulum(NamedTuple):
-    """A law in place of the ground's that makes a node's height y obey y'' = -sin y."""
+    """It makes a node's height y obey y'' = -sin y."""
 
     mass: float
 
+    def force(self, gap, approach):
+        return -self.mass * np.sin(gap)
 
+    def slope(self, gap, approach):
+        return self.mass * np.cos(gap)
+
+
+@Anywhere.member
 class Spring(NamedTuple):
     """The same for y'' = -stiffness / mass y."""
 
     stiffness: float
 
+    def force(self, gap, approach):
+        return -self.stiffness * gap
 
-@contact_force.member(Pendulum)
-def _pendulum_force(law, gap, approach):
-    return -law.mass * np.sin(gap), law.mass * np.cos(gap)
-
-
-@contact_force.member(Spring)
-def _spring_force(law, gap, approach):
-    return -law.stiffness * gap, law.stiffness
-
-
-for law in (Pendulum, Spring):
-    has_contact.member(law)(lambda law: True)
-    keeps_open.member(law)(lambda law: False)
-    is_impulsive.member(law)(lambda law: False)
-    contact_reach.member(law)(lambda law: 1e9)
-    acts.member(law)(lambda law, gap, approach: gap < 1e9)
-    contact_weights.member(law)(lambda law: (1.0, 1.0))
-    bounce_rate_squared.member(law)(lambda law, stiffness, mass, speed: 0.0)
+    def slope(self, gap, approach):
+        return self.stiffness
 
 
 def amplification(name, omega_h):
@@ -217,8 +205,8 @@ def amplification(name, omega_h):
 
     def parts(run):
         work = run.work
-        slot = [(work.velocity, k) for k in range(slots(run.scheme)) if k != 1]
-        slot += [(work.acceleration, k) for k in range(slots(run.scheme)) if k != 1]
+        slot = [(work.velocity, k) for k in range(run.scheme.slots()) if k != 1]
+        slot += [(work.acceleration, k) for k in range(run.scheme.slots()) if k != 1]
         return slot
 
     def memory(run):
@@ -244,7 +232,7 @@ def test_infinitely_fast_oscillations_are_damped_as_declared(name):
     member = VARIANTS[name]
     roots, _ = amplification(name, 1e6)
     if member.damping_at_infinity is None:
-        assert is_explicit(member.scheme())
+        assert member.scheme().is_explicit()
     else:
         # Roots that come together at infinity are a little apart before it.
         assert np.abs(roots).max() == pytest.approx(member.damping_at_infinity, abs=2e-3)

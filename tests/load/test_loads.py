@@ -1,6 +1,5 @@
 import math
 
-from snapjump.load.base import gravity, pull, tip_load
 from snapjump.load.gravity import Gravity
 from snapjump.load.inclined import InclinedGravity
 from snapjump.load.none import NoLoad
@@ -9,10 +8,10 @@ from snapjump.load.tip import TipLoad
 
 def test_every_load_pulls_where_it_says():
     loads = [NoLoad(), Gravity(2.0), InclinedGravity(2.0, 0.5), TipLoad(1.0, -2.0, 3.0)]
-    assert [gravity(load) for load in loads] == [0.0, 2.0, 2.0, 0.0]
-    assert [pull(load) for load in loads] == [0.0, 0.0, 0.5, 0.0]
+    assert [load.gravity() for load in loads] == [0.0, 2.0, 2.0, 0.0]
+    assert [load.pull() for load in loads] == [0.0, 0.0, 0.5, 0.0]
     still = (0.0, 0.0, 0.0)
-    assert [tip_load(load) for load in loads] == [still, still, still, (1.0, -2.0, 3.0)]
+    assert [load.tip_load() for load in loads] == [still, still, still, (1.0, -2.0, 3.0)]
 
 
 def test_a_slope_turns_gravity():

@@ -52,7 +52,7 @@ from snapjump.contact.resting import resting_gap
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.number import compile_cache
 assert str(compile_cache.PACKAGE.parent) == {root!r}, compile_cache.PACKAGE
-resting_gap(LogBarrier(*5 * [1.0]), 1.0, 1.0)
+resting_gap(LogBarrier(1.0, 1.0, 1.0), 1.0, 1.0)
 print(sum(resting_gap.stats.cache_hits.values()), sum(resting_gap.stats.cache_misses.values()))
 """
 

@@ -11,7 +11,7 @@ from snapjump.contact.resting import resting_gap
 from snapjump.number.announcement import load
 print("ready", flush=True)
 sys.stdin.read()
-load(resting_gap, LogBarrier(*5 * [1.0]), 1.0, 1.0)
+load(resting_gap, LogBarrier(1.0, 1.0, 1.0), 1.0, 1.0)
 print(sum(resting_gap.stats.cache_hits.values()), sum(resting_gap.stats.cache_misses.values()))
 """
 

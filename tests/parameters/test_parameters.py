@@ -149,7 +149,7 @@ def test_environments_out_of_range(field, value):
 
 def dimensionless(robot, **contact):
     """All numbers of a jump's model but its clamps' start, which statics determines."""
-    from snapjump.options.contact import LogBarrierOptions
+    from snapjump.options.contact import LogBarrierOptions, ground
     from snapjump.options.damping import KelvinVoigtOptions
     from snapjump.options.friction import ImplicitFrictionOptions
 
@@ -168,14 +168,16 @@ def dimensionless(robot, **contact):
     from snapjump.clamp.constant_rate import ConstantRate
     from snapjump.load.gravity import Gravity
 
+    law = simulation.contact.member(scales)
     model = Model(
         simulation.discretization.member(robot),
         rigid_frame(simulation, 0.08),
         ConstantRate(0.8, 1.5, robot.rotation_rate_rad_s * scales.time_s, 0.1),
-        simulation.contact.member(scales, simulation.discretization),
+        law,
         simulation.friction.member(scales, 0.3),
         simulation.damping.member(scales),
         Gravity(robot.gravity_m_s2 / scales.acceleration_m_s2),
+        ground(simulation.contact, law, scales, simulation.discretization),
     )
     return numbers_of(model)
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicHermiteSpline
 
-from snapjump.contact.base import at_rest, contact_force
+from snapjump.contact.base import at_rest
 from snapjump.contact.resting import resting_gap
 from snapjump.scenes.mass import march_mass, mass_model
 
@@ -31,7 +31,7 @@ def flight(arrays) -> tuple[float, float]:
 
 def peak_force_N(model, scales, gap_m: float) -> float:
     gap = gap_m / scales.length_m
-    force, _ = contact_force(model.contact, gap, at_rest(gap))
+    force = model.contact.force(gap, at_rest(gap))
     return float(force) * scales.force_N
 
 

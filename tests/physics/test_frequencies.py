@@ -7,7 +7,7 @@ from scipy.linalg import eigh
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.base import TURN_INERTIA, node_dofs
+from snapjump.discretization.base import TURN_INERTIA
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import Model, numbers_of
@@ -64,7 +64,7 @@ def straight_tangent(arch, elements: int, name: str, ratio: float = PAPER_RATIO)
 def cantilever_tangent(elements: int, name: str, ratio: float) -> tuple[np.ndarray, np.ndarray]:
     length = 1.0 / elements
     rod = FAMILIES["discretization"][name](elements).member(Robot(thickness_m=0.02 * ratio))
-    dofs = node_dofs(rod)
+    dofs = rod.node_dofs()
     model = Model(
         rod,
         CantileverFrame(),

@@ -16,7 +16,6 @@ from snapjump.frame.none import NoFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.none import NoLoad
 from snapjump.recorder import trajectory
-from snapjump.recorder.base import record_stage, record_start, record_step
 from snapjump.recorder.none import NoRecorder
 
 TABLEAU = FAMILIES["integrator"]["tr_bdf2"]().scheme()
@@ -29,7 +28,7 @@ def march(recorder, steps, accepted=lambda k: True):
     """Steps of the recorder alone; returns the memory and the times at which steps ended."""
     stages = len(TABLEAU.nodes)
     work = plain_work(1, 0, stages)
-    record_start(recorder, MODEL, MASSES, work)
+    recorder.record_start(MODEL, MASSES, work)
     times = [0.0]
     for k, step in enumerate(steps):
         work.clock[STEP] = step
@@ -37,13 +36,13 @@ def march(recorder, steps, accepted=lambda k: True):
             work.clock[STAGE] = stage
             time = work.clock[TIME] + TABLEAU.nodes[stage] * step
             now = Motion(time, *([1.0 / (TABLEAU.gamma * step)] * 2), 0.0)
-            record_stage(recorder, MODEL, MASSES, now, TABLEAU, work, True)
+            recorder.record_stage(MODEL, MASSES, now, TABLEAU, work, True)
         if accepted(k):
             work.clock[TIME] += step
             work.start[:] = work.clock[TIME], k
             work.velocity[0] = 10.0 + k
             times.append(float(work.clock[TIME]))
-        record_step(recorder, None, None, None, work, None)
+        recorder.record_step(None, None, None, work, None)
     return times
 
 
@@ -92,14 +91,14 @@ def test_residual_left_in_a_stage_is_recorded():
     work = plain_work(1, 0, len(TABLEAU.nodes))
     work.clock[STAGE] = 1.0
     now = Motion(0.1, 20.0, 20.0, 0.0)
-    record_stage(recorder, MODEL, MASSES, now, TABLEAU, work, True)
+    recorder.record_stage(MODEL, MASSES, now, TABLEAU, work, True)
     assert work.clock[LARGEST_RESIDUAL] == 0.0
     work.drift[:] = 3.0, 1.0  # 4 parts of force in play, 3 of them along x, none balanced
-    record_stage(recorder, MODEL, MASSES, now, TABLEAU, work, True)
+    recorder.record_stage(MODEL, MASSES, now, TABLEAU, work, True)
     assert work.clock[LARGEST_RESIDUAL] == pytest.approx(0.75)
 
 
 def test_no_recorder_asks_for_nothing():
-    record_start(NoRecorder(), None, None, None)
-    record_stage(NoRecorder(), None, None, None, None, None, None)
-    record_step(NoRecorder(), None, None, None, None, None)
+    NoRecorder().record_start(None, None, None)
+    NoRecorder().record_stage(None, None, None, None, None, None)
+    NoRecorder().record_step(None, None, None, None, None)

@@ -3,14 +3,6 @@ import pytest
 from snapjump.options.stepping import AdaptiveStepOptions, FixedStepOptions
 from snapjump.parameters.robot import Robot
 from snapjump.stepping.adaptive import GROWTH, OVERSHOOT, SAFETY, SHRINKAGE, AdaptiveStep
-from snapjump.stepping.base import (
-    accepts,
-    first_step,
-    newton_tolerance,
-    next_step,
-    smallest_step,
-    step_after_failure,
-)
 from snapjump.stepping.fixed import FixedStep
 
 TOLERANCE = 1e-6
@@ -21,62 +13,62 @@ FREE = 0.0  # contact rate of a robot in the air
 
 
 def test_adaptive_accepts_what_is_accurate_and_resolved():
-    assert accepts(ADAPTIVE, 0.99 * TOLERANCE, 1e-3, FREE)
-    assert not accepts(ADAPTIVE, 1.01 * TOLERANCE, 1e-3, FREE)
+    assert ADAPTIVE.accepts(0.99 * TOLERANCE, 1e-3, FREE)
+    assert not ADAPTIVE.accepts(1.01 * TOLERANCE, 1e-3, FREE)
     # A step may be longer than contact allows, as it may begin in the air: but not much.
     limit = OVERSHOOT * ADAPTIVE.contact_steps / 1e-3
     assert 1.0 <= OVERSHOOT <= 5.0
-    assert accepts(ADAPTIVE, 0.0, 1e-3, 0.99 * limit)
-    assert not accepts(ADAPTIVE, 0.0, 1e-3, 1.01 * limit)
-    assert not accepts(ADAPTIVE, float("nan"), 1e-3, FREE)
+    assert ADAPTIVE.accepts(0.0, 1e-3, 0.99 * limit)
+    assert not ADAPTIVE.accepts(0.0, 1e-3, 1.01 * limit)
+    assert not ADAPTIVE.accepts(float("nan"), 1e-3, FREE)
 
 
 @pytest.mark.parametrize("factor", [0.3, 0.7, 1.0, 1.6])
 def test_adaptive_aims_a_little_below_the_step_that_meets_the_tolerance(factor):
     error = TOLERANCE * (1e-2 / (factor * 1e-2)) ** ORDER
-    assert next_step(ADAPTIVE, error, ORDER, 1e-2, FREE) == pytest.approx(SAFETY * factor * 1e-2)
+    assert ADAPTIVE.next_step(error, ORDER, 1e-2, FREE) == pytest.approx(SAFETY * factor * 1e-2)
 
 
 def test_adaptive_limits_growth_and_shrinkage():
     assert 0.0 < SHRINKAGE < SAFETY < 1.0 < GROWTH
-    assert next_step(ADAPTIVE, 0.0, ORDER, 1e-3, FREE) == pytest.approx(GROWTH * 1e-3)
-    assert next_step(ADAPTIVE, 1e3, ORDER, 1e-3, FREE) == pytest.approx(SHRINKAGE * 1e-3)
-    assert next_step(ADAPTIVE, 0.0, ORDER, 0.15, FREE) == 0.2
+    assert ADAPTIVE.next_step(0.0, ORDER, 1e-3, FREE) == pytest.approx(GROWTH * 1e-3)
+    assert ADAPTIVE.next_step(1e3, ORDER, 1e-3, FREE) == pytest.approx(SHRINKAGE * 1e-3)
+    assert ADAPTIVE.next_step(0.0, ORDER, 0.15, FREE) == 0.2
 
 
 def test_adaptive_resolves_contact():
-    assert next_step(ADAPTIVE, 0.0, ORDER, 1e-3, 1e4) == pytest.approx(2e-4)
-    assert next_step(ADAPTIVE, 0.0, ORDER, 1e-3, 10.0) == pytest.approx(GROWTH * 1e-3)
+    assert ADAPTIVE.next_step(0.0, ORDER, 1e-3, 1e4) == pytest.approx(2e-4)
+    assert ADAPTIVE.next_step(0.0, ORDER, 1e-3, 10.0) == pytest.approx(GROWTH * 1e-3)
 
 
 def test_a_refused_step_is_repeated_shorter():
     error, step = 8.0 * TOLERANCE, 1e-3
-    assert not accepts(ADAPTIVE, error, step, FREE)
-    assert next_step(ADAPTIVE, error, ORDER, step, FREE) < step
-    assert not accepts(ADAPTIVE, 0.0, step, 1e4)
-    assert next_step(ADAPTIVE, 0.0, ORDER, step, 1e4) < step
-    assert step_after_failure(ADAPTIVE, step) == pytest.approx(0.4 * step)
+    assert not ADAPTIVE.accepts(error, step, FREE)
+    assert ADAPTIVE.next_step(error, ORDER, step, FREE) < step
+    assert not ADAPTIVE.accepts(0.0, step, 1e4)
+    assert ADAPTIVE.next_step(0.0, ORDER, step, 1e4) < step
+    assert ADAPTIVE.step_after_failure(step) == pytest.approx(0.4 * step)
 
 
 def test_fixed_step_is_halved_by_failures_and_grows_back():
-    step = first_step(FIXED)
+    step = FIXED.first_step()
     assert step == 1e-3
-    step = step_after_failure(FIXED, step_after_failure(FIXED, step))
+    step = FIXED.step_after_failure(FIXED.step_after_failure(step))
     assert step == 2.5e-4
     # Neither errors nor contact matter.
-    assert accepts(FIXED, 1e9, step, 1e9)
+    assert FIXED.accepts(1e9, step, 1e9)
     steps = []
     for _ in range(3):
-        step = next_step(FIXED, 1e9, 2.0, step, 1e9)
+        step = FIXED.next_step(1e9, 2.0, step, 1e9)
         steps.append(step)
     assert steps == [5e-4, 1e-3, 1e-3]
 
 
 def test_bounds_and_tolerances():
-    assert (first_step(ADAPTIVE), smallest_step(ADAPTIVE)) == (1e-3, 1e-9)
-    assert newton_tolerance(ADAPTIVE) == pytest.approx(1e-7)
-    assert smallest_step(FIXED) == pytest.approx(1e-9)
-    assert newton_tolerance(FIXED) == 1e-8
+    assert (ADAPTIVE.first_step(), ADAPTIVE.smallest_step()) == (1e-3, 1e-9)
+    assert ADAPTIVE.newton_tolerance() == pytest.approx(1e-7)
+    assert FIXED.smallest_step() == pytest.approx(1e-9)
+    assert FIXED.newton_tolerance() == 1e-8
 
 
 def test_options_are_in_seconds_and_shares_of_the_length():

@@ -16,7 +16,6 @@ from snapjump.batch.simulate import marches
 from snapjump.composition import Simulation
 from snapjump.engine import clock as c
 from snapjump.engine.stage import smallest_gap
-from snapjump.frame.base import frame_dofs, rest_frame
 from snapjump.scenes import runner
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.runner import MOST_ITERATIONS, March
@@ -64,9 +63,9 @@ def go_on(march: March, way: Way) -> None:
 def upwards(march: March) -> Any:
     """What a robot's coordinates change by if it moves up (by 1 L)."""
     frame, low, high = march.models[0].frame, *np.zeros((2, march.states.shape[1]))
-    rest_frame(frame, march.mesh, low, 0.0)
-    rest_frame(frame, march.mesh, high, 1.0)
-    high[frame_dofs(frame, march.mesh) :].reshape(len(march.masses), -1)[:, 1] = 1.0
+    frame.rest(march.mesh, low, 0.0)
+    frame.rest(march.mesh, high, 1.0)
+    high[frame.dofs(march.mesh) :].reshape(len(march.masses), -1)[:, 1] = 1.0
     return high - low
 
 
@@ -95,5 +94,5 @@ def to_the_strike(march: March) -> Way:
 
 def falling(march: March) -> float:
     """Speed (L/T) of the fastest node downwards; nodes have two or three coordinates."""
-    beam = march.memory.velocity[0, frame_dofs(march.models[0].frame, march.mesh) :, 0]
+    beam = march.memory.velocity[0, march.models[0].frame.dofs(march.mesh) :, 0]
     return -float(np.min(beam.reshape(len(march.masses), -1)[:, 1]))

@@ -40,8 +40,10 @@ def ptx_of(monkeypatch: Any, kernel: Any, *arguments: Any) -> str:
     from numba.cuda import dispatcher
     from numba.cuda.typing.typeof import typeof
 
+    from snapjump.cuda.methods import register_methods
     from snapjump.cuda.rounding import rounded_as_written
 
+    register_methods()
     monkeypatch.setattr(dispatcher, "get_current_device", Elsewhere)
     with rounded_as_written():
         signature = types.void(*[typeof(argument) for argument in arguments])

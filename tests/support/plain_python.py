@@ -5,11 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.discretization.base import HALF_BANDWIDTH, node_dofs
+from snapjump.discretization.base import HALF_BANDWIDTH
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.clock import ROWS
 from snapjump.engine.work import NO_MESH, Work, make_work
-from snapjump.frame.base import frame_dofs
 
 STEP = 1e-30
 
@@ -54,9 +53,9 @@ def assembled(
     state = np.asarray(state)
     work = plain_work(
         len(masses),
-        frame_dofs(model.frame, mesh),
+        model.frame.dofs(mesh),
         dtype=state.dtype.type,
-        per_node=node_dofs(model.discretization),
+        per_node=model.discretization.node_dofs(),
         mesh=mesh,
     )
     work.state[:] = state

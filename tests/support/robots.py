@@ -9,7 +9,7 @@ from snapjump.composition import Simulation, with_tier
 from snapjump.ending.flight import FlightEnding
 from snapjump.engine.model import Model
 from snapjump.load.gravity import Gravity
-from snapjump.options.contact import LogBarrierOptions
+from snapjump.options.contact import LogBarrierOptions, ground
 from snapjump.options.discretization import DiscreteElasticRodOptions
 from snapjump.options.stepping import AdaptiveStepOptions
 from snapjump.parameters.design import Design
@@ -53,6 +53,7 @@ def small_robot(design: tuple[float, ...]) -> tuple[Model, Any]:
     simulation = small_simulation(*design)
     robot, scales = simulation.robot, simulation.robot.scales
     angle, depth = CRITICAL[simulation.design.epsilon]
+    law = simulation.contact.member(scales)
     model = Model(
         simulation.discretization.member(robot),
         rigid_frame(simulation, 1.05 * depth),
@@ -62,10 +63,11 @@ def small_robot(design: tuple[float, ...]) -> tuple[Model, Any]:
             robot.rotation_rate_rad_s * scales.time_s,
             simulation.design.delta_alpha,
         ),
-        simulation.contact.member(scales, simulation.discretization),
+        law,
         simulation.friction.member(scales, simulation.environment.mu),
         simulation.damping.member(scales),
         Gravity(robot.gravity_m_s2 / scales.acceleration_m_s2),
+        ground(simulation.contact, law, scales, simulation.discretization),
     )
     return model, resting_guess(simulation, model)
 

@@ -6,9 +6,7 @@ from typing import Any
 from experiments.compositions import composed
 from experiments.paper.jumps import jump_rows
 from snapjump.batch import variants
-from snapjump.discretization.base import node_dofs
 from snapjump.ending.flight import FlightEnding
-from snapjump.frame.base import frame_dofs
 from snapjump.scenes.frame_body import frame_mesh
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.resting import resting_guesses
@@ -41,7 +39,7 @@ def start_row(simulation: Any) -> Row:
         mesh=mesh,
     )
     march.find_starts()
-    nodes = march.queue.state[0, frame_dofs(model.frame, mesh) :]
-    x, y = nodes[:: node_dofs(model.discretization)], nodes[1 :: node_dofs(model.discretization)]
+    nodes = march.queue.state[0, model.frame.dofs(mesh) :]
+    x, y = nodes[:: model.discretization.node_dofs()], nodes[1 :: model.discretization.node_dofs()]
     span = float(((x[-1] - x[0]) ** 2 + (y[-1] - y[0]) ** 2) ** 0.5)
     return {"clear_span_bar": span, "epsilon_left": 1.0 - span}

@@ -1,0 +1,110 @@
+"""Methods of members: the same in Python, compiled and in lanes; what is missing is said."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from numba import njit
+
+from snapjump.number.dispatch import PROGRAM
+from snapjump.number.lane import view_numbers
+from snapjump.number.memory import aligned_zeros
+from snapjump.number.methods import Contract, ContractError, required
+
+program = njit(**{**PROGRAM, "cache": False})
+
+
+class Spring(Contract):
+    @required
+    def force(self, gap):
+        """Push of the ground."""
+
+    def loss(self, gap):
+        """Nothing is lost."""
+        return 0.0 * gap
+
+    def twice(self, gap):
+        return 2.0 * self.force(gap)
+
+
+@Spring.member
+class Linear(NamedTuple):
+    stiffness: float
+
+    def force(self, gap):
+        return -self._scaled(gap)
+
+    def _scaled(self, gap):
+        return self.stiffness * gap
+
+
+@Spring.member
+class Lossy(NamedTuple):
+    stiffness: float
+    share: float
+
+    def force(self, gap):
+        return -self.stiffness * gap * gap
+
+    def loss(self, gap):
+        return self.share * self.force(gap)
+
+
+@Spring.member
+class Nothing(NamedTuple):
+    def force(self, gap):
+        return 0.5 * gap
+
+
+def total(law: Any, gap: Any) -> Any:
+    return law.force(gap) + law.loss(gap) + law.twice(gap)
+
+
+compiled_total = program(total)
+
+
+@program
+def total_in_lanes(law, gaps, found, lanes):
+    gap = view_numbers(gaps, lanes)
+    out = view_numbers(found, lanes)
+    for i in range(gap.shape[0]):
+        out[i] = total_of(law, gap[i])
+
+
+total_of = njit(total)
+
+
+def as_lanes(numbers):
+    found = aligned_zeros((1, len(numbers)))
+    found[0] = numbers
+    return found
+
+
+@pytest.mark.parametrize("law", [Linear(3.0), Lossy(2.0, 0.5), Nothing()])
+def test_compiled_plain_and_lanes_agree(law: Any) -> None:
+    gaps = np.linspace(-1.0, 1.0, 8)
+    plain = [total(law, gap) for gap in gaps]
+    assert [compiled_total(law, gap) for gap in gaps] == plain
+    assert plain[0] == 3.0 * law.force(-1.0) + law.loss(-1.0)
+    found = aligned_zeros((1, 8))
+    total_in_lanes(law, as_lanes(gaps), found, (0,) * 8)
+    assert found[0].tolist() == plain
+
+
+def test_what_is_missing_is_said() -> None:
+    with pytest.raises(ContractError, match=r"Empty has no method force\(self, gap\)"):
+
+        @Spring.member
+        class Empty(NamedTuple):
+            stiffness: float
+
+
+def test_other_arguments_are_refused() -> None:
+    with pytest.raises(ContractError, match=r"Odd.force takes depth: gap are what"):
+
+        @Spring.member
+        class Odd(NamedTuple):
+            stiffness: float
+
+            def force(self, depth):
+                return self.stiffness * depth
