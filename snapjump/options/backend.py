@@ -1,9 +1,9 @@
 """Options of the backends."""
 
 import os
-from dataclasses import dataclass
 
-from snapjump.checks import ParameterError, check_integer, check_number
+from snapjump.checks import ParameterError, check_integer
+from snapjump.declare.fields import Part, integer, number
 
 WIDTHS = (2, 4, 8, 16)
 MOST_THREADS = 1024
@@ -18,13 +18,17 @@ def available_cores() -> int:
     return os.cpu_count() or 1
 
 
-@dataclass(frozen=True)
-class ScalarBackend:
+class BackendOptions(Part):
+    """A backend and its numbers."""
+
+    group = "backend"
+
+
+class ScalarBackend(BackendOptions):
     """One robot at a time, with its whole trajectory."""
 
 
-@dataclass(frozen=True)
-class LanesBackend:
+class LanesBackend(BackendOptions):
     """Robots side by side in the lanes of SIMD instructions: for batches, outcomes only.
 
     ``width`` robots in each of ``threads``; None: as many threads as there are cores to use.
@@ -34,6 +38,7 @@ class LanesBackend:
     threads: int | None = None
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         if type(self.width) is not int or self.width not in WIDTHS:
             raise ParameterError("backend.width", self.width, "one of 2, 4, 8, 16")
         if self.threads is not None:
@@ -45,20 +50,18 @@ class LanesBackend:
         return available_cores() if self.threads is None else self.threads
 
 
-@dataclass(frozen=True)
-class CudaBackend:
+class CudaBackend(BackendOptions):
     """One robot a thread of an NVIDIA card: for batches, outcomes only.
 
     As many robots at once as fit ``memory_gib`` of the card's memory, the others follow.
     """
 
-    device: int = 0
-    memory_gib: float = 4.0
+    device: int = integer(0, least=0, most=1023)
+    memory_gib: float = number(4.0, above=0.0, most=1024.0, unit="GiB")
     threads_per_block: int = 64
 
     def __post_init__(self) -> None:
-        check_integer("backend.device", self.device, 0, 1023)
-        check_number("backend.memory_gib", self.memory_gib, 0.0, 1024.0, above=True, unit="GiB")
+        super().__post_init__()
         block = self.threads_per_block
         if type(block) is not int or block % WARP or not WARP <= block <= LARGEST_BLOCK:
             raise ParameterError(

@@ -1,16 +1,15 @@
 """Options of the contact laws."""
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
-from snapjump.checks import check_choice, check_number
 from snapjump.contact.base import Ground
 from snapjump.contact.hunt_crossley import HuntCrossley
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.contact.none import NoContact
 from snapjump.contact.penalty import Penalty
 from snapjump.contact.signorini import Signorini
+from snapjump.declare.fields import Part, choice, number
 from snapjump.number.portable import log1p
 from snapjump.options.discretization import DiscretizationOptions
 from snapjump.units import Scales
@@ -44,8 +43,13 @@ def ground(
     )
 
 
-@dataclass(frozen=True)
-class LogBarrierOptions:
+class ContactOptions(Part):
+    """A contact law and its numbers."""
+
+    group = "contact"
+
+
+class LogBarrierOptions(ContactOptions):
     """Logarithmic barrier (the paper, IPC): no gap ever closes.
 
     ``stiffness_N_m`` is K_c at a frame corner and at a node of the paper's mesh of 66 elements;
@@ -53,16 +57,10 @@ class LogBarrierOptions:
     adds a force of so many seconds times the stiffness times the closing speed.
     """
 
-    stiffness_N_m: float = 1.0e4  # noqa: N815 (the unit is a capital)
-    distance_m: float = 5.0e-4
-    damping_s: float = 0.0
-    weighting: str = "per_length"
-
-    def __post_init__(self) -> None:
-        check_number("contact.stiffness_N_m", self.stiffness_N_m, 0.0, above=True, unit="N/m")
-        check_number("contact.distance_m", self.distance_m, 0.0, above=True, unit="m")
-        check_number("contact.damping_s", self.damping_s, 0.0, unit="s")
-        check_choice("contact.weighting", self.weighting, WEIGHTINGS)
+    stiffness_N_m: float = number(1.0e4, above=0.0, unit="N/m")  # noqa: N815 (the unit is a capital)
+    distance_m: float = number(5.0e-4, above=0.0, unit="m")
+    damping_s: float = number(0.0, least=0.0, unit="s")
+    weighting: str = choice("per_length", WEIGHTINGS)
 
     def member(self, scales: Scales) -> LogBarrier:
         """The dimensionless law."""
@@ -73,19 +71,14 @@ class LogBarrierOptions:
         )
 
 
-@dataclass(frozen=True)
-class PenaltyOptions:
+class PenaltyOptions(ContactOptions):
     """Quadratic penalty: a spring below the ground; conservative, fast, and it lets points sink in.
 
     ``stiffness_N_m`` as for the barrier.
     """
 
-    stiffness_N_m: float = 1.0e5  # noqa: N815
-    weighting: str = "per_length"
-
-    def __post_init__(self) -> None:
-        check_number("contact.stiffness_N_m", self.stiffness_N_m, 0.0, above=True, unit="N/m")
-        check_choice("contact.weighting", self.weighting, WEIGHTINGS)
+    stiffness_N_m: float = number(1.0e5, above=0.0, unit="N/m")  # noqa: N815
+    weighting: str = choice("per_length", WEIGHTINGS)
 
     def member(self, scales: Scales) -> Penalty:
         """The dimensionless law."""
@@ -94,26 +87,18 @@ class PenaltyOptions:
         )
 
 
-@dataclass(frozen=True)
-class HuntCrossleyOptions:
+class HuntCrossleyOptions(ContactOptions):
     """Hunt-Crossley: a Hertzian spring with a damper that gives an impact its restitution.
 
     ``stiffness_N_m``: force over penetration at ``penetration_m``; ``restitution`` of an impact at
     ``impact_speed_m_s`` (slower ones lose less).
     """
 
-    restitution: float = 0.8
-    impact_speed_m_s: float = 5.0
-    stiffness_N_m: float = 1.0e5  # noqa: N815
-    penetration_m: float = 2.0e-5
-    weighting: str = "per_length"
-
-    def __post_init__(self) -> None:
-        check_number("contact.restitution", self.restitution, 0.01, 1.0)
-        check_number("contact.impact_speed_m_s", self.impact_speed_m_s, 0.0, above=True, unit="m/s")
-        check_number("contact.stiffness_N_m", self.stiffness_N_m, 0.0, above=True, unit="N/m")
-        check_number("contact.penetration_m", self.penetration_m, 0.0, above=True, unit="m")
-        check_choice("contact.weighting", self.weighting, WEIGHTINGS)
+    restitution: float = number(0.8, least=0.01, most=1.0)
+    impact_speed_m_s: float = number(5.0, above=0.0, unit="m/s")
+    stiffness_N_m: float = number(1.0e5, above=0.0, unit="N/m")  # noqa: N815
+    penetration_m: float = number(2.0e-5, above=0.0, unit="m")
+    weighting: str = choice("per_length", WEIGHTINGS)
 
     def member(self, scales: Scales) -> HuntCrossley:
         """The dimensionless law."""
@@ -143,26 +128,21 @@ def damping_number(restitution: float) -> float:
     return float(brentq(excess, low, high, xtol=1e-15))
 
 
-@dataclass(frozen=True)
-class SignoriniOptions:
+class SignoriniOptions(ContactOptions):
     """The rigid ground: a complementarity of gap and force, and Newton's impact law.
 
     ``restitution``: of every impact of a node or a corner. An impact law of velocities, which
     needs integrator=implicit_euler.
     """
 
-    restitution: float = 1.0
-
-    def __post_init__(self) -> None:
-        check_number("contact.restitution", self.restitution, 0.0, 1.0)
+    restitution: float = number(1.0, least=0.0, most=1.0)
 
     def member(self, scales: Scales) -> Signorini:
         """The dimensionless law."""
         return Signorini(self.restitution)
 
 
-@dataclass(frozen=True)
-class NoContactOptions:
+class NoContactOptions(ContactOptions):
     """No ground: every contact term is left out of the compiled program."""
 
     def member(self, scales: Scales) -> NoContact:

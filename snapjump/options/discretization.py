@@ -1,11 +1,9 @@
 """Options of the discretizations."""
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.checks import check_choice, check_integer, check_number
+from snapjump.declare.fields import Part, choice, integer, number
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.discretization.geometrically_exact import GeometricallyExact
@@ -15,20 +13,21 @@ CLAMPS = ("half_element", "two_nodes")
 SHEAR_FACTOR = 5.0 / 6.0  # of a rectangle
 
 
-@dataclass(frozen=True)
-class DiscreteElasticRodOptions:
+class MeshOptions(Part):
+    """A discretization and its numbers."""
+
+    group = "discretization"
+
+
+class DiscreteElasticRodOptions(MeshOptions):
     """Discrete elastic rods (the paper): second order with half-element clamps.
 
     ``elements`` of the whole beam; ``clamp``: half an element with a prescribed tangent, or the
     paper's two fixed nodes (first order), which leave two elements fewer to move.
     """
 
-    elements: int = 104
-    clamp: str = "half_element"
-
-    def __post_init__(self) -> None:
-        check_integer("discretization.elements", self.elements, 8, 100_000)
-        check_choice("discretization.clamp", self.clamp, CLAMPS)
+    elements: int = integer(104, least=8, most=100_000)
+    clamp: str = choice("half_element", CLAMPS)
 
     @property
     def moving_elements(self) -> int:
@@ -58,15 +57,11 @@ class DiscreteElasticRodOptions:
         return masses
 
 
-@dataclass(frozen=True)
-class BeamElementOptions:
+class BeamElementOptions(MeshOptions):
     """What elements with a rotation at every node have in common: clamps hold it, to second
     order."""
 
-    elements: int = 104
-
-    def __post_init__(self) -> None:
-        check_integer("discretization.elements", self.elements, 8, 100_000)
+    elements: int = integer(104, least=8, most=100_000)
 
     @property
     def moving_elements(self) -> int:
@@ -85,7 +80,6 @@ class BeamElementOptions:
         return masses
 
 
-@dataclass(frozen=True)
 class CorotationalOptions(BeamElementOptions):
     """Co-rotational Euler-Bernoulli beam elements: second order, x, y and rotation at a node."""
 
@@ -94,18 +88,13 @@ class CorotationalOptions(BeamElementOptions):
         return Corotational(1.0 / self.elements, robot.stretching_stiffness_bar)
 
 
-@dataclass(frozen=True)
 class GeometricallyExactOptions(BeamElementOptions):
     """Geometrically exact beam elements with shear: second order, x, y and rotation at a node.
 
     ``poisson_ratio`` gives the shear stiffness, 5/6 EA / (2 (1 + nu)).
     """
 
-    poisson_ratio: float = 0.3
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        check_number("discretization.poisson_ratio", self.poisson_ratio, -0.99, 0.5)
+    poisson_ratio: float = number(0.3, least=-0.99, most=0.5)
 
     def member(self, robot: Robot) -> GeometricallyExact:
         """The dimensionless beam."""

@@ -1,11 +1,9 @@
 """Options of the frames."""
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.checks import ParameterError, check_choice, check_integer, check_number
+from snapjump.declare.fields import Part, choice, flag, integer, number
 
 Mesh = NDArray[np.int64]
 MOUNTS = ("exact", "edge_middle")
@@ -13,13 +11,17 @@ CONTACTS = ("nodes", "corners")
 LOW_SHARE = 0.15  # of a leg's elements, below an exact mount
 
 
-@dataclass(frozen=True)
-class RigidFrameOptions:
+class FrameOptions(Part):
+    """A frame and its numbers."""
+
+    group = "frame"
+
+
+class RigidFrameOptions(FrameOptions):
     """A rigid body of three coordinates that carries both clamps and can touch the ground."""
 
 
-@dataclass(frozen=True)
-class ElasticFrameOptions:
+class ElasticFrameOptions(FrameOptions):
     """The paper's open chain, leg - top - leg, of nodes that are far stiffer than the beam.
 
     ``bending_ratio``, ``stretching_ratio``: its EI and EA over the beam's (the released program:
@@ -31,27 +33,15 @@ class ElasticFrameOptions:
     energy and serves comparisons with the released program only (its data: about 0.5).
     """
 
-    bending_ratio: float = 1000.0
-    stretching_ratio: float = 1000.0
-    leg_elements: int = 33
-    top_elements: int = 56
-    mount: str = "exact"
-    inset_m: float = 0.0
-    contact: str = "nodes"
-    beam_on_top: bool = False
-    right_follow: float = 1.0
-
-    def __post_init__(self) -> None:
-        check_number("frame.bending_ratio", self.bending_ratio, 0.0, above=True)
-        check_number("frame.stretching_ratio", self.stretching_ratio, 0.0, above=True)
-        check_integer("frame.leg_elements", self.leg_elements, 3, 10_000)
-        check_integer("frame.top_elements", self.top_elements, 2, 10_000)
-        check_choice("frame.mount", self.mount, MOUNTS)
-        check_number("frame.inset_m", self.inset_m, 0.0, unit="m")
-        check_choice("frame.contact", self.contact, CONTACTS)
-        if not isinstance(self.beam_on_top, bool):
-            raise ParameterError("frame.beam_on_top", self.beam_on_top, "true or false")
-        check_number("frame.right_follow", self.right_follow, 0.0, 1.0)
+    bending_ratio: float = number(1000.0, above=0.0)
+    stretching_ratio: float = number(1000.0, above=0.0)
+    leg_elements: int = integer(33, least=3, most=10_000)
+    top_elements: int = integer(56, least=2, most=10_000)
+    mount: str = choice("exact", MOUNTS)
+    inset_m: float = number(0.0, least=0.0, unit="m")
+    contact: str = choice("nodes", CONTACTS)
+    beam_on_top: bool = flag(False)
+    right_follow: float = number(1.0, least=0.0, most=1.0)
 
     def elements_below(self, mount_share: float) -> int:
         """Elements of a leg below its mount, which is at a share of the leg's height."""
@@ -65,6 +55,5 @@ class ElasticFrameOptions:
         return np.array([2 * nodes, self.elements_below(mount_share), *corners], dtype=np.int64)
 
 
-@dataclass(frozen=True)
-class FixedFrameOptions:
+class FixedFrameOptions(FrameOptions):
     """Clamps held in space: for scenes without a flight."""

@@ -1,16 +1,19 @@
 """Options of the friction laws."""
 
-from dataclasses import dataclass
-
-from snapjump.checks import check_number
+from snapjump.declare.fields import Part, number
 from snapjump.friction.implicit import ImplicitFriction
 from snapjump.friction.lagged import LaggedFriction
 from snapjump.friction.none import NoFriction
 from snapjump.units import Scales
 
 
-@dataclass(frozen=True)
-class NoFrictionOptions:
+class FrictionOptions(Part):
+    """A friction law and its numbers."""
+
+    group = "friction"
+
+
+class NoFrictionOptions(FrictionOptions):
     """A perfectly slippery ground."""
 
     def member(self, scales: Scales, mu: float) -> NoFriction:
@@ -18,40 +21,20 @@ class NoFrictionOptions:
         return NoFriction()
 
 
-@dataclass(frozen=True)
-class ImplicitFrictionOptions:
+class ImplicitFrictionOptions(FrictionOptions):
     """Smoothed Coulomb friction of the unknown normal force and velocity."""
 
-    velocity_threshold_m_s: float = 1.0e-4
-
-    def __post_init__(self) -> None:
-        check_number(
-            "friction.velocity_threshold_m_s",
-            self.velocity_threshold_m_s,
-            0.0,
-            above=True,
-            unit="m/s",
-        )
+    velocity_threshold_m_s: float = number(1.0e-4, above=0.0, unit="m/s")
 
     def member(self, scales: Scales, mu: float) -> ImplicitFriction:
         """The dimensionless law."""
         return ImplicitFriction(mu, self.velocity_threshold_m_s / scales.velocity_m_s)
 
 
-@dataclass(frozen=True)
-class LaggedFrictionOptions:
+class LaggedFrictionOptions(FrictionOptions):
     """Smoothed Coulomb friction of the last step's normal force and velocity (the paper)."""
 
-    velocity_threshold_m_s: float = 1.0e-4
-
-    def __post_init__(self) -> None:
-        check_number(
-            "friction.velocity_threshold_m_s",
-            self.velocity_threshold_m_s,
-            0.0,
-            above=True,
-            unit="m/s",
-        )
+    velocity_threshold_m_s: float = number(1.0e-4, above=0.0, unit="m/s")
 
     def member(self, scales: Scales, mu: float) -> LaggedFriction:
         """The dimensionless law."""

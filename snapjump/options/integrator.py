@@ -1,18 +1,23 @@
 """Options of the integrators that are no Runge-Kutta methods."""
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 
 from snapjump.checks import check_number
+from snapjump.declare.fields import Part, number
 from snapjump.integrator.bdf2 import Bdf2
 from snapjump.integrator.central_difference import CentralDifference
 from snapjump.integrator.generalized_alpha import GeneralizedAlpha
 
 
-@dataclass(frozen=True)
-class Bdf2Options:
+class IntegratorOptions(Part):
+    """An integrator and its numbers."""
+
+    group = "integrator"
+
+
+class Bdf2Options(IntegratorOptions):
     """Second order, one stage, two steps; L-stable; steps may vary."""
 
     order: ClassVar[int] = 2
@@ -25,19 +30,18 @@ class Bdf2Options:
         return Bdf2()
 
 
-@dataclass(frozen=True)
-class NewmarkOptions:
+class NewmarkOptions(IntegratorOptions):
     """Newmark's method: average acceleration by default, second order, damps nothing.
 
     Second order for ``gamma`` = 1/2; A-stable for 2 ``beta`` >= ``gamma`` >= 1/2.
     """
 
     beta: float = 0.25
-    gamma: float = 0.5
+    gamma: float = number(0.5, least=0.5, most=1.0)
     stages: ClassVar[int] = 1
 
     def __post_init__(self) -> None:
-        check_number("integrator.gamma", self.gamma, 0.5, 1.0)
+        super().__post_init__()
         check_number("integrator.beta", self.beta, 0.5 * self.gamma, 1.0)
 
     @property
@@ -65,20 +69,16 @@ def largest_root(beta: float, gamma: float) -> float:
     return float(np.abs(roots).max())
 
 
-@dataclass(frozen=True)
-class GeneralizedAlphaOptions:
+class GeneralizedAlphaOptions(IntegratorOptions):
     """Generalized-alpha (Chung and Hulbert): second order, damps fast modes as much as is wanted.
 
     ``spectral_radius``: amplification of an infinitely fast oscillation.
     """
 
-    spectral_radius: float = 0.5
+    spectral_radius: float = number(0.5, least=0.0, most=1.0)
     order: ClassVar[int] = 2
     stages: ClassVar[int] = 1
     a_stable: ClassVar[bool] = True
-
-    def __post_init__(self) -> None:
-        check_number("integrator.spectral_radius", self.spectral_radius, 0.0, 1.0)
 
     @property
     def damping_at_infinity(self) -> float:
@@ -93,8 +93,7 @@ class GeneralizedAlphaOptions:
         return GeneralizedAlpha(0.25 * (1.0 + drift) * (1.0 + drift), 0.5 + drift, alpha_m, alpha_f)
 
 
-@dataclass(frozen=True)
-class CentralDifferenceOptions:
+class CentralDifferenceOptions(IntegratorOptions):
     """Explicit, second order, lumped masses: held to the stable step, which it computes."""
 
     order: ClassVar[int] = 2

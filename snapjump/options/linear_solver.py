@@ -1,8 +1,9 @@
 """Options of the linear solvers."""
 
-from dataclasses import dataclass
+from snapjump.declare.fields import Part
 
 
-@dataclass(frozen=True)
-class BandedSolverOptions:
+class BandedSolverOptions(Part):
     """Bordered banded elimination: nodes as a band, the frame as its border."""
+
+    group = "linear_solver"

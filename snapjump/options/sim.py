@@ -1,8 +1,7 @@
 """Options of the scenes."""
 
-from dataclasses import dataclass
-
-from snapjump.checks import ParameterError, check_integer, check_number
+from snapjump.checks import ParameterError
+from snapjump.declare.fields import Part, integer, number
 
 MOST_SAMPLES = 200_000
 
@@ -18,100 +17,83 @@ def check_samples(duration_s: float, interval_s: float) -> None:
         )
 
 
-@dataclass(frozen=True)
-class JumpScene:
+class SceneOptions(Part):
+    """A scene and its numbers."""
+
+    group = "sim"
+
+
+class JumpScene(SceneOptions):
     """The whole jump: snap, strike, lift-off and ballistic apex.
 
     The motion starts at ``start_fraction`` of the symmetric arch's critical angle from the static
     solution; ``time_limit_s`` counts from there. States are kept ``sample_interval_s`` apart.
     """
 
-    start_fraction: float = 0.85
-    time_limit_s: float = 0.1
-    sample_interval_s: float = 2.0e-5
+    start_fraction: float = number(0.85, least=0.0, most=0.95)
+    time_limit_s: float = number(0.1, above=0.0, unit="s")
+    sample_interval_s: float = number(2.0e-5, above=1e-7, unit="s")
 
     def __post_init__(self) -> None:
-        check_number("sim.start_fraction", self.start_fraction, 0.0, 0.95)
-        check_number("sim.time_limit_s", self.time_limit_s, 0.0, above=True, unit="s")
-        check_number("sim.sample_interval_s", self.sample_interval_s, 1e-7, above=True, unit="s")
+        super().__post_init__()
         check_samples(self.time_limit_s, self.sample_interval_s)
 
 
-@dataclass(frozen=True)
-class StaticScene:
+class StaticScene(SceneOptions):
     """Slow loading: branches, stability, critical angle and snapped state.
 
     ``steps``: points along each branch.
     """
 
-    steps: int = 120
-
-    def __post_init__(self) -> None:
-        check_integer("sim.steps", self.steps, 10, 100_000)
+    steps: int = integer(120, least=10, most=100_000)
 
 
-@dataclass(frozen=True)
-class SnapScene:
+class SnapScene(SceneOptions):
     """The beam alone snaps in a frame that is held still, without gravity or ground.
 
     The clamps start from flat and reach their rate within about ``rise_time_s``.
     """
 
-    duration_s: float = 0.06
-    rise_time_s: float = 1.0e-3
-    sample_interval_s: float = 5.0e-5
+    duration_s: float = number(0.06, above=0.0, unit="s")
+    rise_time_s: float = number(1.0e-3, above=0.0, unit="s")
+    sample_interval_s: float = number(5.0e-5, above=1e-7, unit="s")
 
     def __post_init__(self) -> None:
-        check_number("sim.duration_s", self.duration_s, 0.0, above=True, unit="s")
-        check_number("sim.rise_time_s", self.rise_time_s, 0.0, above=True, unit="s")
-        check_number("sim.sample_interval_s", self.sample_interval_s, 1e-7, above=True, unit="s")
+        super().__post_init__()
         check_samples(self.duration_s, self.sample_interval_s)
 
 
-@dataclass(frozen=True)
-class CantileverScene:
+class CantileverScene(SceneOptions):
     """Verification: a cantilever bent by a force (in EI/L^2) across its tip."""
 
-    load_bar: float = 1.0
-
-    def __post_init__(self) -> None:
-        check_number("sim.load_bar", self.load_bar, -20.0, 20.0, unit="EI/L^2")
+    load_bar: float = number(1.0, least=-20.0, most=20.0, unit="EI/L^2")
 
 
-@dataclass(frozen=True)
-class BounceScene:
+class BounceScene(SceneOptions):
     """Verification: one mass falls onto the barrier at a given speed and bounces off."""
 
-    mass_kg: float = 7.6e-7
-    speed_m_s: float = 10.0
-    duration_s: float = 1.0e-4
-    sample_interval_s: float = 1.0e-7
+    mass_kg: float = number(7.6e-7, above=0.0, unit="kg")
+    speed_m_s: float = number(10.0, least=0.0, unit="m/s")
+    duration_s: float = number(1.0e-4, above=0.0, unit="s")
+    sample_interval_s: float = number(1.0e-7, above=0.0, unit="s")
 
     def __post_init__(self) -> None:
-        check_number("sim.mass_kg", self.mass_kg, 0.0, above=True, unit="kg")
-        check_number("sim.speed_m_s", self.speed_m_s, 0.0, unit="m/s")
-        check_number("sim.duration_s", self.duration_s, 0.0, above=True, unit="s")
-        check_number("sim.sample_interval_s", self.sample_interval_s, 0.0, above=True, unit="s")
+        super().__post_init__()
         check_samples(self.duration_s, self.sample_interval_s)
 
 
-@dataclass(frozen=True)
-class SlideScene:
+class SlideScene(SceneOptions):
     """Verification: one mass slides on the ground until friction stops it.
 
     ``incline`` is the tangent of the slope down which gravity also pulls.
     """
 
-    mass_kg: float = 4.0e-3
-    speed_m_s: float = 0.1
-    duration_s: float = 0.05
-    incline: float = 0.0
-    sample_interval_s: float = 1.0e-5
+    mass_kg: float = number(4.0e-3, above=0.0, unit="kg")
+    speed_m_s: float = number(0.1, least=0.0, unit="m/s")
+    duration_s: float = number(0.05, above=0.0, unit="s")
+    incline: float = number(0.0, least=0.0, most=1.0)
+    sample_interval_s: float = number(1.0e-5, above=0.0, unit="s")
 
     def __post_init__(self) -> None:
-        check_number("sim.mass_kg", self.mass_kg, 0.0, above=True, unit="kg")
-        check_number("sim.speed_m_s", self.speed_m_s, 0.0, unit="m/s")
-        check_number("sim.duration_s", self.duration_s, 0.0, above=True, unit="s")
-        check_number("sim.incline", self.incline, 0.0, 1.0)
-        check_number("sim.sample_interval_s", self.sample_interval_s, 0.0, above=True, unit="s")
+        super().__post_init__()
         check_samples(self.duration_s, self.sample_interval_s)

@@ -1,8 +1,6 @@
 """Options of the step control."""
 
-from dataclasses import dataclass
-
-from snapjump.checks import check_number
+from snapjump.declare.fields import Part, number
 from snapjump.stepping.adaptive import AdaptiveStep
 from snapjump.stepping.fixed import FixedStep
 from snapjump.units import Scales
@@ -19,34 +17,31 @@ LOOSEST_NEWTON_BAR = 1e-5
 NEWTON_TOLERANCE_BAR = 1e-9
 
 
-@dataclass(frozen=True)
-class FixedStepOptions:
+class SteppingOptions(Part):
+    """A step control and its numbers."""
+
+    group = "stepping"
+
+
+class FixedStepOptions(SteppingOptions):
     """One step size throughout, halved only where Newton's method fails."""
 
-    step_s: float = 1.0e-5
-
-    def __post_init__(self) -> None:
-        check_number("stepping.step_s", self.step_s, 0.0, 0.01, above=True, unit="s")
+    step_s: float = number(1.0e-5, above=0.0, most=0.01, unit="s")
 
     def member(self, scales: Scales) -> FixedStep:
         """The dimensionless control."""
         return FixedStep(self.step_s / scales.time_s, NEWTON_TOLERANCE_BAR)
 
 
-@dataclass(frozen=True)
-class AdaptiveStepOptions:
+class AdaptiveStepOptions(SteppingOptions):
     """Steps by the embedded error estimate and by the time scale of contact.
 
     ``tolerance``: error in position a step may make (root mean square over the nodes, in L);
     ``contact_steps``: largest step in units of sqrt(m/k) of a node that bounces in the barrier.
     """
 
-    tolerance: float = 4.5e-8
-    contact_steps: float = 2.0
-
-    def __post_init__(self) -> None:
-        check_number("stepping.tolerance", self.tolerance, 1e-12, 1e-2)
-        check_number("stepping.contact_steps", self.contact_steps, 0.0, above=True)
+    tolerance: float = number(4.5e-8, least=1e-12, most=1e-2)
+    contact_steps: float = number(2.0, above=0.0)
 
     def member(self, scales: Scales) -> AdaptiveStep:
         """The dimensionless control."""

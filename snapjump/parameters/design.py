@@ -1,17 +1,12 @@
 """The design: what is chosen before a jump."""
 
-from dataclasses import dataclass
-
-from snapjump.checks import check_number
+from snapjump.declare.fields import Part, number
 
 
-@dataclass(frozen=True)
-class Design:
+class Design(Part):
     """Pre-compression epsilon (clear span L(1 - epsilon)) and lag of the right clamp (rad)."""
 
-    epsilon: float = 0.2
-    delta_alpha: float = 0.1
+    group = "design"
 
-    def __post_init__(self) -> None:
-        check_number("design.epsilon", self.epsilon, 0.0, 0.4, above=True)
-        check_number("design.delta_alpha", self.delta_alpha, -0.5, 0.5, unit="rad")
+    epsilon: float = number(0.2, above=0.0, most=0.4)
+    delta_alpha: float = number(0.1, least=-0.5, most=0.5, unit="rad")

@@ -1,21 +1,17 @@
 """The environment: what a jump meets."""
 
-from dataclasses import dataclass
-
-from snapjump.checks import ParameterError, check_number
+from snapjump.checks import ParameterError
+from snapjump.declare.fields import Part, number
 from snapjump.parameters.robot import SMALLEST, Robot
 
 
-@dataclass(frozen=True)
-class Environment:
+class Environment(Part):
     """Friction coefficient mu, and the robot's whole mass as m_bar = m g L^2 / EI."""
 
-    mu: float = 0.3
-    mass_bar: float = 0.768
+    group = "environment"
 
-    def __post_init__(self) -> None:
-        check_number("environment.mu", self.mu, 0.0)
-        check_number("environment.mass_bar", self.mass_bar, 0.0, above=True)
+    mu: float = number(0.3, least=0.0)
+    mass_bar: float = number(0.768, above=0.0)
 
     def mass_kg(self, robot: Robot) -> float:
         """The robot's whole mass.

@@ -5,18 +5,17 @@ processor.
 """
 
 import math
-from dataclasses import dataclass
 from typing import Literal
 
 from snapjump.checks import ParameterError, check_number
+from snapjump.declare.fields import Part, number
 from snapjump.units import Scales
 
 # Of every number that has to be positive: their products and powers remain numbers.
 SMALLEST, LARGEST = 1e-15, 1e20
 
 
-@dataclass(frozen=True)
-class Robot:
+class Robot(Part):
     """A beam clamped in a rigid frame (leg, top, leg).
 
     ``mount_height`` is the height of the clamps above the feet: a number in metres, or
@@ -24,33 +23,21 @@ class Robot:
     just touches the ground then, or ``"fitted"`` for the released program's fit of that.
     """
 
-    length_m: float = 0.02
-    width_m: float = 0.01
-    thickness_m: float = 5e-5
-    youngs_modulus_Pa: float = 2e11  # noqa: N815 (the unit is a capital)
-    density_kg_m3: float = 5000.0
-    frame_height_m: float = 0.01
-    gravity_m_s2: float = 10.0
-    rotation_rate_rad_s: float = 20.0
-    rotation_end_rad: float = 1.5
+    group = "robot"
+
+    length_m: float = number(0.02, least=SMALLEST, most=LARGEST, unit="m")
+    width_m: float = number(0.01, least=SMALLEST, most=LARGEST, unit="m")
+    thickness_m: float = number(5e-5, least=SMALLEST, most=LARGEST, unit="m")
+    youngs_modulus_Pa: float = number(2e11, least=SMALLEST, most=LARGEST, unit="Pa")  # noqa: N815 (the unit is a capital)
+    density_kg_m3: float = number(5000.0, least=SMALLEST, most=LARGEST, unit="kg/m^3")
+    frame_height_m: float = number(0.01, least=SMALLEST, most=LARGEST, unit="m")
+    gravity_m_s2: float = number(10.0, least=0.0, most=LARGEST, unit="m/s^2")
+    rotation_rate_rad_s: float = number(20.0, least=SMALLEST, most=LARGEST, unit="rad/s")
+    rotation_end_rad: float = number(1.5, least=0.0, most=math.pi / 2, unit="rad")
     mount_height: float | Literal["optimal", "fitted"] = "optimal"
 
     def __post_init__(self) -> None:
-        for name in (
-            "length_m",
-            "width_m",
-            "thickness_m",
-            "youngs_modulus_Pa",
-            "density_kg_m3",
-            "frame_height_m",
-        ):
-            unit = name.rsplit("_", 1)[1].replace("kg", "kg/m^3") if name[-1] != "3" else "kg/m^3"
-            check_number(f"robot.{name}", getattr(self, name), SMALLEST, LARGEST, unit=unit)
-        check_number("robot.gravity_m_s2", self.gravity_m_s2, 0.0, LARGEST, unit="m/s^2")
-        check_number(
-            "robot.rotation_rate_rad_s", self.rotation_rate_rad_s, SMALLEST, LARGEST, unit="rad/s"
-        )
-        check_number("robot.rotation_end_rad", self.rotation_end_rad, 0.0, math.pi / 2, unit="rad")
+        super().__post_init__()
         if self.thickness_m > 0.1 * self.length_m:
             raise ParameterError(
                 "robot.thickness_m",

@@ -1,0 +1,1 @@
+"""Facts that are declared once, and read by whatever checks, sweeps, draws or documents them."""
