@@ -5,9 +5,12 @@ A law is a ``NamedTuple`` of dimensionless numbers. Lengths are in L, forces in 
 
 from typing import Any, NamedTuple
 
-from snapjump.number.dispatch import kernel
+from numba.extending import overload
+
+from snapjump.number.dispatch import INLINED, kernel
 from snapjump.number.functions import minimum, where
 from snapjump.number.methods import Contract, required
+from snapjump.number.slope import derivative, slope_in, sloped
 
 # Slower than this (in L/T) a contact rests: what an unresolved bounce could lose is then nothing.
 RESTING_SPEED = 0.02
@@ -25,6 +28,32 @@ class Approach(NamedTuple):
     begun: Any
     begun_speed: Any
     inertia: Any
+
+
+def derived_slope(law: Any, gap: Any, approach: Approach) -> Any:
+    """The slope that follows from a law's force."""
+
+    def force(moved: Any) -> Any:
+        return law.force(
+            moved, approach._replace(speed=approach.speed + approach.rate * (moved - gap))
+        )
+
+    return -derivative(force, gap)
+
+
+@overload(derived_slope, strict=False, jit_options=INLINED)
+def _derived_slope(law: Any, gap: Any, approach: Any) -> Any:
+    def slope(law: Any, gap: Any, approach: Any) -> Any:
+        moving = Approach(
+            sloped(approach.speed, approach.rate),
+            approach.rate,
+            approach.begun,
+            approach.begun_speed,
+            approach.inertia,
+        )
+        return -slope_in(law.force(sloped(gap, 1.0), moving))
+
+    return slope
 
 
 class Ground(NamedTuple):
@@ -67,9 +96,9 @@ class ContactLaw(Contract):
     def force(self, gap: Any, approach: Any) -> Any:
         """Repulsive force."""
 
-    @required
     def slope(self, gap: Any, approach: Any) -> Any:
-        """Negative total derivative of the force by the gap."""
+        """Negative total derivative of the force by the gap, with which the speed changes too."""
+        return derived_slope(self, gap, approach)
 
     def loss(self, gap: Any, approach: Any) -> Any:
         """Power that the law takes out (EI/(L T))."""

@@ -19,6 +19,3 @@ class Penalty(NamedTuple):
 
     def force(self, gap: Any, approach: Any) -> Any:
         return -self.stiffness * gap
-
-    def slope(self, gap: Any, approach: Any) -> Any:
-        return self.stiffness + 0.0 * gap

@@ -5,9 +5,22 @@ A law is a ``NamedTuple`` of dimensionless numbers. Forces are in EI/L^2, veloci
 
 from typing import Any
 
-from snapjump.number.dispatch import kernel
+from numba.extending import overload
+
+from snapjump.number.dispatch import INLINED, kernel
 from snapjump.number.functions import absolute, where
 from snapjump.number.methods import Contract, required
+from snapjump.number.slope import derivative, slope_in, sloped
+
+
+def derived_slope(law: Any, velocity: Any) -> Any:
+    """The slope that follows from a law's friction ratio."""
+    return derivative(law.ratio, velocity)
+
+
+@overload(derived_slope, strict=False, jit_options=INLINED)
+def _derived_slope(law: Any, velocity: Any) -> Any:
+    return lambda law, velocity: slope_in(law.ratio(sloped(velocity, 1.0)))
 
 
 class FrictionLaw(Contract):
@@ -29,13 +42,13 @@ class FrictionLaw(Contract):
     def ratio(self, velocity: Any) -> Any:
         """Friction force over normal force."""
 
-    @required
     def slope(self, velocity: Any, previous: Any) -> Any:
         """Its derivative by the velocity.
 
         ``previous`` is the velocity at the Newton iterate before: a law may use it to linearise
         safely where its derivative jumps.
         """
+        return derived_slope(self, velocity)
 
 
 @kernel

@@ -15,7 +15,7 @@ from numba.extending import intrinsic, overload
 
 from snapjump.number.dispatch import INLINED, kernel
 from snapjump.number.dual import DualType, dual, slopes_of, value_of
-from snapjump.number.functions import fma, maximum, minimum, nearest, where
+from snapjump.number.functions import fma, is_plain, maximum, minimum, nearest, where
 from snapjump.number.lane import LaneType, splat
 
 # ln 2 in two parts: small integers times the first are exact.
@@ -139,7 +139,7 @@ def exp(x: Any) -> Any:
 def _log(x: Any) -> Any:
     if isinstance(x, DualType):
         return lambda x: dual(logarithm(value_of(x)), slopes_of(x) * (1.0 / value_of(x)))
-    return lambda x: logarithm(x)
+    return (lambda x: logarithm(x)) if is_plain(x) else None
 
 
 @overload(exp, strict=False, jit_options=INLINED)
@@ -151,4 +151,4 @@ def _exp(x: Any) -> Any:
             return dual(value, slopes_of(x) * value)
 
         return differentiated
-    return lambda x: exponential(x)
+    return (lambda x: exponential(x)) if is_plain(x) else None

@@ -42,6 +42,11 @@ def _scalar_function(module: ir.Module, name: str) -> ir.Function:
     return module.declare_intrinsic(f"llvm.{name}", [double])
 
 
+def is_plain(*kinds: types.Type) -> bool:
+    """Whether these are numbers or lanes of them, and nothing that carries derivatives."""
+    return all(isinstance(kind, (LaneType, types.Float, types.Integer)) for kind in kinds)
+
+
 def _elementwise(name: str, in_python: Any, of_dual: Any) -> Any:
     """A function of one number: ``llvm.<name>`` in numba, ``in_python`` outside it.
 
@@ -69,7 +74,7 @@ def _elementwise(name: str, in_python: Any, of_dual: Any) -> Any:
     def _in_numba(x: Any) -> Any:
         if isinstance(x, DualType):
             return of_dual(of_number)
-        return lambda x: of_number(x)
+        return (lambda x: of_number(x)) if is_plain(x) else None
 
     return function
 
@@ -117,7 +122,7 @@ def _select(typingctx: Any, mask: Any, a: Any, b: Any) -> Any:
 @overload(where, strict=False, jit_options=INLINED)
 def _where(mask: Any, a: Any, b: Any) -> Any:
     if isinstance(mask, MaskType):
-        return lambda mask, a, b: _select(mask, a, b)
+        return (lambda mask, a, b: _select(mask, a, b)) if is_plain(a, b) else None
     return lambda mask, a, b: a if mask else b
 
 
@@ -143,7 +148,7 @@ def _fused(typingctx: Any, a: Any, b: Any, c: Any) -> Any:
 def _fma(a: Any, b: Any, c: Any) -> Any:
     if is_dual(a, b, c):
         return lambda a, b, c: _fused_duals(a, b, c)
-    return lambda a, b, c: _fused(a, b, c)
+    return (lambda a, b, c: _fused(a, b, c)) if is_plain(a, b, c) else None
 
 
 @intrinsic

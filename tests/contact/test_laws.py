@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
+from numba import njit
 
-from snapjump.contact.base import Approach, at_rest, force_if_acting
+from snapjump.contact.base import Approach, at_rest, derived_slope, force_if_acting
 from snapjump.contact.signorini import SKIN
 from snapjump.families import FAMILIES
+from snapjump.number.dispatch import PROGRAM
 from snapjump.options.contact import damping_number, ground
 from snapjump.parameters.robot import Robot
 
@@ -18,6 +20,7 @@ VARIANTS = {
 }
 laws = pytest.mark.parametrize("name", sorted(VARIANTS))
 STEP = 1e-30
+program = njit(**{**PROGRAM, "cache": False})
 
 
 def push(law, gap, approach):
@@ -49,6 +52,23 @@ def test_stiffness_is_the_force_s_total_derivative(name):
             _, stiffness = force(np.complex128(gap))
             slope = -np.imag(force(moved)[0]) / STEP
             assert np.real(stiffness) == pytest.approx(slope, rel=1e-9, abs=1e-9)
+
+
+@program
+def derived_and_own(law, gap, approach):
+    return derived_slope(law, gap, approach), law.slope(gap, approach)
+
+
+@laws
+def test_a_slope_of_its_own_is_the_derived_one(name):
+    """Compiled, by dual numbers, and in plain Python, by a complex step."""
+    law, gaps = law_and_gaps(name)
+    for gap in gaps:
+        for speed in (0.0, -0.7, 0.4):
+            approach = Approach(speed, 400.0, gap - speed / 400.0, speed, 0.3)
+            derived, own = derived_and_own(law, gap, approach)
+            assert derived == pytest.approx(own, rel=1e-12, abs=1e-12)
+            assert derived_slope(law, gap, approach) == pytest.approx(own, rel=1e-9, abs=1e-9)
 
 
 @laws
