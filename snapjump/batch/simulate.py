@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.batch.alike import check_alike
 from snapjump.batch.derivatives import model_derivatives
 from snapjump.batch.outcome import Batch, batch_of
 from snapjump.batch.prepare import prepare_designs
@@ -102,8 +103,11 @@ def simulate_batch(
     the contact, friction and damping laws. Frames whose mesh depends on the design march with
     those of the same mesh. Results depend neither on lanes, threads nor order. With
     ``backend=cuda`` they run on the card, one in each of its threads.
+
+    Raises ParameterError where they differ in more than that.
     """
     check_backend(simulations[0])
+    check_alike(simulations)
     models = [jump_model(simulation) for simulation in simulations]
     marched, seconds, passes, _ = march_all(
         simulations, models, lanes, threads, most_iterations, progress

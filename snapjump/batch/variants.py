@@ -7,8 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
 
 Row = Sequence[float] | NDArray[np.float64]
 
@@ -21,8 +19,8 @@ def variant(base: Simulation, design: Row) -> Simulation:
     delta_alpha, epsilon, mass_bar, mu = (float(value) for value in design)
     return replace(
         base,
-        design=Design(epsilon=epsilon, delta_alpha=delta_alpha),
-        environment=Environment(mu=mu, mass_bar=mass_bar),
+        design=replace(base.design, epsilon=epsilon, delta_alpha=delta_alpha),
+        environment=replace(base.environment, mu=mu, mass_bar=mass_bar),
     )
 
 

@@ -1,0 +1,30 @@
+"""Robots that can march together: one program, one mesh, one clock."""
+
+from collections.abc import Sequence
+
+from snapjump.checks import ParameterError
+from snapjump.composition import Simulation
+
+SAME = ("sim", "discretization", "integrator", "stepping", "backend")
+OF_ONE_KIND = ("frame", "contact", "friction", "damping")
+
+
+def check_alike(simulations: Sequence[Simulation]) -> None:
+    """Raises ParameterError for a robot whose program or units are not the first one's."""
+    first = simulations[0]
+    scales = first.robot.scales
+    for other in simulations[1:]:
+        for family in SAME:
+            if getattr(other, family) != getattr(first, family):
+                raise ParameterError(
+                    family, getattr(other, family), f"the first robot's: {getattr(first, family)}"
+                )
+        for family in OF_ONE_KIND:
+            if type(getattr(other, family)) is not type(getattr(first, family)):
+                raise ParameterError(
+                    family, other.name(family), f"{first.name(family)}, as of the first robot"
+                )
+        if other.robot is not first.robot and other.robot.scales != scales:
+            raise ParameterError(
+                "robot", other.robot.scales, f"of the first robot's scales: {scales}"
+            )
