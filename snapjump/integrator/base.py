@@ -53,7 +53,7 @@ class TimeIntegrator(Contract):
 
     @required
     def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
-        """Fill ``weights`` (slots) with what :func:`predict` needs at every lane's own stage."""
+        """Fill ``weights`` (slots) with what ``predict`` needs at every lane's own stage."""
 
     @required
     def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
