@@ -120,9 +120,9 @@ OURS: list[Choice] = yaml.safe_load((FOLDER / "compositions.yaml").read_text())
 CHOICES = covering(OURS)
 
 
-def check_golden(golden: Golden, choice: Choice, batch: Batch, how: str = "") -> None:
+def check_golden(golden: Golden, choice: Choice, batch: Batch) -> None:
     if choice in OURS:
-        golden.check(name_of(choice) + how, outcome(batch))
+        golden.check(name_of(choice), outcome(batch))
 
 
 def test_what_cannot_be_combined_is_refused_with_a_reason() -> None:
@@ -165,7 +165,7 @@ def test_every_pair_of_members_jumps(
 
 @pytest.mark.slow
 @pytest.mark.parametrize("choice", CHOICES, ids=name_of)
-def test_every_pair_of_members_jumps_compiled(choice: Choice, golden: Golden) -> None:
+def test_every_pair_of_members_jumps_compiled(choice: Choice) -> None:
     simulation = composed(choice)
     other = replace(simulation, design=replace(simulation.design, delta_alpha=0.05))
     batch = simulate_batch([simulation], lanes=8)
@@ -173,7 +173,6 @@ def test_every_pair_of_members_jumps_compiled(choice: Choice, golden: Golden) ->
     # What becomes of a robot does not depend on its neighbours.
     both = simulate_batch([simulation, other], lanes=8)
     assert {k: v[:1] for k, v in plain(outcome(both)).items()} == plain(outcome(batch))
-    check_golden(golden, choice, batch, "-compiled")
 
 
 def check(choice: Choice, batch: Batch) -> None:
