@@ -7,7 +7,7 @@ range), before any work. What a field may be stands in its ``metadata["allowed"]
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
-from typing import Any, ClassVar, NamedTuple, dataclass_transform
+from typing import Any, ClassVar, NamedTuple, TypedDict, Unpack, dataclass_transform
 
 from snapjump.checks import ParameterError, check_choice, check_integer, check_number
 
@@ -55,6 +55,19 @@ class Flag(NamedTuple):
             raise ParameterError(key, value, "true or false")
 
 
+class About(TypedDict, total=False):
+    """What plans, plots and reports need to know of a number beside unit, range and meaning.
+
+    ``symbol`` as in formulas; ``plan``: low and high of a dataset; ``kind``: of whom it is, one of
+    control, environment, property; ``column``: its name in files, where that is not the field's.
+    """
+
+    symbol: str
+    plan: tuple[float, float]
+    kind: str
+    column: str
+
+
 def number(
     default: float,
     *,
@@ -62,26 +75,28 @@ def number(
     above: float | None = None,
     most: float = math.inf,
     unit: str = "",
+    doc: str = "",
+    **about: Unpack[About],
 ) -> Any:
     """A field that holds a number: at least, or above, so much, and at most so much."""
     low = least if above is None else above
     allowed = Number(low, most, above is not None, unit)
-    return field(default=default, metadata={"allowed": allowed})
+    return field(default=default, metadata={"allowed": allowed, "doc": doc, "about": about})
 
 
-def integer(default: int, *, least: int, most: int) -> Any:
+def integer(default: int, *, least: int, most: int, doc: str = "") -> Any:
     """A field that holds an integer."""
-    return field(default=default, metadata={"allowed": Integer(least, most)})
+    return field(default=default, metadata={"allowed": Integer(least, most), "doc": doc})
 
 
-def choice(default: str, words: Sequence[str]) -> Any:
+def choice(default: str, words: Sequence[str], doc: str = "") -> Any:
     """A field that holds one of some words."""
-    return field(default=default, metadata={"allowed": Choice(tuple(words))})
+    return field(default=default, metadata={"allowed": Choice(tuple(words)), "doc": doc})
 
 
-def flag(default: bool) -> Any:
+def flag(default: bool, doc: str = "") -> Any:
     """A field that is true or false."""
-    return field(default=default, metadata={"allowed": Flag()})
+    return field(default=default, metadata={"allowed": Flag(), "doc": doc})
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
