@@ -5,7 +5,7 @@ from dataclasses import asdict
 from typing import Any
 
 from snapjump.composition import Simulation
-from snapjump.families import FAMILIES, name_of
+from snapjump.declare.members import FAMILIES, make_member, member_group
 from snapjump.simulation import PLAIN, build
 
 Groups = dict[str, dict[str, Any]]
@@ -29,9 +29,7 @@ def changed(groups: Mapping[str, Mapping[str, Any]], changes: Mapping[str, Any])
 
 def has_field(groups: Mapping[str, Mapping[str, Any]], group: str, key: str) -> bool:
     """Whether the member that is chosen in a family has such a value."""
-    members = FAMILIES[group]
-    member = members.get(groups[group]["name"])
-    return member is not None and key in getattr(member, "__dataclass_fields__", {})
+    return key in member_group(make_member(group, {"name": groups[group]["name"]}))
 
 
 def composed(groups: Mapping[str, Mapping[str, Any]]) -> Simulation:
@@ -42,7 +40,5 @@ def composed(groups: Mapping[str, Mapping[str, Any]]) -> Simulation:
 def described(simulation: Simulation) -> Groups:
     """The groups that a simulation would be built from."""
     groups: Groups = {key: asdict(getattr(simulation, key)) for key in PLAIN}
-    for family in FAMILIES:
-        options = getattr(simulation, family)
-        groups[family] = {"name": name_of(family, options), **asdict(options)}
+    groups |= {part.group: member_group(part) for part in simulation.parts}
     return {**groups, "accuracy": {"name": simulation.accuracy}}

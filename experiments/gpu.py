@@ -19,6 +19,8 @@ import numpy as np
 
 from experiments.designs import HIGH, LOW, spread_designs
 from experiments.gpu_traffic import BASELINE, measure
+from snapjump.backend.cuda import CudaBackend
+from snapjump.backend.lanes import LanesBackend
 from snapjump.batch import prepare_designs, variants
 from snapjump.batch.simulate import marches
 from snapjump.checks import ParameterError
@@ -26,7 +28,6 @@ from snapjump.composition import Simulation, with_tier
 from snapjump.cuda.availability import check_card
 from snapjump.engine import clock as c
 from snapjump.engine.status import NAMES
-from snapjump.options.backend import CudaBackend, LanesBackend
 from snapjump.scenes.card_march import CardMarch
 from snapjump.scenes.runner import MOST_ITERATIONS, March
 from snapjump.statics.threshold_curve import ThresholdCurve

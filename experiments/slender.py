@@ -14,11 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.options.discretization import (
-    CorotationalOptions,
-    DiscreteElasticRodOptions,
-    GeometricallyExactOptions,
-)
+from snapjump.discretization.corotational import Corotational
+from snapjump.discretization.der import DiscreteElasticRod
+from snapjump.discretization.geometrically_exact import GeometricallyExact
 from snapjump.parameters.robot import Robot
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.critical import find_snap
@@ -26,7 +24,7 @@ from snapjump.statics.rounding import LostToRoundingError
 from snapjump.statics.threshold import symmetric_threshold
 
 NOISE = 1e-15
-MESHES = (DiscreteElasticRodOptions, CorotationalOptions, GeometricallyExactOptions)
+MESHES = (DiscreteElasticRod, Corotational, GeometricallyExact)
 Arch = tuple[Robot, Any, float]
 
 

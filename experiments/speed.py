@@ -14,10 +14,10 @@ from dataclasses import replace
 import numpy as np
 
 from experiments.designs import spread_designs
-from snapjump.accuracy import TIERS
 from snapjump.batch import Batch, simulate_batch, variants
 from snapjump.composition import Simulation, with_tier
 from snapjump.simulation import simulate
+from snapjump.tiers import TIERS
 
 LANES = 8
 NODES = (56, 112, 224, 448)

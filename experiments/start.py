@@ -22,7 +22,7 @@ def main() -> None:
     batches = {
         share: simulate_batch(
             variants(
-                replace(base, sim=replace(base.sim, start_fraction=share)), spread_designs(DESIGNS)
+                replace(base, sim=base.sim.changed(start_fraction=share)), spread_designs(DESIGNS)
             )
         )
         for share in SHARES

@@ -12,9 +12,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.accuracy import TIERS
 from snapjump.composition import Simulation
 from snapjump.number.portable import power
+from snapjump.tiers import TIERS
 
 Array = NDArray[np.float64]
 
@@ -59,14 +59,14 @@ class ErrorEstimate(NamedTuple):
 
 def steps_factor(simulation: Simulation) -> float:
     """Percent of x per L of summed estimates."""
-    fixed, adaptive = FACTORS.get(simulation.name("integrator"), UNKNOWN)
-    return fixed if simulation.name("stepping") == "fixed" else adaptive
+    fixed, adaptive = FACTORS.get(simulation.integrator.name, UNKNOWN)
+    return fixed if simulation.stepping.name == "fixed" else adaptive
 
 
 def mesh_percent(discretization: Any, damping: Any) -> tuple[float, float]:
     """Errors of x and y that the mesh makes (%)."""
     ratio = BASE_ELEMENTS / discretization.elements
-    damped = getattr(damping, "relaxation_time_s", 0.0) >= LITTLE_DAMPING_S
+    damped = damping.relaxation_s() >= LITTLE_DAMPING_S
     waves = 1.0 if damped else UNDAMPED
     x, y = (waves * value * power(ratio, order) for value, order in (MESH_X, MESH_Y))
     if getattr(discretization, "clamp", "") == "two_nodes":

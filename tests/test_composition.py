@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 import yaml
 from before_the_strike import begin_before_the_strike
+from families import FAMILIES
 from golden import FOLDER, Golden, outcome, plain, spelled_out
 from plain_march import without_compiling
 
 from snapjump.batch import Batch, simulate_batch
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
-from snapjump.families import FAMILIES
 from snapjump.simulation import build
 
 SWEPT = ("integrator", "contact", "friction", "discretization", "damping", "frame", "stepping")

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from experiments.tradeoff.tiers import PROMISES
-from snapjump.accuracy import TIERS
 from snapjump.composition import with_tier
+from snapjump.declare.members import member_class
+from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.error_estimate import FACTORS, LEVEL, error_estimate, mesh_percent, steps_factor
-from snapjump.families import FAMILIES
-from snapjump.options.discretization import DiscreteElasticRodOptions
 from snapjump.terminal.scene_report import scene_report
+from snapjump.tiers import TIERS
 
 STANDARD = with_tier("standard")
 HEAVY = 1e-3  # beam over frame
@@ -32,11 +32,11 @@ def test_a_failed_number_is_not_within_any_tier():
 
 def test_meshes_clamps_and_light_frames():
     damping = STANDARD.damping
-    meshes = [DiscreteElasticRodOptions(elements=n) for n in (32, 128)]
+    meshes = [DiscreteElasticRod(elements=n) for n in (32, 128)]
     coarse, fine = (mesh_percent(mesh, damping) for mesh in meshes)
-    assert mesh_percent(meshes[1], FAMILIES["damping"]["none"]())[0] > 2.0 * fine[0]
+    assert mesh_percent(meshes[1], member_class("damping", "none")())[0] > 2.0 * fine[0]
     assert coarse[0] > 16.0 * fine[0] and coarse[1] > 16.0 * fine[1]
-    nodes = mesh_percent(DiscreteElasticRodOptions(elements=128, clamp="two_nodes"), damping)
+    nodes = mesh_percent(DiscreteElasticRod(elements=128, clamp="two_nodes"), damping)
     assert nodes[0] > 5.0 * fine[0]
     heavy, light = (error_estimate(STANDARD, 1e-6, ratio).x_percent for ratio in (HEAVY, 24.0))
     assert light > 3.0 * heavy
@@ -46,11 +46,11 @@ def test_a_method_that_was_not_measured_is_not_trusted():
     largest = max(fixed for fixed, _ in FACTORS.values())
     explicit = replace(
         STANDARD,
-        integrator=FAMILIES["integrator"]["central_difference"](),
-        damping=FAMILIES["damping"]["none"](),
+        integrator=member_class("integrator", "central_difference")(),
+        damping=member_class("damping", "none")(),
     )
     assert steps_factor(explicit) >= largest
-    fixed = replace(STANDARD, stepping=FAMILIES["stepping"]["fixed"]())
+    fixed = replace(STANDARD, stepping=member_class("stepping", "fixed")())
     assert steps_factor(fixed) > steps_factor(STANDARD)
 
 

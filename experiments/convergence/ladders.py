@@ -2,11 +2,10 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 from experiments.compositions import Groups, changed, composed, has_field
 from snapjump.checks import ParameterError
-from snapjump.families import FAMILIES
+from snapjump.declare.members import make_member, member_names
 
 # In everything but the ladder of time, time is resolved so finely that it does not matter.
 TIGHT = {"name": "adaptive", "tolerance": 2e-10, "contact_steps": 1.0}
@@ -57,8 +56,7 @@ class Ladder:
 
 def resolved(groups: Groups) -> Groups:
     """The same with time resolved tightly, by the method itself if it is of second order."""
-    integrator: Any = FAMILIES["integrator"][groups["integrator"]["name"]]
-    if integrator().order >= 2:
+    if make_member("integrator", groups["integrator"]).order >= 2:
         tight = changed(groups, {"stepping": TIGHT})
         try:
             composed(tight)
@@ -92,7 +90,7 @@ def in_time(groups: Groups, count: int) -> Ladder:
     values = [first * ratio**-k for k in range(count)]
     # Fixed steps have no tolerance: theirs is tighter than that of any ladder.
     tolerance = TIGHTEST if fixed else max(values[-1] / TIGHTER, TIGHTEST)
-    other = next(n for n in OTHER_INTEGRATORS if n in FAMILIES["integrator"] and n != name)
+    other = next(n for n in OTHER_INTEGRATORS if n in member_names("integrator") and n != name)
     references = {
         f"time reference {label}": changed(
             groups,
@@ -109,7 +107,7 @@ def in_time(groups: Groups, count: int) -> Ladder:
         size="value" if fixed else "steps",
         levels={v: changed(groups, {"stepping": {key: v}}) for v in values},
         references=references,
-        declared=getattr(FAMILIES["integrator"][name], "order", None),
+        declared=make_member("integrator", groups["integrator"]).order,
     )
 
 
@@ -121,7 +119,7 @@ def in_space(groups: Groups, count: int) -> Ladder:
     finest = 2 * values[-1]
     own = groups["discretization"]["name"]
     references = {}
-    for other in [*(n for n in FAMILIES["discretization"] if n != own), own]:
+    for other in [*(n for n in member_names("discretization") if n != own), own]:
         change = {"discretization": {"name": other, "elements": finest}}
         references[f"nodes reference {other}"] = changed(groups, change)
     levels = {float(v): changed(groups, {"discretization": {"elements": v}}) for v in values}

@@ -10,9 +10,9 @@ from scipy.stats.qmc import Sobol
 from experiments.compositions import composed
 from experiments.inverse_benchmark.methods import LENGTH_MM, SOLVED_MM, TIERS
 from experiments.inverse_benchmark.problems import Array, make_problems
+from snapjump.declare.members import make_member
 from snapjump.inverse.base import Problem, Solution
 from snapjump.learning.forward_model import ForwardModel, open_forward_model
-from snapjump.members import make_member
 from snapjump.studies.base import Row
 from snapjump.targets.answer import answer
 from snapjump.targets.simulator import JumpSimulator

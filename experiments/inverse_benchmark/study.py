@@ -10,7 +10,7 @@ from experiments.inverse_benchmark.figure import draw_benchmark
 from experiments.inverse_benchmark.methods import METHODS, PAPER
 from experiments.inverse_benchmark.table import readme_block, solved, summary_row, unsolved
 from snapjump.checks import ParameterError, check_integer
-from snapjump.members import make_member, member_group
+from snapjump.declare.members import make_member, member_group
 from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
 
@@ -35,8 +35,8 @@ class InverseBenchmark(Study):
         self.methods = chosen(task["methods"])
         groups = groups_of(config)
         simulation = composed(groups)
-        if simulation.scene_name != "jump":
-            raise ParameterError("sim", simulation.scene_name, "jump with task=inverse_benchmark")
+        if simulation.sim.name != "jump":
+            raise ParameterError("sim", simulation.sim.name, "jump with task=inverse_benchmark")
         path = checkpoint_path(task["checkpoint"])
         open_forward_model(path).check_model(simulation)
         shared = {
@@ -151,16 +151,12 @@ def chosen(methods: Any) -> dict[str, Mapping[str, Any]]:
     names = list(METHODS) if methods is None else methods
     if not isinstance(names, list) or not names or any(name not in [*METHODS] for name in names):
         raise ParameterError("task.methods", methods, "null, or a list of " + "; ".join(METHODS))
-    full = {}
-    for name in names:
-        options = completed(METHODS[name])
-        full[name] = member_group("inverse", options)
-    return full
+    return {name: member_group(completed(METHODS[name])) for name in names}
 
 
 def completed(group: Mapping[str, Any]) -> Any:
     """Options of a group that leaves fields at their defaults."""
-    from snapjump.members import member_class
+    from snapjump.declare.members import member_class
 
-    defaults = member_group("inverse", member_class("inverse", str(group["name"]))())
+    defaults = member_group(member_class("inverse", str(group["name"]))())
     return make_member("inverse", {**defaults, **group})

@@ -73,8 +73,8 @@ def follow(simulation: Simulation) -> Swing:
     robot, scene, scales = simulation.robot, simulation.sim, simulation.robot.scales
     epsilon, lag = simulation.design.epsilon, simulation.design.delta_alpha
     model = Model(
-        discretization=simulation.discretization.member(robot),
-        frame=FixedFrame(0.5 * (1.0 - epsilon), 0.0),
+        discretization=simulation.discretization.beam(robot),
+        frame=FixedFrame.Body(0.5 * (1.0 - epsilon), 0.0),
         clamp=SmoothStart(
             start=0.0,
             end=robot.rotation_end_rad,
@@ -82,9 +82,9 @@ def follow(simulation: Simulation) -> Swing:
             delta_alpha=lag,
             rise_time=scene.rise_time_s / scales.time_s,
         ),
-        contact=simulation.contact.member(scales),
-        friction=simulation.friction.member(scales, simulation.environment.mu),
-        damping=simulation.damping.member(scales),
+        contact=simulation.contact.law(scales),
+        friction=simulation.friction.law(scales, simulation.environment.mu),
+        damping=simulation.damping.law(scales),
         load=NoLoad(),
     )
     arch = StaticArch(robot, simulation.discretization, epsilon)

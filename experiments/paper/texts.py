@@ -3,13 +3,13 @@
 from collections.abc import Sequence
 
 from experiments.paper.statement import VERDICTS, Statement
-from snapjump.accuracy import TIERS
 from snapjump.terminal.block import markdown_table
+from snapjump.tiers import TIERS
 
 # Of the tier `paper`, as in conf/accuracy/paper.yaml.
 SETTINGS = (
-    f"implicit Euler at {TIERS['paper'].step_s:g} s, lagged friction, clamps of two fixed nodes, "
-    "contact stiffness per node, no material damping"
+    f"implicit Euler at {TIERS['paper'].numbers['stepping.step_s']:g} s, lagged friction, clamps "
+    "of two fixed nodes, contact stiffness per node, no material damping"
 )
 TITLE = "The paper, reproduced and judged"
 INTRODUCTION = [

@@ -11,12 +11,10 @@ from snapjump.batch import simulate_designs
 from snapjump.batch.prepare import prepare_designs
 from snapjump.batch.simulate import marches
 from snapjump.composition import with_tier
-from snapjump.options.contact import HuntCrossleyOptions
-from snapjump.options.discretization import (
-    CorotationalOptions,
-    DiscreteElasticRodOptions,
-    GeometricallyExactOptions,
-)
+from snapjump.contact.hunt_crossley import HuntCrossley
+from snapjump.discretization.corotational import Corotational
+from snapjump.discretization.der import DiscreteElasticRod
+from snapjump.discretization.geometrically_exact import GeometricallyExact
 from snapjump.parameters.robot import Robot
 from snapjump.scenes.runner import MOST_ITERATIONS
 from snapjump.statics.arch import StaticArch
@@ -29,10 +27,10 @@ LANES = 8
 MISMATCH_RAD = 0.1
 COMPRESSIONS = (0.05, 0.2, 0.33)
 MESHES = (
-    DiscreteElasticRodOptions(elements=104),
-    DiscreteElasticRodOptions(elements=66, clamp="two_nodes"),
-    CorotationalOptions(elements=64),
-    GeometricallyExactOptions(elements=64),
+    DiscreteElasticRod(elements=104),
+    DiscreteElasticRod(elements=66, clamp="two_nodes"),
+    Corotational(elements=64),
+    GeometricallyExact(elements=64),
 )
 
 
@@ -66,7 +64,7 @@ def models() -> str:
     """Numbers of the laws that are solved for, and of the integrators' tableaux."""
     base = with_tier("draft")
     schemes = [with_tier(name).integrator.scheme() for name in ("draft", "standard", "reference")]
-    law = HuntCrossleyOptions().member(base.robot.scales)
+    law = HuntCrossley().law(base.robot.scales)
     return digest([law, *(np.concatenate([np.ravel(part) for part in s]) for s in schemes)])
 
 

@@ -5,11 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.families import FAMILIES
+from snapjump.declare.members import member_names, members_with
 
 Make = Callable[[np.random.Generator], dict[str, Any]]
 WITHOUT_GROUND = ("snap", "static", "cantilever")
-LAWS = ("logbarrier", "penalty", "hunt_crossley", "signorini")
 BARE: dict[str, Any] = {
     "frame": {"name": "fixed"},
     "contact": {"name": "none"},
@@ -26,7 +25,11 @@ def one_of(random: np.random.Generator, words: Any) -> str:
 def ground_where_there_is_none(random: np.random.Generator) -> dict[str, Any]:
     """A contact law in a scene without ground."""
     scene = {"name": one_of(random, WITHOUT_GROUND)}
-    return {**BARE, "sim": scene, "contact": {"name": one_of(random, LAWS)}}
+    return {
+        **BARE,
+        "sim": scene,
+        "contact": {"name": one_of(random, members_with("contact", "pushes"))},
+    }
 
 
 def friction_where_there_is_none(random: np.random.Generator) -> dict[str, Any]:
@@ -49,7 +52,9 @@ def many_at_once(random: np.random.Generator) -> dict[str, Any]:
 
 def impact_law(random: np.random.Generator) -> dict[str, Any]:
     """Signorini's law with a method of more than one velocity a step."""
-    others = [n for n in FAMILIES["integrator"] if n != "implicit_euler"]
+    others = set(member_names("integrator")) - set(
+        members_with("integrator", "velocities_at_step_ends")
+    )
     return {"contact": {"name": "signorini"}, "integrator": {"name": one_of(random, others)}}
 
 
@@ -105,7 +110,7 @@ COMBINATIONS: tuple[tuple[str, Make], ...] = (
     ("frame", frame_where_there_is_none),
     ("backend", many_at_once),
     ("integrator", impact_law),
-    ("friction", impact_law_with_lag),
+    ("contact", impact_law_with_lag),
     ("damping", explicit_damping),
     ("environment.mass_bar", value("environment", "mass_bar", 1e-9, 9.6e-3)),
     ("robot.gravity_m_s2", value("robot", "gravity_m_s2", 0.0, 1e-16)),

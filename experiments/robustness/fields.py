@@ -5,17 +5,15 @@ covered as it is.
 """
 
 import math
-import re
-from dataclasses import MISSING, dataclass, fields
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from snapjump.checks import ParameterError
-from snapjump.families import FAMILIES
+from snapjump.declare.fields import Integer, Number
+from snapjump.declare.members import FAMILIES, member_class, member_group, member_names
 from snapjump.simulation import PLAIN
 
-RANGE = re.compile(r"(?:a number|an integer) in ([\[(])(\S+), (\S+)([\])])")
 NOT_NUMBERS: tuple[Any, ...] = ("much", "", "1e-5", None, [1.0], {"a": 1.0}, True, 1j, 10**400)
 NOT_WORDS: tuple[Any, ...] = ("", "no such word", None, 3, -1.0, ["optimal"], {}, True)
 NOT_ROWS: tuple[Any, ...] = (5, "rows", [], [[0.0]], [[1.0], [0.0, 1.0]], [[0.0], [0.5, -0.5]])
@@ -48,25 +46,22 @@ def all_fields() -> list[Field]:
     found = []
     for group, cls in PLAIN.items():
         found += _fields(group, "", cls)
-    for family, members in FAMILIES.items():
-        for name, cls in members.items():
-            found += _fields(family, name, cls)
+    for family in FAMILIES:
+        for name in member_names(family):
+            found += _fields(family, name, member_class(family, name))
     return found
 
 
 def _fields(group: str, name: str, cls: Any) -> list[Field]:
-    found = []
-    for one in fields(cls):
-        default = None if one.default is MISSING else one.default
-        low, high, open_low = math.nan, math.nan, False
-        try:
-            cls(**{one.name: math.nan})
-        except ParameterError as error:
-            match = RANGE.search(error.allowed)
-            if match and not isinstance(default, str):
-                low, high = float(match[2]), float(match[3])
-                open_low = match[1] == "("
-        found.append(Field(group, name, one.name, default, low, high, open_low))
+    found, part = [], cls()
+    for key in (key for key in member_group(part) if key != "name"):
+        allowed = type(part).__dataclass_fields__[key].metadata.get("allowed")
+        low, high, above = math.nan, math.nan, False
+        if isinstance(allowed, Number):
+            low, high, above, _ = allowed
+        elif isinstance(allowed, Integer):
+            low, high = allowed
+        found.append(Field(group, name, key, getattr(part, key), low, high, above))
     return found
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from experiments.robustness.combinations import COMBINATIONS
 from experiments.robustness.fields import NOT_FINITE, Field, all_fields, outside, wrong_type
 from snapjump.checks import ParameterError
-from snapjump.families import FAMILIES
+from snapjump.declare.members import FAMILIES
 from snapjump.simulation import PLAIN, build, check_scene
 
 REFUSED, ACCEPTED, CRASHED, UNCLEAR = "refused", "accepted", "crashed", "unclear"

@@ -12,10 +12,10 @@ from experiments.robustness.invalid import REFUSED, Invalid, invalid_configurati
 from experiments.stability.jumps import KNOWN, jump_rows
 from experiments.stability.rules import RULES, broken
 from experiments.tradeoff.tiers import tier_groups
-from snapjump.accuracy import TIERS
 from snapjump.checks import ParameterError, check_integer
 from snapjump.studies.base import Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
+from snapjump.tiers import TIERS
 
 TIER = "draft"
 # delta_alpha (rad), epsilon, m_bar, mu: the paper's ranges made twice as wide about their middle,

@@ -15,11 +15,11 @@ from experiments.designs import HIGH, LOW, spread_designs
 from experiments.scaling.measure import measure
 from experiments.scaling.split import split
 from experiments.scaling.table import table
+from snapjump.backend.lanes import available_cores
 from snapjump.batch import variants
 from snapjump.checks import check_integer
 from snapjump.composition import with_tier
 from snapjump.files.atomic import write_text
-from snapjump.options.backend import available_cores
 from snapjump.scenes.jump_start import jump_model
 from snapjump.statics.threshold_curve import ThresholdCurve
 

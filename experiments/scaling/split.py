@@ -54,7 +54,7 @@ def groundless(model: Model, numbers: Any) -> tuple[Model, Any]:
         position += len(member)
     left = aligned_zeros((len(kept), numbers.shape[1]))
     left[...] = numbers[kept]
-    return model._replace(contact=NoContact(), friction=NoFriction()), left
+    return model._replace(contact=NoContact.Law(), friction=NoFriction.Law()), left
 
 
 def pieces(march: March) -> dict[str, float]:

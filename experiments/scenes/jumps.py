@@ -14,10 +14,10 @@ from experiments.compositions import changed, composed
 from snapjump.batch import simulate_batch, variants
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
+from snapjump.declare.members import member_names
 from snapjump.ending.apex import ApexEnding
 from snapjump.engine import clock as c
 from snapjump.engine.status import NAMES, OK
-from snapjump.families import FAMILIES
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.resting import resting_guesses
 from snapjump.scenes.runner import March
@@ -94,7 +94,7 @@ def one_by_one(simulation: Simulation, designs: Designs) -> list[Row]:
 def start_rows(groups: Mapping[str, Any], designs: Designs, repeats: int) -> list[Row]:
     """The quasi-static start against clamps that turn from flat."""
     late = composed(groups)
-    early = replace(late, sim=replace(late.sim, start_fraction=0.0))
+    early = replace(late, sim=late.sim.changed(start_fraction=0.0))
     return timed(lambda: ballistic(early, designs), lambda: ballistic(late, designs), repeats)
 
 
@@ -108,8 +108,8 @@ def ending_rows(groups: Mapping[str, Any], designs: Designs, repeats: int) -> li
 
 def frame_rows(groups: Mapping[str, Any], designs: Designs, repeats: int) -> list[Row]:
     """The rigid frame against the elastic one, robot by robot."""
-    if "elastic" not in FAMILIES["frame"]:
-        raise ParameterError("frame", "elastic", "one of " + ", ".join(FAMILIES["frame"]))
+    if "elastic" not in member_names("frame"):
+        raise ParameterError("frame", "elastic", "one of " + ", ".join(member_names("frame")))
     rigid, elastic = composed(groups), composed(changed(groups, {"frame": {"name": "elastic"}}))
     return timed(lambda: one_by_one(elastic, designs), lambda: one_by_one(rigid, designs), 1)
 

@@ -9,11 +9,11 @@ import numpy as np
 from experiments.compositions import composed
 from experiments.scenes.jumps import timed
 from snapjump.clamp.smooth_start import SmoothStart
+from snapjump.declare.members import member_class
 from snapjump.ending.timed import TimedEnding
 from snapjump.engine import clock as c
 from snapjump.engine.model import Model
 from snapjump.engine.status import NAMES
-from snapjump.families import FAMILIES
 from snapjump.frame.fixed import FixedFrame
 from snapjump.load.none import NoLoad
 from snapjump.scenes.runner import March
@@ -37,7 +37,9 @@ def snap_rows(
 def snaps(groups: Mapping[str, Any], designs: list[tuple[float, float]], contact: str) -> list[Row]:
     """Outcomes of snaps one after the other, with a contact law that never acts or with none."""
     simulation = composed(groups)
-    law = FAMILIES["contact"][contact]().member(simulation.robot.scales, simulation.discretization)
+    law = member_class("contact", contact)().member(
+        simulation.robot.scales, simulation.discretization
+    )
     rows = []
     for lag, epsilon in designs:
         one = replace(simulation, design=replace(simulation.design, epsilon=epsilon,
@@ -64,8 +66,8 @@ def snap_march(simulation: Any, law: Any) -> March:
     state = arch.flat(lag)
     state[1 :: arch.node_dofs] += ABOVE
     model = Model(
-        discretization=simulation.discretization.member(robot),
-        frame=FixedFrame(0.5 * (1.0 - simulation.design.epsilon), ABOVE),
+        discretization=simulation.discretization.beam(robot),
+        frame=FixedFrame.Body(0.5 * (1.0 - simulation.design.epsilon), ABOVE),
         clamp=SmoothStart(
             start=0.0,
             end=robot.rotation_end_rad,
@@ -74,8 +76,8 @@ def snap_march(simulation: Any, law: Any) -> March:
             rise_time=scene.rise_time_s / scales.time_s,
         ),
         contact=law,
-        friction=simulation.friction.member(scales, 0.0),
-        damping=simulation.damping.member(scales),
+        friction=simulation.friction.law(scales, 0.0),
+        damping=simulation.damping.law(scales),
         load=NoLoad(),
     )
     return March(

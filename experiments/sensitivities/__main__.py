@@ -20,18 +20,18 @@ from experiments.designs import spread_designs
 from experiments.sensitivities.agreement import frozen_errors, plain_errors
 from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation, with_tier
-from snapjump.options.discretization import DiscreteElasticRodOptions
-from snapjump.options.friction import ImplicitFrictionOptions
-from snapjump.options.stepping import AdaptiveStepOptions
+from snapjump.discretization.der import DiscreteElasticRod
+from snapjump.friction.implicit import ImplicitFriction
 from snapjump.statics.threshold_curve import ThresholdCurve
+from snapjump.stepping.adaptive import AdaptiveStep
 
 CORRECTIONS = (1, 2, 3, 6)
 RESOLVED_M_S = 1e-2
 COARSE = with_tier(
     "draft",
-    discretization=DiscreteElasticRodOptions(16),
-    stepping=AdaptiveStepOptions(2e-5, 2.0),
-    friction=ImplicitFrictionOptions(velocity_threshold_m_s=1.0),
+    discretization=DiscreteElasticRod(16),
+    stepping=AdaptiveStep(2e-5, 2.0),
+    friction=ImplicitFriction(velocity_threshold_m_s=1.0),
 )
 
 
@@ -62,7 +62,7 @@ def frozen(count: int) -> dict[str, Any]:
 
 def sticking(tier: str, zone: float) -> Simulation:
     """A tier with another velocity threshold of friction (m/s)."""
-    return with_tier(tier, friction=ImplicitFrictionOptions(velocity_threshold_m_s=zone))
+    return with_tier(tier, friction=ImplicitFriction(velocity_threshold_m_s=zone))
 
 
 def moved(zone: float, designs: Any) -> dict[str, float]:

@@ -73,7 +73,7 @@ def alike(simulation: Simulation) -> Any:
         simulation.sim,
         simulation.accuracy,
         robot.scales,
-        *(simulation.name(f) for f in ("contact", "friction", "damping", "frame")),
+        *(getattr(simulation, f).name for f in ("contact", "friction", "damping", "frame")),
     )
 
 

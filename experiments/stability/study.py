@@ -13,10 +13,10 @@ from experiments.stability.jumps import jump_rows
 from experiments.stability.physics import Check, checks
 from experiments.stability.rules import RULES, broken, with_truth
 from experiments.tradeoff.tiers import tier_groups
-from snapjump.accuracy import TIERS
 from snapjump.checks import ParameterError, check_integer
 from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
+from snapjump.tiers import TIERS
 
 TIER = "draft"
 MOST_ITERATIONS = 2e5  # of a jump of the maps

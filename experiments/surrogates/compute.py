@@ -8,13 +8,13 @@ from experiments.compositions import composed
 from experiments.surrogates.floor import floor_rows
 from experiments.surrogates.places import by_input, concentration
 from snapjump.dataset.read import Dataset, open_dataset
+from snapjump.declare.members import make_member
 from snapjump.learning.data import JumpData
 from snapjump.learning.forward_model import ForwardModel
 from snapjump.learning.learn import learn
 from snapjump.learning.measures import errors, measures
 from snapjump.learning.timing import microseconds
 from snapjump.learning.training import Training
-from snapjump.members import make_member
 from snapjump.studies.base import Row
 
 TRAINED, PLACE, FLOOR = "trained", "place", "floor"

@@ -10,7 +10,7 @@ import numpy as np
 from experiments.surrogates.figures import draw_curves, draw_places
 from experiments.surrogates.table import findings, floor_summary, readme_block, summary
 from snapjump.checks import ParameterError
-from snapjump.members import make_member, member_class, member_group, member_names
+from snapjump.declare.members import make_member, member_class, member_group, member_names
 from snapjump.plan.base import AXES
 from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
@@ -183,7 +183,7 @@ def needs_slopes(member: str) -> bool:
 
 def completed(member: str, changes: Mapping[str, Any]) -> dict[str, Any]:
     """The group of a surrogate with its defaults, some of them changed."""
-    group = {**member_group("surrogate", member_class("surrogate", member)()), **changes}
+    group = {**member_group(member_class("surrogate", member)()), **changes}
     make_member("surrogate", group)
     return group
 

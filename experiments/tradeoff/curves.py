@@ -11,7 +11,7 @@ from typing import Any
 
 from experiments.compositions import Groups, changed
 from experiments.tradeoff.batches import LANES
-from snapjump.families import FAMILIES
+from snapjump.declare.members import member_class, member_names
 
 STANDARD_ELEMENTS, STANDARD_TOLERANCE = 104, 4.5e-8
 TOLERANCE_POWER = 4.5
@@ -51,7 +51,7 @@ def tolerance(elements: int, estimate_order: float = ESTIMATE_ORDER) -> float:
 
 def estimate_order(name: str) -> float:
     """Order of a method's error estimate."""
-    return float(FAMILIES["integrator"][name]().scheme().error_power())
+    return float(member_class("integrator", name)().scheme().error_power())
 
 
 def adaptive(base: Groups, name: str, elements: tuple[int, ...], **stepping: Any) -> dict[str, Any]:
@@ -97,7 +97,7 @@ def curves(base: Groups, full: bool) -> list[Curve]:
     elements = FULL_ELEMENTS if full else QUICK_ELEMENTS
     lagged = changed(base, {"friction": {"name": "lagged"}})
     found = []
-    for name in FAMILIES["integrator"]:
+    for name in member_names("integrator"):
         found.append(Curve(f"{name} adaptive", name, adaptive(base, name, elements)))
         found.append(Curve(f"{name} fixed", name, fixed(base, name, elements)))
         if name not in VARIED:
@@ -133,7 +133,7 @@ def plain_curves(base: Groups, elements: tuple[int, ...]) -> list[Curve]:
 
     found = [
         Curve(f"{name}, {other}", other, levels({"discretization": {"name": other}}))
-        for other in FAMILIES["discretization"]
+        for other in member_names("discretization")
         if other != base["discretization"]["name"]
     ]
     found += [

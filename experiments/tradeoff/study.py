@@ -15,10 +15,10 @@ from experiments.tradeoff.modelling import models, shifts, tier_errors
 from experiments.tradeoff.modelling_figure import draw_modelling
 from experiments.tradeoff.points import Point, cheapest, make_point, pareto, split
 from experiments.tradeoff.tiers import BLOCK, beyond, finest, tier_block, tier_groups, tier_rows
-from snapjump.accuracy import TIERS
 from snapjump.checks import ParameterError, check_integer
 from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
+from snapjump.tiers import TIERS
 
 WANTED_PERCENT = (3.0, 0.5, 0.05)
 LIMIT, CHECK = "limit", "limit by another method"

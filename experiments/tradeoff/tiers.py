@@ -11,10 +11,10 @@ from experiments.errors import (
     relative_errors,
 )
 from experiments.tradeoff.points import Point, split
-from snapjump.accuracy import TIERS
 from snapjump.composition import with_tier
 from snapjump.studies.base import OK, Done
 from snapjump.terminal.block import markdown_table
+from snapjump.tiers import TIERS
 
 # Error of x and y (%, 95th percentile) and roughness (L) that a tier promises: design.md section 4.
 PROMISES = {"draft": (3.0, 0.03), "standard": (0.5, 0.005), "reference": (0.05, 0.0005)}

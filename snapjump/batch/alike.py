@@ -22,7 +22,9 @@ def check_alike(simulations: Sequence[Simulation]) -> None:
         for family in OF_ONE_KIND:
             if type(getattr(other, family)) is not type(getattr(first, family)):
                 raise ParameterError(
-                    family, other.name(family), f"{first.name(family)}, as of the first robot"
+                    family,
+                    getattr(other, family).name,
+                    f"{getattr(first, family).name}, as of the first robot",
                 )
         if other.robot is not first.robot and other.robot.scales != scales:
             raise ParameterError(

@@ -10,9 +10,9 @@ from snapjump.batch.variants import variant
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.engine.model import Model, numbers_of
-from snapjump.scenes.frame_body import leg_top_leg
+from snapjump.frame.base import Outline
+from snapjump.frame.rigid import RigidFrame
 from snapjump.scenes.jump_start import fitted_mount_height_bar, jump_model
-from snapjump.scenes.sensitivities import check_rigid
 from snapjump.statics.threshold import Threshold
 from snapjump.statics.threshold_curve import ThresholdCurve
 
@@ -32,7 +32,8 @@ def model_derivatives(base: Simulation, designs: Array, curve: ThresholdCurve) -
     and a frame that is not rigid.
     """
     check_curve(base, curve)
-    check_rigid(base)
+    if not base.frame.differentiable:
+        raise ParameterError("frame", base.frame.name, "rigid with sensitivities")
     table = np.asarray(designs, dtype=float)
     outside = table[~curve.covers(table[:, EPSILON]), EPSILON]
     if len(outside):
@@ -76,12 +77,14 @@ def frame_slopes(base: Simulation, table: Array, curve: ThresholdCurve, axis: in
     scales = robot.scales
     epsilon, mass_bar = moved[:, EPSILON], moved[:, MASS_BAR]
     masses = base.environment.mass_kg(robot) / base.environment.mass_bar / scales.mass_kg * mass_bar
-    frame = leg_top_leg(
-        width=1.0 - epsilon,
-        height=robot.frame_height_m / scales.length_m,
-        mass=masses - 1.0,
-        end=base.discretization.clamped_mass_bar,
-        mount=mount_heights(base, epsilon, curve),
+    frame = RigidFrame().body(
+        Outline(
+            width=1.0 - epsilon,
+            height=robot.frame_height_m / scales.length_m,
+            mount=mount_heights(base, epsilon, curve),
+            mass=masses - 1.0,
+            end=base.discretization.clamped_mass_bar,
+        )
     )
     return np.array([np.imag(values) for values in frame]).T / TINY
 

@@ -37,8 +37,8 @@ def check_curve(base: Simulation, curve: ThresholdCurve | None) -> None:
     """Require a curve of a beam like the simulation's. Raises ParameterError."""
     if curve is None:
         return
-    given = curve.discretization.member(curve.robot)
-    needed = base.discretization.member(base.robot)
+    given = curve.discretization.beam(curve.robot)
+    needed = base.discretization.beam(base.robot)
     if given != needed:
         raise ParameterError("curve", given, f"one of this robot and mesh, {needed}")
 

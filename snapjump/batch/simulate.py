@@ -5,6 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.backend.base import MOST_THREADS, WIDTHS
+from snapjump.backend.lanes import LanesBackend
 from snapjump.batch.alike import check_alike
 from snapjump.batch.derivatives import model_derivatives
 from snapjump.batch.outcome import Batch, batch_of
@@ -16,9 +18,7 @@ from snapjump.ending.flight import FlightEnding
 from snapjump.engine import clock as c
 from snapjump.engine.model import Model
 from snapjump.engine.status import RUNNING
-from snapjump.options.backend import MOST_THREADS, WIDTHS, LanesBackend
 from snapjump.scenes.card_march import check_backend, march_on
-from snapjump.scenes.frame_body import frame_mesh
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.resting import resting_guesses
 from snapjump.scenes.runner import MOST_ITERATIONS, March
@@ -38,7 +38,7 @@ def marches(
     """Which jumps march together: those whose frames have one mesh."""
     groups: dict[tuple[int, ...], list[int]] = {}
     for k, (simulation, model) in enumerate(zip(simulations, models, strict=True)):
-        groups.setdefault(tuple(frame_mesh(simulation, model.frame)), []).append(k)
+        groups.setdefault(tuple(simulation.frame.mesh(model.frame)), []).append(k)
     found = []
     for members in groups.values():
         ours = [models[k] for k in members]
@@ -52,7 +52,7 @@ def marches(
             lanes=lanes,
             threads=threads,
             most_iterations=most_iterations,
-            mesh=frame_mesh(base, ours[0].frame),
+            mesh=base.frame.mesh(ours[0].frame),
         )
         found.append((members, march))
     return found
@@ -144,8 +144,8 @@ def simulate_designs(
         raise ParameterError(
             "designs", table.shape, "rows of delta_alpha, epsilon, mass_bar, mu: shape (R, 4)"
         )
-    if base.scene_name != "jump":
-        raise ParameterError("sim", base.scene_name, "jump, for batches")
+    if base.sim.name != "jump":
+        raise ParameterError("sim", base.sim.name, "jump, for batches")
     check_backend(base)
     backend = base.backend if isinstance(base.backend, LanesBackend) else LanesBackend()
     width = backend.width if lanes is None else lanes

@@ -3,14 +3,16 @@
 A law is a ``NamedTuple`` of dimensionless numbers. Lengths are in L, forces in EI/L^2.
 """
 
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 from numba.extending import overload
 
+from snapjump.declare.fields import Part, choice
 from snapjump.number.dispatch import INLINED, kernel
 from snapjump.number.functions import minimum, where
 from snapjump.number.methods import Contract, required
 from snapjump.number.slope import derivative, slope_in, sloped
+from snapjump.units import Scales
 
 # Slower than this (in L/T) a contact rests: what an unresolved bounce could lose is then nothing.
 RESTING_SPEED = 0.02
@@ -145,3 +147,44 @@ def note_contact(contact: Any, work: Any, point: Any, near: Any) -> None:
     """Remember which points a constraint holds in this iteration."""
     if contact.is_impulsive():
         work.held[point] = where(near, 1.0, 0.0)
+
+
+PAPER_ELEMENTS = 66  # of the mesh whose every node the paper gives the stiffness K_c
+CLEARANCE_M = 2.0e-5  # where nothing pushes from afar, a robot this high is in the air
+PER_LENGTH = "per_length"
+
+
+def weighting() -> Any:
+    """A field: whether refining the mesh shares a law's stiffness out, or adds to it."""
+    return choice(PER_LENGTH, (PER_LENGTH, "per_node"), doc="per_length converges under refinement")
+
+
+class ContactOptions(Part):
+    """A contact law and its numbers."""
+
+    group = "contact"
+    absent: ClassVar[bool] = False  # whether there is no ground at all
+    pushes: ClassVar[bool] = True
+    force_is_of_position: ClassVar[bool] = True  # and not of what a constraint calls for
+
+    @required
+    def law(self, scales: Scales) -> Any:
+        """The dimensionless law: a member of :class:`ContactLaw`."""
+
+    @property
+    def per_length(self) -> bool:
+        """Whether the force belongs to a length of the beam, and not to a node."""
+        return getattr(self, "weighting", PER_LENGTH) == PER_LENGTH
+
+    def ground(self, scales: Scales, elements: int | None) -> Ground:
+        """Shares of the law's force at nodes and corners, and where a robot is in the air.
+
+        Per length, a node's share falls as the mesh is refined; a lone mass, without elements, has
+        all of it.
+        """
+        law = self.law(scales)
+        return Ground(
+            node_share=PAPER_ELEMENTS / elements if elements and self.per_length else 1.0,
+            corner_share=1.0,
+            clearance=law.reach() if law.keeps_open() else CLEARANCE_M / scales.length_m,
+        )

@@ -9,55 +9,78 @@ Damping, if any, adds a viscous share of the stiffness: force - eta E''(d) d(d)/
 
 from typing import Any, NamedTuple
 
-from snapjump.contact.base import ContactLaw
+from snapjump.contact.base import ContactLaw, ContactOptions, weighting
+from snapjump.declare.fields import number
 from snapjump.number.exponentials import log
 from snapjump.number.functions import where
+from snapjump.units import Scales
 
 
-@ContactLaw.member
-class LogBarrier(NamedTuple):
-    """Barrier stiffness K (in EI/L^3), distance d_hat (in L), relaxation time (in T)."""
+class LogBarrier(ContactOptions):
+    """Logarithmic barrier (the paper, IPC): no gap ever closes.
 
-    stiffness: float
-    distance: float
-    relaxation_time: float
+    ``stiffness_N_m`` is K_c at a frame corner and at a node of the paper's mesh of 66 elements;
+    per length it is spread so that refining the mesh does not stiffen the ground. ``damping_s``
+    adds a force of so many seconds times the stiffness times the closing speed.
+    """
 
-    def keeps_open(self) -> bool:
-        return True
+    stiffness_N_m: float = number(1.0e4, above=0.0, unit="N/m")  # noqa: N815 (the unit is a capital)
+    distance_m: float = number(5.0e-4, above=0.0, unit="m")
+    damping_s: float = number(0.0, least=0.0, unit="s")
+    weighting: str = weighting()
 
-    def reach(self) -> Any:
-        return self.distance
+    @ContactLaw.member
+    class Law(NamedTuple):
+        """Barrier stiffness K (in EI/L^3), distance d_hat (in L), relaxation time (in T)."""
 
-    def energy(self, gap: Any) -> Any:
-        depth = gap - self.distance
-        return -self.stiffness * depth * depth * log(gap / self.distance)
+        stiffness: float
+        distance: float
+        relaxation_time: float
 
-    def elastic(self, gap: Any) -> Any:
-        """The force at rest, -dE/dd."""
-        depth = gap - self.distance
-        return self.stiffness * depth * (2.0 * log(gap / self.distance) + depth / gap)
+        def keeps_open(self) -> bool:
+            return True
 
-    def curvature(self, gap: Any) -> Any:
-        """d2E/dd2."""
-        ratio = (gap - self.distance) / gap
-        return self.stiffness * (ratio * ratio - 4.0 * ratio - 2.0 * log(gap / self.distance))
+        def reach(self) -> Any:
+            return self.distance
 
-    def total(self, gap: Any, approach: Any) -> Any:
-        """The force before it is kept from pulling."""
-        viscous = self.relaxation_time * self.curvature(gap) * approach.speed
-        return self.elastic(gap) - viscous
+        def energy(self, gap: Any) -> Any:
+            depth = gap - self.distance
+            return -self.stiffness * depth * depth * log(gap / self.distance)
 
-    def force(self, gap: Any, approach: Any) -> Any:
-        total = self.total(gap, approach)
-        return where(total > 0.0, total, 0.0)
+        def elastic(self, gap: Any) -> Any:
+            """The force at rest, -dE/dd."""
+            depth = gap - self.distance
+            return self.stiffness * depth * (2.0 * log(gap / self.distance) + depth / gap)
 
-    def slope(self, gap: Any, approach: Any) -> Any:
-        ratio = (gap - self.distance) / gap
-        curvature = self.curvature(gap)
-        sharpening = 2.0 * self.stiffness * ((ratio - 2.0) * (1.0 - ratio) - 1.0) / gap
-        lag = curvature * approach.rate + sharpening * approach.speed
-        slope = curvature + self.relaxation_time * lag
-        return where(self.total(gap, approach) > 0.0, slope, 0.0)
+        def curvature(self, gap: Any) -> Any:
+            """d2E/dd2."""
+            ratio = (gap - self.distance) / gap
+            return self.stiffness * (ratio * ratio - 4.0 * ratio - 2.0 * log(gap / self.distance))
 
-    def loss(self, gap: Any, approach: Any) -> Any:
-        return (self.elastic(gap) - self.force(gap, approach)) * approach.speed
+        def total(self, gap: Any, approach: Any) -> Any:
+            """The force before it is kept from pulling."""
+            viscous = self.relaxation_time * self.curvature(gap) * approach.speed
+            return self.elastic(gap) - viscous
+
+        def force(self, gap: Any, approach: Any) -> Any:
+            total = self.total(gap, approach)
+            return where(total > 0.0, total, 0.0)
+
+        def slope(self, gap: Any, approach: Any) -> Any:
+            ratio = (gap - self.distance) / gap
+            curvature = self.curvature(gap)
+            sharpening = 2.0 * self.stiffness * ((ratio - 2.0) * (1.0 - ratio) - 1.0) / gap
+            lag = curvature * approach.rate + sharpening * approach.speed
+            slope = curvature + self.relaxation_time * lag
+            return where(self.total(gap, approach) > 0.0, slope, 0.0)
+
+        def loss(self, gap: Any, approach: Any) -> Any:
+            return (self.elastic(gap) - self.force(gap, approach)) * approach.speed
+
+    def law(self, scales: Scales) -> Law:
+        """The dimensionless law."""
+        return self.Law(
+            stiffness=self.stiffness_N_m / scales.stiffness_N_m,
+            distance=self.distance_m / scales.length_m,
+            relaxation_time=self.damping_s / scales.time_s,
+        )

@@ -2,27 +2,38 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.contact.base import ContactLaw
+from snapjump.contact.base import ContactLaw, ContactOptions
+from snapjump.units import Scales
 
 
-@ContactLaw.member
-class NoContact(NamedTuple):
-    """A world without ground."""
+class NoContact(ContactOptions):
+    """No ground: every contact term is left out of the compiled program."""
 
-    def exists(self) -> bool:
-        return False
+    absent = True
+    pushes = False
 
-    def active(self, gap: Any, approach: Any) -> Any:
-        return gap < -1.0e300
+    @ContactLaw.member
+    class Law(NamedTuple):
+        """A world without ground."""
 
-    def energy(self, gap: Any) -> Any:
-        return 0.0 * gap
+        def exists(self) -> bool:
+            return False
 
-    def force(self, gap: Any, approach: Any) -> Any:
-        return 0.0 * gap
+        def active(self, gap: Any, approach: Any) -> Any:
+            return gap < -1.0e300
 
-    def slope(self, gap: Any, approach: Any) -> Any:
-        return 0.0 * gap
+        def energy(self, gap: Any) -> Any:
+            return 0.0 * gap
 
-    def bounce_rate_squared(self, stiffness: Any, mass: Any, speed: Any) -> Any:
-        return 0.0 * speed
+        def force(self, gap: Any, approach: Any) -> Any:
+            return 0.0 * gap
+
+        def slope(self, gap: Any, approach: Any) -> Any:
+            return 0.0 * gap
+
+        def bounce_rate_squared(self, stiffness: Any, mass: Any, speed: Any) -> Any:
+            return 0.0 * speed
+
+    def law(self, scales: Scales) -> Law:
+        """The empty law."""
+        return self.Law()

@@ -5,17 +5,34 @@ Conservative, so that a bounce has restitution 1; the ground is entered by v sqr
 
 from typing import Any, NamedTuple
 
-from snapjump.contact.base import ContactLaw
+from snapjump.contact.base import ContactLaw, ContactOptions, weighting
+from snapjump.declare.fields import number
+from snapjump.units import Scales
 
 
-@ContactLaw.member
-class Penalty(NamedTuple):
-    """Stiffness k (in EI/L^3)."""
+class Penalty(ContactOptions):
+    """Quadratic penalty: a spring below the ground; conservative, fast, and it lets points sink in.
 
-    stiffness: float
+    ``stiffness_N_m`` as for the barrier.
+    """
 
-    def energy(self, gap: Any) -> Any:
-        return 0.5 * self.stiffness * gap * gap
+    stiffness_N_m: float = number(1.0e5, above=0.0, unit="N/m")  # noqa: N815
+    weighting: str = weighting()
 
-    def force(self, gap: Any, approach: Any) -> Any:
-        return -self.stiffness * gap
+    @ContactLaw.member
+    class Law(NamedTuple):
+        """Stiffness k (in EI/L^3)."""
+
+        stiffness: float
+
+        def energy(self, gap: Any) -> Any:
+            return 0.5 * self.stiffness * gap * gap
+
+        def force(self, gap: Any, approach: Any) -> Any:
+            return -self.stiffness * gap
+
+    def law(self, scales: Scales) -> Law:
+        """The dimensionless law."""
+        return self.Law(
+            stiffness=self.stiffness_N_m / scales.stiffness_N_m,
+        )

@@ -12,50 +12,77 @@ A skin of a few nanometres keeps that miss from making a gap negative.
 
 from typing import Any, NamedTuple
 
-from snapjump.contact.base import ContactLaw
+from snapjump.contact.base import ContactLaw, ContactOptions
+from snapjump.declare.fields import Need, number
 from snapjump.number.functions import maximum, where
+from snapjump.units import Scales
 
 STIFFER_THAN_INERTIA = 1e6
+
 STATIC_STIFFNESS = 1e8  # EI/L^3
+
 SKIN = 1e-6  # L
 
 
-@ContactLaw.member
-class Signorini(NamedTuple):
-    """Restitution e."""
+class Signorini(ContactOptions):
+    """The rigid ground: a complementarity of gap and force, and Newton's impact law.
 
-    restitution: float
+    ``restitution``: of every impact of a node or a corner.
+    """
 
-    def is_impulsive(self) -> bool:
-        return True
+    per_length = False
+    force_is_of_position = False
+    differentiable = False
+    needs = (
+        Need(
+            "integrator",
+            "velocities_at_step_ends",
+            "whose impact law is one of velocities between the ends of a step",
+        ),
+    )
 
-    def reach(self) -> float:
-        return SKIN
+    restitution: float = number(1.0, least=0.0, most=1.0)
 
-    def target(self, approach: Any) -> Any:
-        """The gap that the step must not end below."""
-        rate = approach.rate
-        step = where(rate > 0.0, 1.0 / maximum(rate, 1e-300 + 0.0 * rate), 0.0)
-        closing = approach.begun + step * approach.begun_speed < SKIN
-        falling = approach.begun_speed < 0.0
-        rebound = approach.begun - self.restitution * step * approach.begun_speed
-        return where(closing & falling & (rebound > SKIN), rebound, SKIN)
+    @ContactLaw.member
+    class Law(NamedTuple):
+        """Restitution e."""
 
-    def active(self, gap: Any, approach: Any) -> Any:
-        return gap < self.target(approach)
+        restitution: float
 
-    def energy(self, gap: Any) -> Any:
-        return 0.0 * gap
+        def is_impulsive(self) -> bool:
+            return True
 
-    def force(self, gap: Any, approach: Any) -> Any:
-        return self.slope(gap, approach) * (self.target(approach) - gap)
+        def reach(self) -> float:
+            return SKIN
 
-    def slope(self, gap: Any, approach: Any) -> Any:
-        return STATIC_STIFFNESS + STIFFER_THAN_INERTIA * approach.inertia
+        def target(self, approach: Any) -> Any:
+            """The gap that the step must not end below."""
+            rate = approach.rate
+            step = where(rate > 0.0, 1.0 / maximum(rate, 1e-300 + 0.0 * rate), 0.0)
+            closing = approach.begun + step * approach.begun_speed < SKIN
+            falling = approach.begun_speed < 0.0
+            rebound = approach.begun - self.restitution * step * approach.begun_speed
+            return where(closing & falling & (rebound > SKIN), rebound, SKIN)
 
-    def loss(self, gap: Any, approach: Any) -> Any:
-        # A constant force over the step, along which the speed jumps.
-        return -0.5 * self.force(gap, approach) * (approach.speed + approach.begun_speed)
+        def active(self, gap: Any, approach: Any) -> Any:
+            return gap < self.target(approach)
 
-    def bounce_rate_squared(self, stiffness: Any, mass: Any, speed: Any) -> Any:
-        return 0.0 * speed
+        def energy(self, gap: Any) -> Any:
+            return 0.0 * gap
+
+        def force(self, gap: Any, approach: Any) -> Any:
+            return self.slope(gap, approach) * (self.target(approach) - gap)
+
+        def slope(self, gap: Any, approach: Any) -> Any:
+            return STATIC_STIFFNESS + STIFFER_THAN_INERTIA * approach.inertia
+
+        def loss(self, gap: Any, approach: Any) -> Any:
+            # A constant force over the step, along which the speed jumps.
+            return -0.5 * self.force(gap, approach) * (approach.speed + approach.begun_speed)
+
+        def bounce_rate_squared(self, stiffness: Any, mass: Any, speed: Any) -> Any:
+            return 0.0 * speed
+
+    def law(self, scales: Scales) -> Law:
+        """The dimensionless law."""
+        return self.Law(self.restitution)

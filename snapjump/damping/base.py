@@ -5,7 +5,9 @@ A law is a ``NamedTuple`` of dimensionless numbers; times are in T = L^2 sqrt(rh
 
 from typing import Any
 
-from snapjump.number.methods import Contract
+from snapjump.declare.fields import Part
+from snapjump.number.methods import Contract, required
+from snapjump.units import Scales
 
 
 class DampingLaw(Contract):
@@ -21,4 +23,18 @@ class DampingLaw(Contract):
 
     def drag(self) -> Any:
         """Damping force over momentum (1/T)."""
+        return 0.0
+
+
+class DampingOptions(Part):
+    """A damping law and its numbers."""
+
+    group = "damping"
+
+    @required
+    def law(self, scales: Scales) -> Any:
+        """The dimensionless law: a member of :class:`DampingLaw`."""
+
+    def relaxation_s(self) -> float:
+        """Stress by the strain's rate over stress by the strain (s)."""
         return 0.0

@@ -2,14 +2,25 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.damping.base import DampingLaw
+from snapjump.damping.base import DampingLaw, DampingOptions
+from snapjump.declare.fields import number
+from snapjump.units import Scales
 
 
-@DampingLaw.member
-class MassProportional(NamedTuple):
-    """Drag coefficient (in 1/T)."""
+class MassProportional(DampingOptions):
+    """A drag on every mass (the released program: 0.01 1/s)."""
 
-    rate: float
+    rate_1_s: float = number(0.01, least=0.0, unit="1/s")
 
-    def drag(self) -> Any:
-        return self.rate
+    @DampingLaw.member
+    class Law(NamedTuple):
+        """Drag coefficient (in 1/T)."""
+
+        rate: float
+
+        def drag(self) -> Any:
+            return self.rate
+
+    def law(self, scales: Scales) -> Law:
+        """The dimensionless law."""
+        return self.Law(self.rate_1_s * scales.time_s)

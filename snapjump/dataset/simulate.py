@@ -4,13 +4,13 @@ from typing import Any
 
 import numpy as np
 
+from snapjump.backend.scalar import ScalarBackend
 from snapjump.batch import Batch, simulate_designs, variant
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.dataset.columns import INPUTS, Rows
 from snapjump.dataset.specification import Specification
 from snapjump.executor.base import Progress
-from snapjump.options.backend import ScalarBackend
 from snapjump.plan.base import AXES, Range
 from snapjump.scenes.frame_body import compression
 from snapjump.statics.threshold_curve import ThresholdCurve

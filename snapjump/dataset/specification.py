@@ -8,17 +8,17 @@ from typing import Any
 from snapjump.checks import ParameterError, check_choice, check_group, check_integer
 from snapjump.composition import Simulation
 from snapjump.dataset.sealed import sha256_of
-from snapjump.families import DATASET_FAMILIES, FAMILIES, name_of
+from snapjump.declare.fields import construct
+from snapjump.declare.members import member_group
 from snapjump.files.provenance import BEYOND_DATASETS, source_hash
+from snapjump.options.plan import PLANS
 from snapjump.parameters.environment import Environment
 from snapjump.plan.base import Plan
 from snapjump.scenes.sensitivities import check_differentiable
-from snapjump.simulation import build, construct
+from snapjump.simulation import build
 
 FORMAT = 1  # of the files; another number for other columns or another hash
 LARGEST_SHARD = 1_000_000
-# Lanes, threads and the kind of processor change nothing to the last bit.
-CPU = ("scalar", "lanes")
 
 
 @dataclass(frozen=True)
@@ -54,13 +54,18 @@ class Specification:
         return first, min(first + self.shard_size, self.plan.count)
 
 
-def dataset_member(family: str, values: Any) -> Any:
-    """Checked options of a plan or an executor, from its group. Raises ParameterError."""
-    check_group(family, values)
+def plan_of(values: Any) -> Any:
+    """Checked options of a plan, from its group. Raises ParameterError."""
+    check_group("plan", values)
     values = dict(values)
     name = values.pop("name", None)
-    check_choice(family, name, tuple(DATASET_FAMILIES[family]))
-    return construct(family, DATASET_FAMILIES[family][name], values)
+    check_choice("plan", name, tuple(PLANS))
+    return construct("plan", PLANS[name], values)
+
+
+def plan_name(options: Any) -> str:
+    """The name of a plan."""
+    return next(name for name, cls in PLANS.items() if cls is type(options))
 
 
 def specify(
@@ -80,17 +85,12 @@ def specify(
         raise ParameterError("dataset.sensitivities", sensitivities, "true or false")
     if sensitivities:
         check_differentiable(simulation)
-    options = dataset_member("plan", config.get("plan"))
+    options = plan_of(config.get("plan"))
     check_lightest(simulation, options)
-    configuration = {
-        family: {"name": simulation.name(family), **asdict(getattr(simulation, family))}
-        for family in FAMILIES
-        if family != "backend"
-    }
-    backend = simulation.name("backend")
+    configuration = {p.group: member_group(p) for p in simulation.parts if p.group != "backend"}
     plain = {
         "format": FORMAT,
-        "plan": {"name": name_of("plan", options), **asdict(options)},
+        "plan": {"name": plan_name(options), **asdict(options)},
         "shard_size": shard_size,
         "sensitivities": sensitivities,
         "configuration": {
@@ -98,7 +98,7 @@ def specify(
             "robot": asdict(simulation.robot),
             **configuration,
         },
-        "processor": "cpu" if backend in CPU else backend,
+        "processor": simulation.backend.processor,
         "source_sha256": source_hash(BEYOND_DATASETS),
     }
     plain = json.loads(json.dumps(plain))  # tuples become lists, as in the files

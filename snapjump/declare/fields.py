@@ -5,11 +5,20 @@ range), before any work. What a field may be stands in its ``metadata["allowed"]
 """
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, field, fields
-from typing import Any, ClassVar, NamedTuple, TypedDict, Unpack, dataclass_transform
+from collections.abc import Mapping, Sequence
+from dataclasses import MISSING, dataclass, field, fields, replace
+from typing import (
+    TYPE_CHECKING,
+    Any,
+    ClassVar,
+    NamedTuple,
+    Self,
+    TypedDict,
+    Unpack,
+    dataclass_transform,
+)
 
-from snapjump.checks import ParameterError, check_choice, check_integer, check_number
+from snapjump.checks import ParameterError, check_choice, check_group, check_integer, check_number
 
 
 class Number(NamedTuple):
@@ -99,18 +108,90 @@ def flag(default: bool, doc: str = "") -> Any:
     return field(default=default, metadata={"allowed": Flag(), "doc": doc})
 
 
+def required(function: Any) -> Any:
+    """A method that every member must write."""
+    function.is_required = True
+    return function
+
+
+class Need(NamedTuple):
+    """What a member asks of another family's: an attribute of its class that is true, and why."""
+
+    family: str
+    capability: str
+    why: str = ""
+
+
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 class Part:
-    """What a user chooses and sets of one group; subclasses are frozen dataclasses."""
+    """What a user chooses and sets of one group; subclasses are frozen dataclasses.
+
+    ``given``: names of the fields that were set, and not left to their defaults.
+    ``differentiable``: whether sensitivities know the member.
+    """
 
     group: ClassVar[str]
+    needs: ClassVar[tuple[Need, ...]] = ()
+    differentiable: ClassVar[bool] = True
+    given: ClassVar[frozenset[str]]
 
     def __init_subclass__(cls, **words: Any) -> None:
         super().__init_subclass__(**words)
         dataclass(frozen=True)(cls)
+
+    def __new__(cls, *values: Any, **named: Any) -> Self:
+        part = super().__new__(cls)
+        names = [declared.name for declared in fields(cls)]  # type: ignore[arg-type]
+        object.__setattr__(part, "given", frozenset((*names[: len(values)], *named)))
+        return part
+
+    @property
+    def name(self) -> str:
+        """The member's name in its family: that of its file."""
+        return type(self).__module__.rpartition(".")[2]
+
+    def check_with(self, simulation: Any) -> None:
+        """Raises ParameterError for a simulation whose other parts do not suit this one."""
+
+    def changed(self, **values: Any) -> Self:
+        """The same with other values of some fields, which are given. Raises ParameterError."""
+        part = replace(self, **values)  # type: ignore[type-var]
+        object.__setattr__(part, "given", self.given | frozenset(values))
+        return part
+
+    def with_defaults(self, values: Mapping[str, Any]) -> Self:
+        """The same with other values of fields that were not given. Raises ParameterError."""
+        names = [declared.name for declared in fields(self)]  # type: ignore[arg-type]
+        other = {k: v for k, v in values.items() if k in names and k not in self.given}
+        if not other:
+            return self
+        part = replace(self, **other)  # type: ignore[type-var]
+        object.__setattr__(part, "given", self.given)
+        return part
+
+    if TYPE_CHECKING:  # fields of a member that only its family is known of
+
+        def __getattr__(self, name: str) -> Any: ...
 
     def __post_init__(self) -> None:
         for declared in fields(self):  # type: ignore[arg-type]
             allowed = declared.metadata.get("allowed")
             if allowed is not None:
                 allowed.check(f"{self.group}.{declared.name}", getattr(self, declared.name))
+
+
+def construct(group: str, cls: Any, values: Any) -> Any:
+    """A part, or any dataclass, from a group's values; what is left out has its default.
+
+    Raises ParameterError for an unknown key, and for a missing one that has no default.
+    """
+    check_group(group, values)
+    declared = {f.name: f for f in fields(cls)}
+    for key, value in values.items():
+        if key not in declared:
+            allowed = ", ".join(declared) or "no keys at all"
+            raise ParameterError(f"{group}.{key}", value, f"{group} has {allowed}")
+    for key, field_ in declared.items():
+        if key not in values and field_.default is MISSING and field_.default_factory is MISSING:
+            raise ParameterError(f"{group}.{key}", None, "a value, which cannot be left out")
+    return cls(**values)

@@ -11,9 +11,14 @@ The tangent matrix is symmetric and stored as a lower band, column by column: ``
 the entry of row j + k and column j, for k = 0 ... HALF_BANDWIDTH.
 """
 
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.declare.fields import Part, integer
 from snapjump.number.methods import Contract, required
+from snapjump.parameters.robot import Robot
 
 HALF_BANDWIDTH = 5
 NODES_COUPLED = 2  # a node couples to that many on either side, to one if nodes turn
@@ -137,3 +142,32 @@ class ChainPowers(NamedTuple):
     left_y: Any
     right_x: Any
     right_y: Any
+
+
+class DiscretizationOptions(Part):
+    """A discretization and its numbers: by default, every element is between the clamps."""
+
+    group = "discretization"
+    nodes_without_angles: ClassVar[bool] = False
+
+    elements: int = integer(104, least=8, most=100_000, doc="of the whole beam")
+
+    @required
+    def beam(self, robot: Robot) -> Any:
+        """The dimensionless beam: a member of :class:`Discretization`."""
+
+    @property
+    def moving_elements(self) -> int:
+        """Elements of the chain between the clamps."""
+        return self.elements
+
+    @property
+    def clamped_mass_bar(self) -> float:
+        """Mass of the nodes that move with one clamp (in rho A L)."""
+        return 0.5 / self.elements
+
+    def masses(self) -> NDArray[np.float64]:
+        """Lumped masses of the chain's nodes, zero where clamped at both ends (in rho A L)."""
+        masses = np.full(self.moving_elements + 1, 1.0 / self.elements)
+        masses[[0, -1]] = 0.0
+        return masses

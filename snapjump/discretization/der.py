@@ -11,8 +11,14 @@ first order).
 
 from typing import Any, NamedTuple
 
-from snapjump.discretization.base import ChainPowers, Discretization, EndHinge
-from snapjump.discretization.der_elements import (
+from snapjump.declare.fields import choice
+from snapjump.discretization.base import (
+    ChainPowers,
+    Discretization,
+    DiscretizationOptions,
+    EndHinge,
+)
+from snapjump.discretization.parts.der_elements import (
     Block,
     Chain,
     Coupling,
@@ -28,188 +34,10 @@ from snapjump.discretization.der_elements import (
     put_columns,
     stretching_energy,
 )
-from snapjump.discretization.edge import Edge, half_angle_tangent, make_edge
+from snapjump.discretization.parts.edge import Edge, half_angle_tangent, make_edge
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, maximum
-
-
-@Discretization.member
-class DiscreteElasticRod(NamedTuple):
-    """Element length l, EA, hinge length at a clamp, offset of the clamp (all with EI = L = 1)."""
-
-    element_length: float
-    stretching_stiffness: float
-    clamp_hinge_length: float
-    clamp_offset: float
-
-    def has_elements(self) -> bool:
-        return True
-
-    def axial_stiffness(self) -> Any:
-        return self.stretching_stiffness / self.element_length
-
-    def node_dofs(self) -> int:
-        return 2
-
-    def turn_length(self) -> float:
-        return 0.0
-
-    def clamp_distance(self) -> Any:
-        return self.clamp_offset
-
-    def begin_chain(
-        self,
-        damping: Any,
-        position: Any,
-        origin: Any,
-        rate_factor: Any,
-        tangents: Any,
-    ) -> Any:
-        zero = 0.0 * rate_factor
-        edge = edge_at(0, position, origin, rate_factor)
-        t = half_angle_tangent(tangents.left_x, tangents.left_y, edge.cx, edge.cy)
-        rate = edge.turn_rate - tangents.left_rate
-        density = 1.0 / self.clamp_hinge_length
-        moment, stiffness = hinge_moment(damping, t, rate, density, rate_factor)
-        left = EndHinge(moment, stiffness, edge.slope_x, edge.slope_y)
-        chain = Chain(
-            edge,
-            moment,
-            hinge_block(stiffness, edge),
-            Coupling(zero, zero, zero, zero),
-            Block(zero, zero, zero),
-            zero,
-            zero,
-            absolute(moment),
-        )
-        return chain, left
-
-    def add_node_forces(
-        self,
-        damping: Any,
-        position: Any,
-        origin: Any,
-        rate_factor: Any,
-        tangents: Any,
-        chain: Any,
-        node: Any,
-        residual: Any,
-        band: Any,
-    ) -> Any:
-        last = position.shape[0] // 2 - 2  # the last edge
-        zero = 0.0 * rate_factor
-        edge = chain.edge
-        if node < last:
-            after = edge_at(node + 1, position, origin, rate_factor)
-            density = 1.0 / self.element_length
-        else:
-            after = held_end(tangents, zero)
-            density = 1.0 / self.clamp_hinge_length
-        t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
-        rate = after.turn_rate - edge.turn_rate
-        moment, stiffness = hinge_moment(damping, t, rate, density, rate_factor)
-        if node == last:
-            held = 1.0 - tangents.right_free
-            moment = held * moment + tangents.right_free * tangents.right_moment
-            stiffness = held * stiffness
-
-        stretching = self.stretching_stiffness / self.element_length
-        force = axial_force(self, damping, stretching, edge)
-        sideways = (chain.moment - moment) * edge.over
-        fx = force * edge.cx - sideways * edge.cy
-        fy = force * edge.cy + sideways * edge.cx
-        own = edge_block(
-            stretching * damping.stiffening(rate_factor),
-            force * edge.over,
-            sideways * edge.over,
-            edge,
-            chain.start,
-            hinge_block(stiffness, edge),
-        )
-        coupling = hinge_coupling(stiffness, edge, after)
-        put_columns(node, chain.before, chain.coupling, own, coupling, band)
-        residual[2 * node] += chain.force_x - fx
-        residual[2 * node + 1] += chain.force_y - fy
-        return Chain(
-            after,
-            moment,
-            hinge_block(stiffness, after),
-            coupling,
-            own,
-            fx,
-            fy,
-            maximum(chain.largest, absolute(fx) + absolute(fy)),
-        ), EndHinge(moment, stiffness, edge.slope_x, edge.slope_y)
-
-    def end_chain(self, chain: Any, node: Any, residual: Any, band: Any) -> Any:
-        i = 2 * node
-        band[i, 0] += chain.before.xx
-        band[i, 1] = chain.before.xy
-        band[i + 1, 0] += chain.before.yy
-        for k in range(2, 6):
-            band[i, k] = 0.0
-            band[i + 1, k - 1] = 0.0
-        residual[i] += chain.force_x
-        residual[i + 1] += chain.force_y
-
-    def internal_energy(self, position: Any, tangents: Any) -> Any:
-        elements = position.shape[0] // 2 - 1
-        ax = tangents.left_x
-        ay = tangents.left_y
-        hinge_length = self.clamp_hinge_length
-        energy = 0.0 * position[0]
-        for j in range(elements):
-            edge = edge_at(j, position, position, 0.0)
-            t = half_angle_tangent(ax, ay, edge.cx, edge.cy)
-            energy = energy + stretching_energy(self, edge.length) + hinge_energy(t, hinge_length)
-            ax = edge.cx
-            ay = edge.cy
-            hinge_length = self.element_length
-        t = half_angle_tangent(ax, ay, tangents.right_x, tangents.right_y)
-        last = hinge_energy(t, self.clamp_hinge_length)
-        return energy + (1.0 - tangents.right_free) * last
-
-    def chain_powers(self, damping: Any, position: Any, velocity: Any, tangents: Any) -> Any:
-        elements = position.shape[0] // 2 - 1
-        stretching = self.stretching_stiffness / self.element_length
-        edge = make_edge(tangents.left_x, tangents.left_y, 0.0 * position[0], 0.0 * position[0])
-        rate = tangents.left_rate
-        hinge_length = self.clamp_hinge_length
-        zero = 0.0 * position[0]
-        power = zero
-        moment = zero
-        left = zero
-        left_x = zero
-        left_y = zero
-        force = zero
-        for j in range(elements):
-            after = make_edge(
-                position[2 * j + 2] - position[2 * j],
-                position[2 * j + 3] - position[2 * j + 1],
-                velocity[2 * j + 2] - velocity[2 * j],
-                velocity[2 * j + 3] - velocity[2 * j + 1],
-            )
-            t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
-            bending, next_moment = hinge_power(damping, t, after.turn_rate - rate, hinge_length)
-            if j == 0:
-                left = next_moment
-            if j == 1:
-                left_x, left_y = edge_force(force, moment - next_moment, edge)
-            force = axial_force(self, damping, stretching, after)
-            elastic = stretching * (after.length - self.element_length)
-            power = power + (force - elastic) * after.stretch_rate + bending
-            moment = next_moment
-            edge = after
-            rate = after.turn_rate
-            hinge_length = self.element_length
-        t = half_angle_tangent(edge.cx, edge.cy, tangents.right_x, tangents.right_y)
-        bending, right = hinge_power(
-            damping, t, tangents.right_rate - rate, self.clamp_hinge_length
-        )
-        held = 1.0 - tangents.right_free
-        right = held * right + tangents.right_free * tangents.right_moment
-        right_x, right_y = edge_force(force, moment - right, edge)
-        return ChainPowers(power + held * bending, left, right, -left_x, -left_y, right_x, right_y)
+from snapjump.parameters.robot import Robot
 
 
 @kernel
@@ -225,3 +53,221 @@ def held_end(tangents: Any, zero: Any) -> Edge:
         tangents.right_rate + zero,
         zero,
     )
+
+
+CLAMPS = ("half_element", "two_nodes")
+
+
+class DiscreteElasticRod(DiscretizationOptions):
+    """Discrete elastic rods (the paper): second order with half-element clamps.
+
+    ``elements`` of the whole beam; ``clamp``: half an element with a prescribed tangent, or the
+    paper's two fixed nodes (first order), which leave two elements fewer to move.
+    """
+
+    nodes_without_angles = True
+
+    clamp: str = choice("half_element", CLAMPS)
+
+    @Discretization.member
+    class Beam(NamedTuple):
+        """Element length l, EA, hinge length at a clamp, offset of the clamp (EI = L = 1)."""
+
+        element_length: float
+        stretching_stiffness: float
+        clamp_hinge_length: float
+        clamp_offset: float
+
+        def has_elements(self) -> bool:
+            return True
+
+        def axial_stiffness(self) -> Any:
+            return self.stretching_stiffness / self.element_length
+
+        def node_dofs(self) -> int:
+            return 2
+
+        def turn_length(self) -> float:
+            return 0.0
+
+        def clamp_distance(self) -> Any:
+            return self.clamp_offset
+
+        def begin_chain(
+            self,
+            damping: Any,
+            position: Any,
+            origin: Any,
+            rate_factor: Any,
+            tangents: Any,
+        ) -> Any:
+            zero = 0.0 * rate_factor
+            edge = edge_at(0, position, origin, rate_factor)
+            t = half_angle_tangent(tangents.left_x, tangents.left_y, edge.cx, edge.cy)
+            rate = edge.turn_rate - tangents.left_rate
+            density = 1.0 / self.clamp_hinge_length
+            moment, stiffness = hinge_moment(damping, t, rate, density, rate_factor)
+            left = EndHinge(moment, stiffness, edge.slope_x, edge.slope_y)
+            chain = Chain(
+                edge,
+                moment,
+                hinge_block(stiffness, edge),
+                Coupling(zero, zero, zero, zero),
+                Block(zero, zero, zero),
+                zero,
+                zero,
+                absolute(moment),
+            )
+            return chain, left
+
+        def add_node_forces(
+            self,
+            damping: Any,
+            position: Any,
+            origin: Any,
+            rate_factor: Any,
+            tangents: Any,
+            chain: Any,
+            node: Any,
+            residual: Any,
+            band: Any,
+        ) -> Any:
+            last = position.shape[0] // 2 - 2  # the last edge
+            zero = 0.0 * rate_factor
+            edge = chain.edge
+            if node < last:
+                after = edge_at(node + 1, position, origin, rate_factor)
+                density = 1.0 / self.element_length
+            else:
+                after = held_end(tangents, zero)
+                density = 1.0 / self.clamp_hinge_length
+            t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
+            rate = after.turn_rate - edge.turn_rate
+            moment, stiffness = hinge_moment(damping, t, rate, density, rate_factor)
+            if node == last:
+                held = 1.0 - tangents.right_free
+                moment = held * moment + tangents.right_free * tangents.right_moment
+                stiffness = held * stiffness
+
+            stretching = self.stretching_stiffness / self.element_length
+            force = axial_force(self, damping, stretching, edge)
+            sideways = (chain.moment - moment) * edge.over
+            fx = force * edge.cx - sideways * edge.cy
+            fy = force * edge.cy + sideways * edge.cx
+            own = edge_block(
+                stretching * damping.stiffening(rate_factor),
+                force * edge.over,
+                sideways * edge.over,
+                edge,
+                chain.start,
+                hinge_block(stiffness, edge),
+            )
+            coupling = hinge_coupling(stiffness, edge, after)
+            put_columns(node, chain.before, chain.coupling, own, coupling, band)
+            residual[2 * node] += chain.force_x - fx
+            residual[2 * node + 1] += chain.force_y - fy
+            return Chain(
+                after,
+                moment,
+                hinge_block(stiffness, after),
+                coupling,
+                own,
+                fx,
+                fy,
+                maximum(chain.largest, absolute(fx) + absolute(fy)),
+            ), EndHinge(moment, stiffness, edge.slope_x, edge.slope_y)
+
+        def end_chain(self, chain: Any, node: Any, residual: Any, band: Any) -> Any:
+            i = 2 * node
+            band[i, 0] += chain.before.xx
+            band[i, 1] = chain.before.xy
+            band[i + 1, 0] += chain.before.yy
+            for k in range(2, 6):
+                band[i, k] = 0.0
+                band[i + 1, k - 1] = 0.0
+            residual[i] += chain.force_x
+            residual[i + 1] += chain.force_y
+
+        def internal_energy(self, position: Any, tangents: Any) -> Any:
+            elements = position.shape[0] // 2 - 1
+            ax = tangents.left_x
+            ay = tangents.left_y
+            hinge_length = self.clamp_hinge_length
+            energy = 0.0 * position[0]
+            for j in range(elements):
+                edge = edge_at(j, position, position, 0.0)
+                t = half_angle_tangent(ax, ay, edge.cx, edge.cy)
+                energy = (
+                    energy + stretching_energy(self, edge.length) + hinge_energy(t, hinge_length)
+                )
+                ax = edge.cx
+                ay = edge.cy
+                hinge_length = self.element_length
+            t = half_angle_tangent(ax, ay, tangents.right_x, tangents.right_y)
+            last = hinge_energy(t, self.clamp_hinge_length)
+            return energy + (1.0 - tangents.right_free) * last
+
+        def chain_powers(self, damping: Any, position: Any, velocity: Any, tangents: Any) -> Any:
+            elements = position.shape[0] // 2 - 1
+            stretching = self.stretching_stiffness / self.element_length
+            edge = make_edge(tangents.left_x, tangents.left_y, 0.0 * position[0], 0.0 * position[0])
+            rate = tangents.left_rate
+            hinge_length = self.clamp_hinge_length
+            zero = 0.0 * position[0]
+            power = zero
+            moment = zero
+            left = zero
+            left_x = zero
+            left_y = zero
+            force = zero
+            for j in range(elements):
+                after = make_edge(
+                    position[2 * j + 2] - position[2 * j],
+                    position[2 * j + 3] - position[2 * j + 1],
+                    velocity[2 * j + 2] - velocity[2 * j],
+                    velocity[2 * j + 3] - velocity[2 * j + 1],
+                )
+                t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
+                bending, next_moment = hinge_power(damping, t, after.turn_rate - rate, hinge_length)
+                if j == 0:
+                    left = next_moment
+                if j == 1:
+                    left_x, left_y = edge_force(force, moment - next_moment, edge)
+                force = axial_force(self, damping, stretching, after)
+                elastic = stretching * (after.length - self.element_length)
+                power = power + (force - elastic) * after.stretch_rate + bending
+                moment = next_moment
+                edge = after
+                rate = after.turn_rate
+                hinge_length = self.element_length
+            t = half_angle_tangent(edge.cx, edge.cy, tangents.right_x, tangents.right_y)
+            bending, right = hinge_power(
+                damping, t, tangents.right_rate - rate, self.clamp_hinge_length
+            )
+            held = 1.0 - tangents.right_free
+            right = held * right + tangents.right_free * tangents.right_moment
+            right_x, right_y = edge_force(force, moment - right, edge)
+            return ChainPowers(
+                power + held * bending, left, right, -left_x, -left_y, right_x, right_y
+            )
+
+    @property
+    def moving_elements(self) -> int:
+        """Elements of the chain between the clamps."""
+        return self.elements if self.clamp == "half_element" else self.elements - 2
+
+    @property
+    def clamped_mass_bar(self) -> float:
+        """Mass of the nodes that move with one clamp (in rho A L)."""
+        return (0.5 if self.clamp == "half_element" else 1.5) / self.elements
+
+    def beam(self, robot: Robot) -> Beam:
+        """The dimensionless rod."""
+        length = 1.0 / self.elements
+        half = self.clamp == "half_element"
+        return self.Beam(
+            element_length=length,
+            stretching_stiffness=robot.stretching_stiffness_bar,
+            clamp_hinge_length=0.5 * length if half else length,
+            clamp_offset=0.0 if half else length,
+        )

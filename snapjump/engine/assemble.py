@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from snapjump.discretization.base import TURN_INERTIA
 from snapjump.frame.base import FrameForces, Turning
-from snapjump.frame.point_contact import add_point_contact
+from snapjump.frame.parts.point_contact import add_point_contact
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, maximum
 

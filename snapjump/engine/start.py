@@ -30,7 +30,7 @@ def with_angles(model: Any, left: Any, lag: Any) -> Any:
         model.frame,
         clamp,
         model.contact,
-        NoFriction(),
+        NoFriction.Law(),
         model.damping,
         model.load,
         model.ground,

@@ -7,10 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.discretization.base import HALF_BANDWIDTH
+from snapjump.frame.base import NO_MESH
 from snapjump.number.memory import aligned_zeros
 
 CORNERS = 4
-NO_MESH: NDArray[np.int64] = np.zeros(0, dtype=np.int64)
 
 
 class System(NamedTuple):
@@ -20,7 +20,7 @@ class System(NamedTuple):
     the coordinates of the mounts that they are condensed onto; these are views into the padded
     arrays of B + 10 rows, whose five zero rows before and after spare the solver its edge cases.
     frame_residual (F) and square (W, W): of a rigid frame, or of an elastic one and its mounts.
-    The rest is an elastic one's (see :mod:`snapjump.frame.elastic_solve`): mounts (W),
+    The rest is an elastic one's (see :mod:`snapjump.frame.parts.elastic_solve`): mounts (W),
     padded_frame_residual (F + 10), frame_band (F + 10, 6), frame_border (F + 10, 4), levers
     (8, 3), last_residual (4), last_square (4, 4).
     """

@@ -3,6 +3,8 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, Protocol
 
+from snapjump.declare.fields import Part, required
+
 Job = Mapping[str, Any]  # plain JSON, since it may travel
 Answer = dict[str, Any]  # likewise
 Progress = Callable[[float], None]  # share of a job that is done
@@ -37,3 +39,14 @@ class Executor(Protocol):
         ``work`` is a function of a module. ``progress`` hears of the job under way where that is
         known, else of 0.0 from time to time. What ``work`` raises, this raises.
         """
+
+
+class ExecutorOptions(Part):
+    """An executor and its numbers."""
+
+    group = "executor"
+
+    @required
+    def executor(self) -> Executor:
+        """What does the work."""
+        raise NotImplementedError

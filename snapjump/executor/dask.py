@@ -3,6 +3,7 @@
 import logging
 import os
 import platform
+import re
 import socket
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
@@ -10,9 +11,11 @@ from importlib.util import find_spec
 from urllib.parse import urlsplit
 
 from snapjump.checks import ParameterError
-from snapjump.executor.base import Answer, Job, Progress, Work
+from snapjump.declare.fields import integer
+from snapjump.executor.base import Answer, ExecutorOptions, Job, Progress, Work
 
 CONNECT_TIMEOUT_S = 10.0
+ADDRESS = re.compile(r"(tcp|tls)://[^\s:/]+:\d{1,5}")
 PATIENCE_S = 0.5  # between looks at what has been finished
 
 
@@ -52,7 +55,7 @@ class DaskExecutor:
                 threads_per_worker=1,
                 host="127.0.0.1",
                 dashboard_address=None,
-                preload=["snapjump.executor.dask_worker"],
+                preload=["snapjump.executor.parts.dask_worker"],
             )
         self._client = Client(self._cluster or self.scheduler, timeout=CONNECT_TIMEOUT_S)
         return self
@@ -100,3 +103,25 @@ class DaskExecutor:
 def own_cores() -> tuple[str, list[int]]:
     """The machine and the cores of the process that this runs in."""
     return platform.node(), sorted(os.sched_getaffinity(0))
+
+
+class Dask(ExecutorOptions):
+    """Workers of dask.distributed: of a scheduler, or processes on this machine.
+
+    ``scheduler``: its address, None to start ``workers`` processes here.
+    """
+
+    scheduler: str | None = None
+    workers: int = integer(2, least=1, most=1024)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.scheduler is not None and not (
+            isinstance(self.scheduler, str) and ADDRESS.fullmatch(self.scheduler)
+        ):
+            raise ParameterError(
+                "executor.scheduler", self.scheduler, "null, or an address like tcp://host:8786"
+            )
+
+    def executor(self) -> DaskExecutor:
+        return DaskExecutor(self.scheduler, self.workers)

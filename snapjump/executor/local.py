@@ -3,7 +3,7 @@
 import os
 from collections.abc import Iterator, Sequence
 
-from snapjump.executor.base import Answer, Job, Progress, Work
+from snapjump.executor.base import Answer, ExecutorOptions, Job, Progress, Work
 
 
 class LocalExecutor:
@@ -33,3 +33,10 @@ class LocalExecutor:
     def answers(self, work: Work, jobs: Sequence[Job], progress: Progress) -> Iterator[Answer]:
         for job in jobs:
             yield work(job, progress)
+
+
+class Local(ExecutorOptions):
+    """This process, with all threads that the backend has."""
+
+    def executor(self) -> LocalExecutor:
+        return LocalExecutor()

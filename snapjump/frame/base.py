@@ -9,8 +9,12 @@ and leaves an identity in their place, so that the banded solver runs over all n
 for frames whose coordinates are fixed in number, and the same for all robots of a march.
 """
 
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.declare.fields import Part
 from snapjump.number.methods import Contract, required
 
 
@@ -167,3 +171,43 @@ class Frame(Contract):
     def dissipation(self, damping: Any, mesh: Any, state: Any, velocity: Any) -> Any:
         """Power that material damping takes out of the frame (in EI/(L T))."""
         return 0.0 * state[0]
+
+
+Mesh = NDArray[np.int64]
+NO_MESH: Mesh = np.zeros(0, dtype=np.int64)
+
+
+class Outline(NamedTuple):
+    """What a frame is built from: leg, top, leg, and what is clamped to the legs.
+
+    width, height; mount: height of the clamps above the feet (in L); mass: the robot's less the
+    beam's, end: of the beam's nodes that move with one clamp (in rho A L); length_m: of L;
+    stretching: the beam's EA (in EI/L^2); per_length: whether contact belongs to a length.
+    """
+
+    width: Any
+    height: Any
+    mount: Any
+    mass: Any
+    end: Any
+    length_m: float = 1.0
+    stretching: float = 0.0
+    per_length: bool = True
+
+
+class FrameOptions(Part):
+    """A frame and its numbers."""
+
+    group = "frame"
+    flies: ClassVar[bool] = True
+    held: ClassVar[bool] = False  # in space, for scenes without a flight
+    explicit: ClassVar[bool] = True  # whether explicit steps lead anywhere
+    inset_m = 0.0  # distance of the beam's ends from the legs
+
+    @required
+    def body(self, outline: Outline) -> Any:
+        """The dimensionless frame: a member of :class:`Frame`."""
+
+    def mesh(self, body: Any) -> Mesh:
+        """The mesh that goes with a body."""
+        return NO_MESH

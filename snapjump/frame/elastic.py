@@ -6,10 +6,15 @@ from it, and turn with it. All nodes have mass and weight; each can touch the gr
 
 from typing import Any, NamedTuple
 
+import numpy as np
+
+from snapjump.checks import ParameterError
+from snapjump.contact.base import PAPER_ELEMENTS
+from snapjump.declare.fields import Need, choice, flag, integer, number
 from snapjump.discretization.base import HALF_BANDWIDTH
-from snapjump.frame.base import FrameForces
-from snapjump.frame.elastic_chain import add_chain_forces, chain_dissipation, chain_energy
-from snapjump.frame.elastic_mesh import (
+from snapjump.frame.base import FrameForces, FrameOptions, Mesh, Outline
+from snapjump.frame.parts.elastic_chain import add_chain_forces, chain_dissipation, chain_energy
+from snapjump.frame.parts.elastic_mesh import (
     DOFS,
     LEFT_CORNER,
     RIGHT_CORNER,
@@ -18,121 +23,219 @@ from snapjump.frame.elastic_mesh import (
     node_mass,
     weight_at,
 )
-from snapjump.frame.elastic_mounts import ElasticMounts, clear_mounts
-from snapjump.frame.elastic_solve import solve_chain
-from snapjump.frame.point_contact import add_point_contact
+from snapjump.frame.parts.elastic_mounts import ElasticMounts, clear_mounts
+from snapjump.frame.parts.elastic_solve import solve_chain
+from snapjump.frame.parts.point_contact import add_point_contact
+from snapjump.frame.rigid import RigidFrame
 from snapjump.number.functions import absolute, any_true, maximum, minimum, where
 
+MOUNTS = ("exact", "edge_middle")
 
-@ElasticMounts.member
-class ElasticFrame(NamedTuple):
-    """Half the width; heights of mounts, feet and top above the feet (in L); mass of the frame
-    (rho A L) and what of it bounces with a foot; lengths of an edge below, at and above a mount,
-    and of the top (L); mass per length (rho A) and clamped at either mount; bending stiffness
-    (EI) and stretching stiffness (EI/L^2); distance of the beam's ends from the legs (L); weights
-    of contact at a node and, per length, at what belongs to it (1/L); share of its
-    leg's bending that the right clamp turns with."""
+CONTACTS = ("nodes", "corners")
 
-    half_span: float
-    mount_y: float
-    foot_y: float
-    top_y: float
-    mass: float
-    bouncing_mass: float
-    low_length: float
-    mount_length: float
-    high_length: float
-    top_length: float
-    density: float
-    clamped_mass: float
-    bending: float
-    stretching: float
-    inset: float
-    node_weight: float
-    length_weight: float
-    right_follow: float
+LOW_SHARE = 0.15  # of a leg's elements, below an exact mount
 
-    def dofs(self, mesh: Any) -> Any:
-        return mesh[DOFS]
 
-    def border_width(self) -> int:
-        return 6
+class ElasticFrame(FrameOptions):
+    """The paper's open chain, leg - top - leg, of nodes that are far stiffer than the beam.
 
-    def add_forces(self, model: Any, motion: Any, work: Any) -> Any:
-        mesh = work.mesh
-        state = work.state
-        residual = work.system.frame_residual
-        band = work.system.frame_band[HALF_BANDWIDTH:]
-        rate = motion.rate_factor
-        drag = model.damping.drag()
-        fall = model.load.gravity()
-        zero = 0.0 * rate
-        clear_mounts(work.system, zero)
-        figures = FrameForces(zero, zero + 1.0e30, zero)
-        for node in range(node_count(mesh)):
-            i = 2 * node
-            mass = node_mass(self, mesh, node)
-            vx = (state[i] - work.origin[i]) * rate
-            vy = (state[i + 1] - work.origin[i + 1]) * rate
-            ax = (vx - work.drift[i]) * motion.inertia_rate
-            ay = (vy - work.drift[i + 1]) * motion.inertia_rate
-            residual[i] = mass * (ax + drag * vx)
-            residual[i + 1] = mass * (ay + drag * vy + fall)
-            band[i, 0] = mass * (motion.inertia_rate + drag) * rate
-            band[i + 1, 0] = mass * (motion.inertia_rate + drag) * rate
-            inertial = mass * (absolute(ax) + absolute(ay) + fall)
-            figures = FrameForces(
-                maximum(figures.largest_force, inertial),
+    ``bending_ratio``, ``stretching_ratio``: its EI and EA over the beam's (the released program:
+    1000 and 1). ``mount``: the clamps' height as it is (the leg's mesh follows it), or rounded to
+    the middle of an edge of an even mesh. ``inset_m``: how far the beam's ends are from the legs.
+    ``contact``: all nodes can touch the ground, or only feet and top corners, as of a rigid frame.
+    ``beam_on_top``: the beam's mass comes on top of the robot's, which is all the frame's.
+    ``right_follow``: share of its leg's bending that the right clamp turns with; below 1 it has no
+    energy and serves comparisons with the released program only (its data: about 0.5).
+    """
+
+    explicit = False
+    differentiable = False
+    needs = (
+        Need(
+            "discretization",
+            "nodes_without_angles",
+            "whose mounts have no angle for nodes that turn",
+        ),
+    )
+
+    bending_ratio: float = number(1000.0, above=0.0)
+    stretching_ratio: float = number(1000.0, above=0.0)
+    leg_elements: int = integer(33, least=3, most=10_000)
+    top_elements: int = integer(56, least=2, most=10_000)
+    mount: str = choice("exact", MOUNTS)
+    inset_m: float = number(0.0, least=0.0, unit="m")
+    contact: str = choice("nodes", CONTACTS)
+    beam_on_top: bool = flag(False)
+    right_follow: float = number(1.0, least=0.0, most=1.0)
+
+    @ElasticMounts.member
+    class Body(NamedTuple):
+        """Half the width; heights of mounts, feet and top above the feet (in L); mass of the
+        frame (rho A L) and what of it bounces with a foot; lengths of an edge below, at and above
+        a mount, and of the top (L); mass per length (rho A) and clamped at either mount; bending
+        stiffness (EI) and stretching stiffness (EI/L^2); distance of the beam's ends from the
+        legs (L); weights of contact at a node and, per length, at what belongs to it (1/L); share
+        of its leg's bending that the right clamp turns with."""
+
+        half_span: float
+        mount_y: float
+        foot_y: float
+        top_y: float
+        mass: float
+        bouncing_mass: float
+        low_length: float
+        mount_length: float
+        high_length: float
+        top_length: float
+        density: float
+        clamped_mass: float
+        bending: float
+        stretching: float
+        inset: float
+        node_weight: float
+        length_weight: float
+        right_follow: float
+
+        def dofs(self, mesh: Any) -> Any:
+            return mesh[DOFS]
+
+        def border_width(self) -> int:
+            return 6
+
+        def add_forces(self, model: Any, motion: Any, work: Any) -> Any:
+            mesh = work.mesh
+            state = work.state
+            residual = work.system.frame_residual
+            band = work.system.frame_band[HALF_BANDWIDTH:]
+            rate = motion.rate_factor
+            drag = model.damping.drag()
+            fall = model.load.gravity()
+            zero = 0.0 * rate
+            clear_mounts(work.system, zero)
+            figures = FrameForces(zero, zero + 1.0e30, zero)
+            for node in range(node_count(mesh)):
+                i = 2 * node
+                mass = node_mass(self, mesh, node)
+                vx = (state[i] - work.origin[i]) * rate
+                vy = (state[i + 1] - work.origin[i + 1]) * rate
+                ax = (vx - work.drift[i]) * motion.inertia_rate
+                ay = (vy - work.drift[i + 1]) * motion.inertia_rate
+                residual[i] = mass * (ax + drag * vx)
+                residual[i + 1] = mass * (ay + drag * vy + fall)
+                band[i, 0] = mass * (motion.inertia_rate + drag) * rate
+                band[i + 1, 0] = mass * (motion.inertia_rate + drag) * rate
+                inertial = mass * (absolute(ax) + absolute(ay) + fall)
+                figures = FrameForces(
+                    maximum(figures.largest_force, inertial),
+                    figures.smallest_gap,
+                    figures.contact_rate_squared,
+                )
+                if model.contact.exists():
+                    weight = weight_at(self, mesh, node, model.ground)
+                    if any_true(weight > 0.0):
+                        figures = add_point_contact(
+                            model,
+                            motion,
+                            work,
+                            self.bouncing_mass,
+                            weight,
+                            i,
+                            i,
+                            node,
+                            residual,
+                            band,
+                            figures,
+                        )
+            # Statics leaves x undetermined: a spring that ends up without force holds the top's
+            # middle.
+            middle = (mesh[LEFT_CORNER] + mesh[RIGHT_CORNER]) // 2
+            place = (middle - mesh[LEFT_CORNER]) * self.top_length - self.half_span
+            residual[2 * middle] += motion.anchor * (state[2 * middle] - place)
+            band[2 * middle, 0] += motion.anchor
+            largest = add_chain_forces(
+                self, mesh, model.damping, state, work.origin, rate, residual, band
+            )
+            return FrameForces(
+                maximum(figures.largest_force, largest),
                 figures.smallest_gap,
                 figures.contact_rate_squared,
             )
-            if model.contact.exists():
-                weight = weight_at(self, mesh, node, model.ground)
-                if any_true(weight > 0.0):
-                    figures = add_point_contact(
-                        model,
-                        motion,
-                        work,
-                        self.bouncing_mass,
-                        weight,
-                        i,
-                        i,
-                        node,
-                        residual,
-                        band,
-                        figures,
-                    )
-        # Statics leaves x undetermined: a spring that ends up without force holds the top's middle.
-        middle = (mesh[LEFT_CORNER] + mesh[RIGHT_CORNER]) // 2
-        place = (middle - mesh[LEFT_CORNER]) * self.top_length - self.half_span
-        residual[2 * middle] += motion.anchor * (state[2 * middle] - place)
-        band[2 * middle, 0] += motion.anchor
-        largest = add_chain_forces(
-            self, mesh, model.damping, state, work.origin, rate, residual, band
+
+        def solve(self, mesh: Any, state: Any, system: Any, done: Any) -> Any:
+            return solve_chain(mesh, state, system, done)
+
+        def limit_step(self, mesh: Any, state: Any, drop: Any, fraction: Any) -> Any:
+            share = 1.0 + 0.0 * state[0]
+            light = self.node_weight + self.length_weight <= 0.0
+            for node in range(node_count(mesh)):
+                if is_corner(mesh, node) or not any_true(light):
+                    fall = drop[2 * node + 1]
+                    allowed = (1.0 - fraction) * state[2 * node + 1]
+                    beyond = fall > allowed
+                    if any_true(beyond):
+                        share = minimum(share, where(beyond, allowed / absolute(fall), 1.0))
+            return share
+
+        def energy(self, mesh: Any, state: Any) -> Any:
+            return chain_energy(self, mesh, state)
+
+        def dissipation(self, damping: Any, mesh: Any, state: Any, velocity: Any) -> Any:
+            return chain_dissipation(self, damping, mesh, state, velocity)
+
+    def elements_below(self, mount_share: float) -> int:
+        """Elements of a leg below its mount, which is at a share of the leg's height."""
+        share = LOW_SHARE if self.mount == "exact" else mount_share - 0.5 / self.leg_elements
+        return min(max(1, round(share * self.leg_elements)), self.leg_elements - 2)
+
+    def mesh(self, body: Body) -> Mesh:
+        """Coordinates, the left mount's edge, and the nodes of the top's two corners."""
+        nodes = 2 * self.leg_elements + self.top_elements + 1
+        corners = (self.leg_elements, self.leg_elements + self.top_elements)
+        below = self.elements_below(body.mount_y / body.top_y)
+        return np.array([2 * nodes, below, *corners], dtype=np.int64)
+
+    def body(self, outline: Outline) -> Body:
+        """The dimensionless frame, of the rigid one's mass and outline.
+
+        What bounces with a foot is taken from the rigid frame: its legs are far stiffer than
+        contact. Raises ParameterError for a mount less than half an edge from a leg's ends.
+        """
+        height, width, end = outline.height, outline.width, outline.end
+        leg_edge = height / self.leg_elements
+        below = self.elements_below(outline.mount / height)
+        above = self.leg_elements - 1 - below
+        mount = outline.mount
+        if self.mount == "edge_middle":
+            mount = (below + 0.5) * leg_edge
+        low, high = mount - 0.5 * leg_edge, height - mount - 0.5 * leg_edge
+        if low <= 0.0 or high <= 0.0:
+            raise ParameterError(
+                "robot.mount_height",
+                outline.mount * outline.length_m,
+                f"between half an edge of frame=elastic, {0.5 * leg_edge * outline.length_m:.4g} "
+                "m, and robot.frame_height_m less that",
+            )
+        rigid = RigidFrame().body(outline._replace(mount=mount))
+        mass = rigid.mass + float(self.beam_on_top)
+        nodes = self.contact == "nodes"
+        return self.Body(
+            half_span=0.5 * width,
+            mount_y=mount,
+            foot_y=0.0,
+            top_y=height,
+            mass=mass,
+            bouncing_mass=1.0
+            / (1.0 / rigid.mass + rigid.half_span * rigid.half_span / rigid.inertia),
+            low_length=low / below,
+            mount_length=leg_edge,
+            high_length=high / above,
+            top_length=width / self.top_elements,
+            density=(mass - 2.0 * end) / (2.0 * height + width),
+            clamped_mass=end,
+            bending=self.bending_ratio,
+            stretching=self.stretching_ratio * outline.stretching,
+            inset=self.inset_m / outline.length_m,
+            node_weight=float(nodes and not outline.per_length),
+            length_weight=float(PAPER_ELEMENTS if nodes and outline.per_length else 0),
+            right_follow=self.right_follow,
         )
-        return FrameForces(
-            maximum(figures.largest_force, largest),
-            figures.smallest_gap,
-            figures.contact_rate_squared,
-        )
-
-    def solve(self, mesh: Any, state: Any, system: Any, done: Any) -> Any:
-        return solve_chain(mesh, state, system, done)
-
-    def limit_step(self, mesh: Any, state: Any, drop: Any, fraction: Any) -> Any:
-        share = 1.0 + 0.0 * state[0]
-        light = self.node_weight + self.length_weight <= 0.0
-        for node in range(node_count(mesh)):
-            if is_corner(mesh, node) or not any_true(light):
-                fall = drop[2 * node + 1]
-                allowed = (1.0 - fraction) * state[2 * node + 1]
-                beyond = fall > allowed
-                if any_true(beyond):
-                    share = minimum(share, where(beyond, allowed / absolute(fall), 1.0))
-        return share
-
-    def energy(self, mesh: Any, state: Any) -> Any:
-        return chain_energy(self, mesh, state)
-
-    def dissipation(self, damping: Any, mesh: Any, state: Any, velocity: Any) -> Any:
-        return chain_dissipation(self, damping, mesh, state, velocity)

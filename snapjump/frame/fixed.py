@@ -3,61 +3,72 @@
 from typing import Any, NamedTuple
 
 from snapjump.discretization.base import EndTangents
-from snapjump.frame.base import Frame
-from snapjump.frame.ends import release_first_node, release_last_node
+from snapjump.frame.base import Frame, FrameOptions, Outline
+from snapjump.frame.parts.ends import release_first_node, release_last_node
 from snapjump.number.functions import cos, sin
 
 
-@Frame.member
-class FixedFrame(NamedTuple):
-    """Half the clear span, and the height of both mounts (in L)."""
+class FixedFrame(FrameOptions):
+    """Clamps held in space: for scenes without a flight."""
 
-    half_span: float
-    mount_height: float
+    flies = False
+    held = True
+    differentiable = False
 
-    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Any) -> Any:
-        return EndTangents(
-            cos(angles.left),
-            -sin(angles.left),
-            -angles.left_rate,
-            cos(angles.right),
-            sin(angles.right),
-            angles.right_rate,
-            0.0 * angles.left,
-            0.0 * angles.left,
-        )
+    @Frame.member
+    class Body(NamedTuple):
+        """Half the clear span, and the height of both mounts (in L)."""
 
-    def place_ends(self, mesh: Any, discretization: Any, angles: Any, state: Any) -> None:
-        dofs = discretization.node_dofs()
-        offset = discretization.clamp_distance()
-        last = state.shape[0] - dofs
-        state[0] = -self.half_span + offset * cos(angles.left)
-        state[1] = self.mount_height - offset * sin(angles.left)
-        state[last] = self.half_span - offset * cos(angles.right)
-        state[last + 1] = self.mount_height - offset * sin(angles.right)
-        if dofs == 3:
-            state[2] = -discretization.turn_length() * angles.left
-            state[last + 2] = discretization.turn_length() * angles.right
+        half_span: float
+        mount_height: float
 
-    def condense_first(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> None:
-        release_first_node(discretization.node_dofs(), system.residual, system.band)
+        def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Any) -> Any:
+            return EndTangents(
+                cos(angles.left),
+                -sin(angles.left),
+                -angles.left_rate,
+                cos(angles.right),
+                sin(angles.right),
+                angles.right_rate,
+                0.0 * angles.left,
+                0.0 * angles.left,
+            )
 
-    def condense_last(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> None:
-        dofs = discretization.node_dofs()
-        release_last_node(dofs, system.residual, system.band, state.shape[0] // dofs - 1)
+        def place_ends(self, mesh: Any, discretization: Any, angles: Any, state: Any) -> None:
+            dofs = discretization.node_dofs()
+            offset = discretization.clamp_distance()
+            last = state.shape[0] - dofs
+            state[0] = -self.half_span + offset * cos(angles.left)
+            state[1] = self.mount_height - offset * sin(angles.left)
+            state[last] = self.half_span - offset * cos(angles.right)
+            state[last + 1] = self.mount_height - offset * sin(angles.right)
+            if dofs == 3:
+                state[2] = -discretization.turn_length() * angles.left
+                state[last + 2] = discretization.turn_length() * angles.right
+
+        def condense_first(
+            self,
+            mesh: Any,
+            tangents: Any,
+            discretization: Any,
+            hinge: Any,
+            state: Any,
+            system: Any,
+        ) -> None:
+            release_first_node(discretization.node_dofs(), system.residual, system.band)
+
+        def condense_last(
+            self,
+            mesh: Any,
+            tangents: Any,
+            discretization: Any,
+            hinge: Any,
+            state: Any,
+            system: Any,
+        ) -> None:
+            dofs = discretization.node_dofs()
+            release_last_node(dofs, system.residual, system.band, state.shape[0] // dofs - 1)
+
+    def body(self, outline: Outline) -> Body:
+        """The dimensionless frame."""
+        return self.Body(0.5 * outline.width, outline.mount)

@@ -6,9 +6,9 @@ The clamped end nodes of the beam belong to it, so that its mass matrix is diago
 from typing import Any, NamedTuple
 
 from snapjump.discretization.base import EndTangents
-from snapjump.frame.base import Frame, FrameBox, FrameForces, Turning
-from snapjump.frame.ends import move_first, move_last
-from snapjump.frame.rigid_corners import add_corner_contacts, corner_arm
+from snapjump.frame.base import Frame, FrameBox, FrameForces, FrameOptions, Outline, Turning
+from snapjump.frame.parts.ends import move_first, move_last
+from snapjump.frame.parts.rigid_corners import add_corner_contacts, corner_arm
 from snapjump.linear_solver import banded
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, cos, maximum, minimum, sin, where
@@ -16,179 +16,209 @@ from snapjump.number.functions import absolute, cos, maximum, minimum, sin, wher
 LIFTED = 0.05  # of the anchor's stiffness, against rise and turn
 
 
-@Frame.member
-class RigidFrame(NamedTuple):
-    """Half the width; heights of mounts, feet and top against the centre of mass (in L); mass
-    and moment of inertia (in rho A L and rho A L^3)."""
+class RigidFrame(FrameOptions):
+    """A rigid body of three coordinates that carries both clamps and can touch the ground."""
 
-    half_span: float
-    mount_y: float
-    foot_y: float
-    top_y: float
-    mass: float
-    inertia: float
+    @Frame.member
+    class Body(NamedTuple):
+        """Half the width; heights of mounts, feet and top against the centre of mass (in L); mass
+        and moment of inertia (in rho A L and rho A L^3)."""
 
-    def dofs(self, mesh: Any) -> int:
-        return 3
+        half_span: float
+        mount_y: float
+        foot_y: float
+        top_y: float
+        mass: float
+        inertia: float
 
-    def border_width(self) -> int:
-        return 3
+        def dofs(self, mesh: Any) -> int:
+            return 3
 
-    def mount_turning(self, mesh: Any, state: Any, vector: Any) -> Turning:
-        return Turning(vector[2], vector[2])
+        def border_width(self) -> int:
+            return 3
 
-    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Turning) -> Any:
-        left = state[2] - angles.left
-        right = state[2] + angles.right
-        return EndTangents(
-            cos(left),
-            sin(left),
-            turning.left - angles.left_rate,
-            cos(right),
-            sin(right),
-            turning.right + angles.right_rate,
-            0.0 * left,
-            0.0 * left,
+        def mount_turning(self, mesh: Any, state: Any, vector: Any) -> Turning:
+            return Turning(vector[2], vector[2])
+
+        def end_tangents(
+            self, mesh: Any, load: Any, angles: Any, state: Any, turning: Turning
+        ) -> Any:
+            left = state[2] - angles.left
+            right = state[2] + angles.right
+            return EndTangents(
+                cos(left),
+                sin(left),
+                turning.left - angles.left_rate,
+                cos(right),
+                sin(right),
+                turning.right + angles.right_rate,
+                0.0 * left,
+                0.0 * left,
+            )
+
+        def place_ends(self, mesh: Any, discretization: Any, angles: Any, state: Any) -> None:
+            still = Turning(0.0 * state[2], 0.0 * state[2])
+            tangents = self.end_tangents(mesh, 0.0, angles, state, still)
+            dofs = discretization.node_dofs()
+            offset = discretization.clamp_distance()
+            lx, ly = first_arm(self, offset, tangents, state[2])
+            rx, ry = last_arm(self, offset, tangents, state[2])
+            last = state.shape[0] - dofs
+            state[3] = state[0] + lx
+            state[4] = state[1] + ly
+            state[last] = state[0] + rx
+            state[last + 1] = state[1] + ry
+            if dofs == 3:
+                state[5] = discretization.turn_length() * (state[2] - angles.left)
+                state[last + 2] = discretization.turn_length() * (state[2] + angles.right)
+
+        def condense_first(
+            self,
+            mesh: Any,
+            tangents: Any,
+            discretization: Any,
+            hinge: Any,
+            state: Any,
+            system: Any,
+        ) -> None:
+            arm_x, arm_y = first_arm(self, discretization.clamp_distance(), tangents, state[2])
+            move_first(discretization, hinge, arm_x, arm_y, system.frame_residual, system)
+
+        def condense_last(
+            self,
+            mesh: Any,
+            tangents: Any,
+            discretization: Any,
+            hinge: Any,
+            state: Any,
+            system: Any,
+        ) -> None:
+            arm_x, arm_y = last_arm(self, discretization.clamp_distance(), tangents, state[2])
+            last = (state.shape[0] - 3) // discretization.node_dofs() - 1
+            move_last(discretization, last, hinge, arm_x, arm_y, system.frame_residual, system, 0)
+
+        def add_forces(self, model: Any, motion: Any, work: Any) -> Any:
+            state = work.state
+            residual = work.system.frame_residual
+            square = work.system.square
+            rate = motion.rate_factor
+            drag = model.damping.drag()
+            largest = 0.0 * rate
+            clear(residual, square, largest)
+            for k in range(3):
+                mass = self.inertia if k == 2 else self.mass
+                velocity = (state[k] - work.origin[k]) * rate
+                inertial = mass * (velocity - work.drift[k]) * motion.inertia_rate
+                residual[k] += inertial + mass * drag * velocity
+                square[k, k] += mass * (motion.inertia_rate + drag) * rate
+                largest = maximum(largest, absolute(inertial))
+            weight = self.mass * model.load.gravity()
+            residual[1] += weight
+            largest = maximum(largest, 0.0 * rate + weight)
+            # Statics leaves x undetermined: a spring that ends up without force holds it.
+            residual[0] += motion.anchor * state[0]
+            square[0, 0] += motion.anchor
+            # Feet that an iterate lifts off the ground have no stiffness: this lets the weight
+            # bring them back, and leaves the equilibrium where it is.
+            square[1, 1] += LIFTED * motion.anchor
+            square[2, 2] += LIFTED * motion.anchor
+
+            figures = FrameForces(largest, 0.0 * rate + 1.0e30, 0.0 * rate)
+            if model.contact.exists():
+                figures = add_corner_contacts(self, model, motion, work, figures)
+            return figures
+
+        def limit_step(self, mesh: Any, state: Any, drop: Any, fraction: Any) -> Any:
+            c = cos(state[2])
+            s = sin(state[2])
+            share = 1.0 + 0.0 * state[0]
+            for corner in range(4):
+                rx, ry = corner_arm(self, corner, c, s)
+                gap = state[1] + ry
+                # The second-order term bounds the corner's fall along its arc.
+                fall = drop[1] + rx * drop[2] + 0.5 * absolute(ry) * drop[2] * drop[2]
+                allowed = (1.0 - fraction) * gap
+                share = minimum(share, where(fall > allowed, allowed / fall, 1.0))
+            return share
+
+        def solve(self, mesh: Any, state: Any, system: Any, done: Any) -> Any:
+            return banded.solve_frame(system, done)
+
+        def contact_points(self, mesh: Any) -> int:
+            return 4
+
+        def contact_point(self, mesh: Any, point: Any, state: Any, velocity: Any) -> Any:
+            return self.corner_point(mesh, point, state, velocity)
+
+        def corner_point(self, mesh: Any, corner: Any, state: Any, velocity: Any) -> Any:
+            rx, ry = corner_arm(self, corner, cos(state[2]), sin(state[2]))
+            vx = velocity[0] - ry * velocity[2]
+            return state[0] + rx, state[1] + ry, vx, velocity[1] + rx * velocity[2]
+
+        def point_mass(self, mesh: Any, point: Any, state: Any) -> Any:
+            rx, _ = corner_arm(self, point, cos(state[2]), sin(state[2]))
+            return 1.0 / (1.0 / self.mass + rx * rx / self.inertia)
+
+        def point_share(self, mesh: Any, point: Any, ground: Any) -> Any:
+            return ground.corner_share
+
+        def box(self, mesh: Any, state: Any, velocity: Any) -> FrameBox:
+            return FrameBox(
+                state[0],
+                state[1],
+                cos(state[2]),
+                sin(state[2]),
+                velocity[2],
+                self.half_span,
+                self.mount_y,
+                self.foot_y,
+                self.top_y,
+            )
+
+        def rest(self, mesh: Any, state: Any, gap: Any) -> None:
+            state[0] = 0.0
+            state[1] = gap - self.foot_y
+            state[2] = 0.0
+
+        def mass_of(self, mesh: Any, coordinate: Any) -> Any:
+            return where(coordinate == 2, self.inertia, self.mass)
+
+        def moments(self, mesh: Any, vector: Any) -> Any:
+            return self.mass * vector[0], self.mass * vector[1]
+
+        def slide(self, mesh: Any, vector: Any, along_x: Any) -> None:
+            vector[0] = vector[0] + along_x
+
+        def energy(self, mesh: Any, state: Any) -> Any:
+            return 0.0 * state[0]
+
+        def dissipation(self, damping: Any, mesh: Any, state: Any, velocity: Any) -> Any:
+            return 0.0 * state[0]
+
+    def body(self, outline: Outline) -> Body:
+        """The dimensionless frame of an outline, whose numbers may be arrays.
+
+        The robot's mass lies evenly along leg, top, leg; the clamped end nodes of the beam move
+        with it and belong to it.
+        """
+        width, height, mount, mass, end = outline[:5]
+        leg = mass * height / (2.0 * height + width)
+        top = mass * width / (2.0 * height + width)
+        total = mass + 2.0 * end
+        centre = (leg * height + top * height + 2.0 * end * mount) / total
+        half = 0.5 * width
+        to_leg, to_mount, to_top = 0.5 * height - centre, mount - centre, height - centre
+        legs = 2.0 * leg * (height * height / 12.0 + to_leg * to_leg + half * half)
+        beam_ends = 2.0 * end * (half * half + to_mount * to_mount)
+        inertia = legs + top * (width * width / 12.0 + to_top * to_top) + beam_ends
+        return self.Body(
+            half_span=half,
+            mount_y=mount - centre,
+            foot_y=-centre,
+            top_y=height - centre,
+            mass=total,
+            inertia=inertia,
         )
-
-    def place_ends(self, mesh: Any, discretization: Any, angles: Any, state: Any) -> None:
-        still = Turning(0.0 * state[2], 0.0 * state[2])
-        tangents = self.end_tangents(mesh, 0.0, angles, state, still)
-        dofs = discretization.node_dofs()
-        offset = discretization.clamp_distance()
-        lx, ly = first_arm(self, offset, tangents, state[2])
-        rx, ry = last_arm(self, offset, tangents, state[2])
-        last = state.shape[0] - dofs
-        state[3] = state[0] + lx
-        state[4] = state[1] + ly
-        state[last] = state[0] + rx
-        state[last + 1] = state[1] + ry
-        if dofs == 3:
-            state[5] = discretization.turn_length() * (state[2] - angles.left)
-            state[last + 2] = discretization.turn_length() * (state[2] + angles.right)
-
-    def condense_first(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> None:
-        arm_x, arm_y = first_arm(self, discretization.clamp_distance(), tangents, state[2])
-        move_first(discretization, hinge, arm_x, arm_y, system.frame_residual, system)
-
-    def condense_last(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> None:
-        arm_x, arm_y = last_arm(self, discretization.clamp_distance(), tangents, state[2])
-        last = (state.shape[0] - 3) // discretization.node_dofs() - 1
-        move_last(discretization, last, hinge, arm_x, arm_y, system.frame_residual, system, 0)
-
-    def add_forces(self, model: Any, motion: Any, work: Any) -> Any:
-        state = work.state
-        residual = work.system.frame_residual
-        square = work.system.square
-        rate = motion.rate_factor
-        drag = model.damping.drag()
-        largest = 0.0 * rate
-        clear(residual, square, largest)
-        for k in range(3):
-            mass = self.inertia if k == 2 else self.mass
-            velocity = (state[k] - work.origin[k]) * rate
-            inertial = mass * (velocity - work.drift[k]) * motion.inertia_rate
-            residual[k] += inertial + mass * drag * velocity
-            square[k, k] += mass * (motion.inertia_rate + drag) * rate
-            largest = maximum(largest, absolute(inertial))
-        weight = self.mass * model.load.gravity()
-        residual[1] += weight
-        largest = maximum(largest, 0.0 * rate + weight)
-        # Statics leaves x undetermined: a spring that ends up without force holds it.
-        residual[0] += motion.anchor * state[0]
-        square[0, 0] += motion.anchor
-        # Feet that an iterate lifts off the ground have no stiffness: this lets the weight bring
-        # them back, and leaves the equilibrium where it is.
-        square[1, 1] += LIFTED * motion.anchor
-        square[2, 2] += LIFTED * motion.anchor
-
-        figures = FrameForces(largest, 0.0 * rate + 1.0e30, 0.0 * rate)
-        if model.contact.exists():
-            figures = add_corner_contacts(self, model, motion, work, figures)
-        return figures
-
-    def limit_step(self, mesh: Any, state: Any, drop: Any, fraction: Any) -> Any:
-        c = cos(state[2])
-        s = sin(state[2])
-        share = 1.0 + 0.0 * state[0]
-        for corner in range(4):
-            rx, ry = corner_arm(self, corner, c, s)
-            gap = state[1] + ry
-            # The second-order term bounds the corner's fall along its arc.
-            fall = drop[1] + rx * drop[2] + 0.5 * absolute(ry) * drop[2] * drop[2]
-            allowed = (1.0 - fraction) * gap
-            share = minimum(share, where(fall > allowed, allowed / fall, 1.0))
-        return share
-
-    def solve(self, mesh: Any, state: Any, system: Any, done: Any) -> Any:
-        return banded.solve_frame(system, done)
-
-    def contact_points(self, mesh: Any) -> int:
-        return 4
-
-    def contact_point(self, mesh: Any, point: Any, state: Any, velocity: Any) -> Any:
-        return self.corner_point(mesh, point, state, velocity)
-
-    def corner_point(self, mesh: Any, corner: Any, state: Any, velocity: Any) -> Any:
-        rx, ry = corner_arm(self, corner, cos(state[2]), sin(state[2]))
-        vx = velocity[0] - ry * velocity[2]
-        return state[0] + rx, state[1] + ry, vx, velocity[1] + rx * velocity[2]
-
-    def point_mass(self, mesh: Any, point: Any, state: Any) -> Any:
-        rx, _ = corner_arm(self, point, cos(state[2]), sin(state[2]))
-        return 1.0 / (1.0 / self.mass + rx * rx / self.inertia)
-
-    def point_share(self, mesh: Any, point: Any, ground: Any) -> Any:
-        return ground.corner_share
-
-    def box(self, mesh: Any, state: Any, velocity: Any) -> FrameBox:
-        return FrameBox(
-            state[0],
-            state[1],
-            cos(state[2]),
-            sin(state[2]),
-            velocity[2],
-            self.half_span,
-            self.mount_y,
-            self.foot_y,
-            self.top_y,
-        )
-
-    def rest(self, mesh: Any, state: Any, gap: Any) -> None:
-        state[0] = 0.0
-        state[1] = gap - self.foot_y
-        state[2] = 0.0
-
-    def mass_of(self, mesh: Any, coordinate: Any) -> Any:
-        return where(coordinate == 2, self.inertia, self.mass)
-
-    def moments(self, mesh: Any, vector: Any) -> Any:
-        return self.mass * vector[0], self.mass * vector[1]
-
-    def slide(self, mesh: Any, vector: Any, along_x: Any) -> None:
-        vector[0] = vector[0] + along_x
-
-    def energy(self, mesh: Any, state: Any) -> Any:
-        return 0.0 * state[0]
-
-    def dissipation(self, damping: Any, mesh: Any, state: Any, velocity: Any) -> Any:
-        return 0.0 * state[0]
 
 
 @kernel

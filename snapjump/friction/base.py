@@ -3,14 +3,16 @@
 A law is a ``NamedTuple`` of dimensionless numbers. Forces are in EI/L^2, velocities in L/T.
 """
 
-from typing import Any
+from typing import Any, ClassVar
 
 from numba.extending import overload
 
+from snapjump.declare.fields import Part
 from snapjump.number.dispatch import INLINED, kernel
 from snapjump.number.functions import absolute, where
 from snapjump.number.methods import Contract, required
 from snapjump.number.slope import derivative, slope_in, sloped
+from snapjump.units import Scales
 
 
 def derived_slope(law: Any, velocity: Any) -> Any:
@@ -63,3 +65,14 @@ def regularised_sign(velocity: Any, threshold: Any) -> Any:
     sign = where(slipping, where(w > 0.0, 1.0, -1.0), w * (2.0 - size))
     slope = where(slipping, 0.0, (2.0 - 2.0 * size) / threshold)
     return sign, slope
+
+
+class FrictionOptions(Part):
+    """A friction law and its numbers."""
+
+    group = "friction"
+    absent: ClassVar[bool] = False
+
+    @required
+    def law(self, scales: Scales, mu: float) -> Any:
+        """The dimensionless law: a member of :class:`FrictionLaw`."""

@@ -5,25 +5,40 @@ It is explicit, hence unstable for steps above eps_v m / (mu N).
 
 from typing import Any, NamedTuple
 
-from snapjump.friction.base import FrictionLaw, regularised_sign
+from snapjump.declare.fields import Need, number
+from snapjump.friction.base import FrictionLaw, FrictionOptions, regularised_sign
+from snapjump.units import Scales
 
 
-@FrictionLaw.member
-class LaggedFriction(NamedTuple):
-    """Coefficient mu and velocity threshold eps_v (in L/T) of smoothed Coulomb friction."""
+class LaggedFriction(FrictionOptions):
+    """Smoothed Coulomb friction of the last step's normal force and velocity (the paper)."""
 
-    mu: float
-    velocity_threshold: float
+    needs = (
+        Need("contact", "force_is_of_position", "which uses the force of the position a step ago"),
+    )
 
-    def is_lagged(self) -> bool:
-        return True
+    velocity_threshold_m_s: float = number(1.0e-4, above=0.0, unit="m/s")
 
-    def holds(self) -> Any:
-        return self.mu > 0.0
+    @FrictionLaw.member
+    class Law(NamedTuple):
+        """Coefficient mu and velocity threshold eps_v (in L/T) of smoothed Coulomb friction."""
 
-    def ratio(self, velocity: Any) -> Any:
-        sign, _ = regularised_sign(velocity, self.velocity_threshold)
-        return self.mu * sign
+        mu: float
+        velocity_threshold: float
 
-    def slope(self, velocity: Any, previous: Any) -> Any:
-        return 0.0 * velocity
+        def is_lagged(self) -> bool:
+            return True
+
+        def holds(self) -> Any:
+            return self.mu > 0.0
+
+        def ratio(self, velocity: Any) -> Any:
+            sign, _ = regularised_sign(velocity, self.velocity_threshold)
+            return self.mu * sign
+
+        def slope(self, velocity: Any, previous: Any) -> Any:
+            return 0.0 * velocity
+
+    def law(self, scales: Scales, mu: float) -> Law:
+        """The dimensionless law."""
+        return self.Law(mu, self.velocity_threshold_m_s / scales.velocity_m_s)

@@ -2,21 +2,31 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.friction.base import FrictionLaw
+from snapjump.friction.base import FrictionLaw, FrictionOptions
+from snapjump.units import Scales
 
 
-@FrictionLaw.member
-class NoFriction(NamedTuple):
+class NoFriction(FrictionOptions):
     """A perfectly slippery ground."""
 
-    def exists(self) -> bool:
-        return False
+    absent = True
 
-    def holds(self) -> bool:
-        return False
+    @FrictionLaw.member
+    class Law(NamedTuple):
+        """A perfectly slippery ground."""
 
-    def ratio(self, velocity: Any) -> Any:
-        return 0.0 * velocity
+        def exists(self) -> bool:
+            return False
 
-    def slope(self, velocity: Any, previous: Any) -> Any:
-        return 0.0 * velocity
+        def holds(self) -> bool:
+            return False
+
+        def ratio(self, velocity: Any) -> Any:
+            return 0.0 * velocity
+
+        def slope(self, velocity: Any, previous: Any) -> Any:
+            return 0.0 * velocity
+
+    def law(self, scales: Scales, mu: float) -> Law:
+        """The empty law."""
+        return self.Law()

@@ -12,8 +12,10 @@ last one becomes slot 0 of the next step), and a scheme may keep a slot of histo
 An explicit scheme has one stage, whose position is known and whose forces are only evaluated.
 """
 
-from typing import Any, NamedTuple
+from collections.abc import Mapping
+from typing import Any, ClassVar, NamedTuple
 
+from snapjump.declare.fields import Part, construct
 from snapjump.number.methods import Contract, required
 
 
@@ -31,21 +33,21 @@ class TimeIntegrator(Contract):
     def slots(self) -> Any:
         """Velocities and accelerations to keep; a constant while compiling."""
 
-    @required
     def stage_count(self) -> Any:
         """Stages S of a step; a constant while compiling."""
+        return 1
 
-    @required
     def is_explicit(self) -> Any:
         """Whether the stage's position is known beforehand; a constant while compiling."""
+        return False
 
-    @required
     def ends_in_a_stage(self) -> Any:
         """Whether the last stage is the end of the step; a constant while compiling."""
+        return True
 
-    @required
     def stage_node(self, stage: Any) -> Any:
         """Time of a stage, as a share of the step."""
+        return 1.0 + 0.0 * stage
 
     @required
     def stage_rates(self, step: Any, ratio: Any) -> Any:
@@ -71,18 +73,43 @@ class TimeIntegrator(Contract):
         for lanes whose last stage it was.
         """
 
-    @required
     def end_step(self, work: Any, step: Any, mask: Any) -> None:
         """Move state and last slot from the last stage to the step's end, where they differ."""
+        pass
 
-    @required
     def keep_history(self, work: Any, step: Any, mask: Any) -> None:
         """Update the slot of history of lanes whose step stands, before the step is committed."""
+        pass
 
     @required
     def error_power(self) -> Any:
         """Power of the step with which the estimated error shrinks."""
 
-    @required
     def quadrature_weight(self, stage: Any) -> Any:
         """Weight of a stage (0: the beginning) in an integral over the step."""
+        return 0.5
+
+
+class IntegratorOptions(Part):
+    """An integrator and its numbers, and what tests measure of it.
+
+    ``damping_at_infinity``: amplification of an infinitely fast oscillation, None if it grows.
+    """
+
+    group = "integrator"
+    order: ClassVar[Any]
+    stages: ClassVar[Any] = 1
+    a_stable: ClassVar[bool] = True
+    damping_at_infinity: ClassVar[Any]
+    velocities_at_step_ends: ClassVar[Any] = False  # a step's displacement over its size
+
+    @required
+    def scheme(self) -> Any:
+        """The scheme for the kernels: a member of :class:`TimeIntegrator`."""
+
+
+def of_numbers(name: str, values: Mapping[str, Any]) -> IntegratorOptions:
+    """A member that is a file of numbers alone: a Runge-Kutta method by its tableau."""
+    from snapjump.integrator.parts.runge_kutta import RungeKutta
+
+    return construct("integrator", RungeKutta, {**values, "method": name})

@@ -11,76 +11,69 @@ Slot 2 keeps D of position and velocity.
 
 from typing import Any, NamedTuple
 
-from snapjump.integrator.base import Rates, TimeIntegrator
+from snapjump.integrator.base import IntegratorOptions, Rates, TimeIntegrator
 from snapjump.number.functions import fma, sqrt, where
 
 HISTORY = 2
 
 
-@TimeIntegrator.member
-class Bdf2(NamedTuple):
-    """No numbers: the ratio of the steps says all."""
+class Bdf2(IntegratorOptions):
+    """Second order, one stage, two steps; L-stable; steps may vary."""
 
-    def slots(self) -> int:
-        return 3
+    order = 2
+    damping_at_infinity = 0.0
 
-    def stage_count(self) -> int:
-        return 1
+    @TimeIntegrator.member
+    class Scheme(NamedTuple):
+        """No numbers: the ratio of the steps says all."""
 
-    def is_explicit(self) -> bool:
-        return False
+        def slots(self) -> int:
+            return 3
 
-    def ends_in_a_stage(self) -> bool:
-        return True
+        def stage_rates(self, step: Any, ratio: Any) -> Any:
+            rate = (1.0 + 2.0 * ratio) / ((1.0 + ratio) * step)
+            return Rates(rate, rate)
 
-    def stage_node(self, stage: Any) -> Any:
-        return 1.0 + 0.0 * stage
+        def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
+            weights[0] = step * ratio / (1.0 + 2.0 * ratio)
 
-    def stage_rates(self, step: Any, ratio: Any) -> Any:
-        rate = (1.0 + 2.0 * ratio) / ((1.0 + ratio) * step)
-        return Rates(rate, rate)
+        def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
+            origin = fma(work.weights[0], work.velocity[HISTORY, i], work.start[i])
+            drift = fma(work.weights[0], work.acceleration[HISTORY, i], work.velocity[0, i])
+            share = 1.0 / rates.rate_factor
+            return origin, drift, origin + share * (drift + share * work.acceleration[0, i])
 
-    def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
-        weights[0] = step * ratio / (1.0 + 2.0 * ratio)
+        def store_stage(
+            self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
+        ) -> Any:
+            # The local error (1 + w)^2 / (6 w (1 + 2 w)) h^3 q''' with q''' from the second
+            # difference of v_{n+1}, v_n and D, the velocity half a step ago but for a known share
+            # of q'''.
+            rate = rates.rate_factor
+            grown = 1.0 + ratio
+            scale = grown * grown / ((1.0 + 2.0 * ratio) * (2.0 + 3.0 * ratio))
+            total = 0.0 * rate
+            for i in range(work.state.shape[0]):
+                v = (work.state[i] - work.origin[i]) * rate
+                begun = work.velocity[0, i]
+                work.velocity[1, i] = v
+                work.acceleration[1, i] = (v - work.drift[i]) * rate
+                past = 2.0 * ratio * (begun - work.velocity[HISTORY, i])
+                error = v - begun - past
+                total = fma(error, error, total)
+            return sqrt(total / work.state.shape[0]) * (scale * step)
 
-    def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
-        origin = fma(work.weights[0], work.velocity[HISTORY, i], work.start[i])
-        drift = fma(work.weights[0], work.acceleration[HISTORY, i], work.velocity[0, i])
-        share = 1.0 / rates.rate_factor
-        return origin, drift, origin + share * (drift + share * work.acceleration[0, i])
+        def keep_history(self, work: Any, step: Any, mask: Any) -> None:
+            over = 1.0 / step
+            for i in range(work.state.shape[0]):
+                moved = (work.state[i] - work.start[i]) * over
+                sped = (work.velocity[1, i] - work.velocity[0, i]) * over
+                work.velocity[HISTORY, i] = where(mask, moved, work.velocity[HISTORY, i])
+                work.acceleration[HISTORY, i] = where(mask, sped, work.acceleration[HISTORY, i])
 
-    def store_stage(
-        self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
-    ) -> Any:
-        # The local error (1 + w)^2 / (6 w (1 + 2 w)) h^3 q''' with q''' from the second difference
-        # of v_{n+1}, v_n and D, the velocity half a step ago but for a known share of q'''.
-        rate = rates.rate_factor
-        grown = 1.0 + ratio
-        scale = grown * grown / ((1.0 + 2.0 * ratio) * (2.0 + 3.0 * ratio))
-        total = 0.0 * rate
-        for i in range(work.state.shape[0]):
-            v = (work.state[i] - work.origin[i]) * rate
-            begun = work.velocity[0, i]
-            work.velocity[1, i] = v
-            work.acceleration[1, i] = (v - work.drift[i]) * rate
-            past = 2.0 * ratio * (begun - work.velocity[HISTORY, i])
-            error = v - begun - past
-            total = fma(error, error, total)
-        return sqrt(total / work.state.shape[0]) * (scale * step)
+        def error_power(self) -> float:
+            return 3.0
 
-    def end_step(self, work: Any, step: Any, mask: Any) -> None:
-        pass
-
-    def keep_history(self, work: Any, step: Any, mask: Any) -> None:
-        over = 1.0 / step
-        for i in range(work.state.shape[0]):
-            moved = (work.state[i] - work.start[i]) * over
-            sped = (work.velocity[1, i] - work.velocity[0, i]) * over
-            work.velocity[HISTORY, i] = where(mask, moved, work.velocity[HISTORY, i])
-            work.acceleration[HISTORY, i] = where(mask, sped, work.acceleration[HISTORY, i])
-
-    def error_power(self) -> float:
-        return 3.0
-
-    def quadrature_weight(self, stage: Any) -> float:
-        return 0.5
+    def scheme(self) -> Scheme:
+        """The scheme for the kernels."""
+        return self.Scheme()

@@ -11,63 +11,86 @@ the tangent stiffness, for which the stage's rate is 2/h, and holds the step to 
 
 from typing import Any, NamedTuple
 
-from snapjump.integrator.base import Rates, TimeIntegrator
+from snapjump.checks import ParameterError
+from snapjump.declare.fields import Need
+from snapjump.integrator.base import IntegratorOptions, Rates, TimeIntegrator
 from snapjump.number.functions import fma, sqrt
 
+SMALLEST_STEP_S = 5.0e-9
 
-@TimeIntegrator.member
-class CentralDifference(NamedTuple):
-    """No numbers."""
 
-    def slots(self) -> int:
-        return 2
+class CentralDifference(IntegratorOptions):
+    """Explicit, second order, lumped masses: held to the stable step, which it computes."""
 
-    def stage_count(self) -> int:
-        return 1
+    order = 2
+    a_stable = False
+    damping_at_infinity = None
+    differentiable = False
+    needs = (
+        Need(
+            "frame",
+            "explicit",
+            "whose stable step an elastic frame's short stiff elements would make hopeless",
+        ),
+    )
 
-    def is_explicit(self) -> bool:
-        return True
+    def check_with(self, simulation: Any) -> None:
+        """Material damping stiffens the stretching so much that explicit steps lead nowhere."""
+        damping, robot = simulation.damping, simulation.robot
+        eta = damping.relaxation_s()
+        if not simulation.sim.moves_a_beam or eta == 0.0:
+            return
+        rate = 2.0 * simulation.discretization.elements * robot.stretching_stiffness_bar**0.5
+        time_s = robot.scales.time_s
+        step_s = 2.0 * time_s**2 / (eta * rate**2)
+        if step_s < SMALLEST_STEP_S:
+            raise ParameterError(
+                "damping",
+                damping.name,
+                f"none or mass_proportional with integrator=central_difference, which needs steps "
+                f"of {step_s:.1g} s for damping.relaxation_time_s = {eta:g} at this mesh (at "
+                f"least {SMALLEST_STEP_S:g} s)",
+            )
 
-    def ends_in_a_stage(self) -> bool:
-        return True
+    @TimeIntegrator.member
+    class Scheme(NamedTuple):
+        """No numbers."""
 
-    def stage_node(self, stage: Any) -> Any:
-        return 1.0 + 0.0 * stage
+        def slots(self) -> int:
+            return 2
 
-    def stage_rates(self, step: Any, ratio: Any) -> Any:
-        return Rates(2.0 / step, 0.0 * step)
+        def is_explicit(self) -> bool:
+            return True
 
-    def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
-        weights[0] = step
+        def stage_rates(self, step: Any, ratio: Any) -> Any:
+            return Rates(2.0 / step, 0.0 * step)
 
-    def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
-        h = work.weights[0]
-        a = work.acceleration[0, i]
-        velocity = work.velocity[0, i]
-        aim = fma(h, fma(0.5 * h, a, velocity), work.start[i])
-        # The assembly finds the predicted velocity as (aim - origin) rate_factor.
-        return aim - 0.5 * h * fma(h, a, velocity), velocity, aim
+        def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
+            weights[0] = step
 
-    def store_stage(
-        self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
-    ) -> Any:
-        total = 0.0 * step
-        for i in range(work.state.shape[0]):
-            before = work.acceleration[0, i]
-            after = work.change[i]
-            work.velocity[1, i] = fma(0.5 * step, before + after, work.velocity[0, i])
-            work.acceleration[1, i] = after
-            total = fma(after - before, after - before, total)
-        return sqrt(total / work.state.shape[0]) * (step * step / 6.0)
+        def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
+            h = work.weights[0]
+            a = work.acceleration[0, i]
+            velocity = work.velocity[0, i]
+            aim = fma(h, fma(0.5 * h, a, velocity), work.start[i])
+            # The assembly finds the predicted velocity as (aim - origin) rate_factor.
+            return aim - 0.5 * h * fma(h, a, velocity), velocity, aim
 
-    def end_step(self, work: Any, step: Any, mask: Any) -> None:
-        pass
+        def store_stage(
+            self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
+        ) -> Any:
+            total = 0.0 * step
+            for i in range(work.state.shape[0]):
+                before = work.acceleration[0, i]
+                after = work.change[i]
+                work.velocity[1, i] = fma(0.5 * step, before + after, work.velocity[0, i])
+                work.acceleration[1, i] = after
+                total = fma(after - before, after - before, total)
+            return sqrt(total / work.state.shape[0]) * (step * step / 6.0)
 
-    def keep_history(self, work: Any, step: Any, mask: Any) -> None:
-        pass
+        def error_power(self) -> float:
+            return 3.0
 
-    def error_power(self) -> float:
-        return 3.0
-
-    def quadrature_weight(self, stage: Any) -> float:
-        return 0.5
+    def scheme(self) -> Scheme:
+        """The scheme for the kernels."""
+        return self.Scheme()

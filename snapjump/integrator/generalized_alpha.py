@@ -11,85 +11,91 @@ slot 2 the forces: s_0 among the accelerations, s_1 among the velocities until t
 
 from typing import Any, NamedTuple
 
-from snapjump.integrator.base import Rates, TimeIntegrator
+from snapjump.declare.fields import number
+from snapjump.integrator.base import IntegratorOptions, Rates, TimeIntegrator
 from snapjump.number.functions import absolute, fma, maximum, sqrt, where
 
 FORCES = 2
+
 # The estimate |beta - 1/6| h^2 (a_1 - a_0) of Zienkiewicz and Xie (1991) vanishes for linear
 # acceleration, whose error is of the next order: it is held to that of the trapezoidal rule.
 SMALLEST_ERROR_FACTOR = 1.0 / 12.0
 
 
-@TimeIntegrator.member
-class GeneralizedAlpha(NamedTuple):
-    """The method's four parameters."""
+class GeneralizedAlpha(IntegratorOptions):
+    """Generalized-alpha (Chung and Hulbert): second order, damps fast modes as much as is wanted.
 
-    beta: float
-    gamma: float
-    alpha_m: float
-    alpha_f: float
+    ``spectral_radius``: amplification of an infinitely fast oscillation.
+    """
 
-    def slots(self) -> int:
-        return 3
+    order = 2
 
-    def stage_count(self) -> int:
-        return 1
+    spectral_radius: float = number(0.5, least=0.0, most=1.0)
 
-    def is_explicit(self) -> bool:
-        return False
+    @TimeIntegrator.member
+    class Scheme(NamedTuple):
+        """The method's four parameters."""
 
-    def ends_in_a_stage(self) -> bool:
-        return True
+        beta: float
+        gamma: float
+        alpha_m: float
+        alpha_f: float
 
-    def stage_node(self, stage: Any) -> Any:
-        return 1.0 + 0.0 * stage
+        def slots(self) -> int:
+            return 3
 
-    def stage_rates(self, step: Any, ratio: Any) -> Any:
-        share = (1.0 - self.alpha_m) / (1.0 - self.alpha_f)
-        return Rates(self.gamma / (self.beta * step), share / (self.gamma * step))
+        def stage_rates(self, step: Any, ratio: Any) -> Any:
+            share = (1.0 - self.alpha_m) / (1.0 - self.alpha_f)
+            return Rates(self.gamma / (self.beta * step), share / (self.gamma * step))
 
-    def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
-        weights[0] = step
+        def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
+            weights[0] = step
 
-    def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
-        h = work.weights[0]
-        a = work.acceleration[0, i]
-        forces = work.acceleration[FORCES, i]
-        velocity = work.velocity[0, i]
-        coasting = fma(h, velocity, work.start[i])
-        known = fma(h * (1.0 - self.gamma), a, velocity)
-        origin = coasting + h * (h * (0.5 - self.beta) * a - self.beta / self.gamma * known)
-        carried = self.alpha_m * a - self.alpha_f * forces
-        drift = known - h * self.gamma / (1.0 - self.alpha_m) * carried
-        return origin, drift, fma(0.5 * h * h, a, coasting)
-
-    def store_stage(
-        self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
-    ) -> Any:
-        factor = maximum(absolute(self.beta - 1.0 / 6.0), SMALLEST_ERROR_FACTOR)
-        over = 1.0 / (self.gamma * step)
-        total = 0.0 * step
-        for i in range(work.state.shape[0]):
+        def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
+            h = work.weights[0]
             a = work.acceleration[0, i]
-            known = fma(step * (1.0 - self.gamma), a, work.velocity[0, i])
-            v = (work.state[i] - work.origin[i]) * rates.rate_factor
-            after = (v - known) * over
-            work.velocity[1, i] = v
-            work.acceleration[1, i] = after
-            work.velocity[FORCES, i] = (v - work.drift[i]) * rates.inertia_rate
-            total = fma(after - a, after - a, total)
-        return sqrt(total / work.state.shape[0]) * (factor * step * step)
+            forces = work.acceleration[FORCES, i]
+            velocity = work.velocity[0, i]
+            coasting = fma(h, velocity, work.start[i])
+            known = fma(h * (1.0 - self.gamma), a, velocity)
+            origin = coasting + h * (h * (0.5 - self.beta) * a - self.beta / self.gamma * known)
+            carried = self.alpha_m * a - self.alpha_f * forces
+            drift = known - h * self.gamma / (1.0 - self.alpha_m) * carried
+            return origin, drift, fma(0.5 * h * h, a, coasting)
 
-    def end_step(self, work: Any, step: Any, mask: Any) -> None:
-        pass
+        def store_stage(
+            self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
+        ) -> Any:
+            factor = maximum(absolute(self.beta - 1.0 / 6.0), SMALLEST_ERROR_FACTOR)
+            over = 1.0 / (self.gamma * step)
+            total = 0.0 * step
+            for i in range(work.state.shape[0]):
+                a = work.acceleration[0, i]
+                known = fma(step * (1.0 - self.gamma), a, work.velocity[0, i])
+                v = (work.state[i] - work.origin[i]) * rates.rate_factor
+                after = (v - known) * over
+                work.velocity[1, i] = v
+                work.acceleration[1, i] = after
+                work.velocity[FORCES, i] = (v - work.drift[i]) * rates.inertia_rate
+                total = fma(after - a, after - a, total)
+            return sqrt(total / work.state.shape[0]) * (factor * step * step)
 
-    def keep_history(self, work: Any, step: Any, mask: Any) -> None:
-        for i in range(work.state.shape[0]):
-            forces = work.velocity[FORCES, i]
-            work.acceleration[FORCES, i] = where(mask, forces, work.acceleration[FORCES, i])
+        def keep_history(self, work: Any, step: Any, mask: Any) -> None:
+            for i in range(work.state.shape[0]):
+                forces = work.velocity[FORCES, i]
+                work.acceleration[FORCES, i] = where(mask, forces, work.acceleration[FORCES, i])
 
-    def error_power(self) -> float:
-        return 3.0
+        def error_power(self) -> float:
+            return 3.0
 
-    def quadrature_weight(self, stage: Any) -> float:
-        return 0.5
+    @property
+    def damping_at_infinity(self) -> float:
+        return self.spectral_radius
+
+    def scheme(self) -> Scheme:
+        """The scheme for the kernels."""
+        rho = self.spectral_radius
+        alpha_m = (2.0 * rho - 1.0) / (rho + 1.0)
+        alpha_f = rho / (rho + 1.0)
+        drift = alpha_f - alpha_m
+        return self.Scheme(0.25 * (1.0 + drift) * (1.0 + drift), 0.5 + drift, alpha_m, alpha_f)

@@ -1,28 +1,19 @@
 """``inverse=adam``: gradient descent on the forward model, as in the paper."""
 
-from dataclasses import dataclass
-
 import numpy as np
 import torch
 from scipy.stats import qmc
 
-from snapjump.checks import check_integer, check_number
+from snapjump.declare.fields import integer, number
 from snapjump.inverse.base import InverseOptions, Problem, Solution, predicted_solutions
 
 
-@dataclass(frozen=True)
 class AdamOptions(InverseOptions):
     """Adam on the forward model's squared miss, from several starts (the paper)."""
 
-    starts: int = 16
-    iterations: int = 300
-    learning_rate: float = 0.03
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        check_integer("inverse.starts", self.starts, 1, 4096)
-        check_integer("inverse.iterations", self.iterations, 1, 1_000_000)
-        check_number("inverse.learning_rate", self.learning_rate, 0.0, 1.0, above=True)
+    starts: int = integer(16, least=1, most=4096)
+    iterations: int = integer(300, least=1, most=1_000_000)
+    learning_rate: float = number(0.03, above=0.0, most=1.0)
 
     def solve(self, problem: Problem) -> list[Solution]:
         """Where the starts have gone. Source: the paper, its section on inverse design."""
@@ -41,6 +32,3 @@ class AdamOptions(InverseOptions):
             rate.step()
             shares.clamp_(0.0, 1.0)
         return predicted_solutions(problem, forward, problem.unscaled(shares.numpy()))
-
-
-MEMBER = AdamOptions

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.checks import ParameterError
+from snapjump.declare.fields import Part, flag, required
 
 Array = NDArray[np.float64]
 Range = tuple[float, float]
@@ -104,42 +105,27 @@ class Solution:
         return float(np.hypot(*(self.apex - target)))
 
 
-@dataclass(frozen=True)
-class InverseOptions:
-    """What the options of every method begin with.
+class InverseOptions(Part):
+    """A method of inverse design and its numbers.
 
     ``robust``: whether its solutions are starts for the design with the least expected miss.
     ``needs_forward``: whether it asks the forward model for more than a start; ``needs_slopes``:
     whether it asks the simulator for derivatives.
     """
 
-    robust: bool = False
+    group = "inverse"
     needs_forward: ClassVar[bool] = True
+
+    robust: bool = flag(False)
 
     @property
     def needs_slopes(self) -> bool:
         return False
 
-    def __post_init__(self) -> None:
-        if not isinstance(self.robust, bool):
-            raise ParameterError("inverse.robust", self.robust, "true or false")
-
-
-class InverseMethod(Protocol):
-    """What a member's module calls ``MEMBER``: its options, and what it does."""
-
-    needs_forward: ClassVar[bool]
-
-    @property
-    def robust(self) -> bool:
-        """Whether its solutions are starts for a robust design."""
-
-    @property
-    def needs_slopes(self) -> bool:
-        """Whether it asks the simulator for derivatives."""
-
+    @required
     def solve(self, problem: Problem) -> list[Solution]:
         """All solutions that were found, the best first; at least one, however large its miss."""
+        raise NotImplementedError
 
 
 def one_percent_bar(designs: Array, slopes: Array) -> Array:

@@ -1,26 +1,24 @@
 """``inverse=bayesian``: Bayesian optimisation on the simulator, one of the paper's comparisons."""
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 from bayes_opt import BayesianOptimization
 
 from snapjump.checks import check_integer
+from snapjump.declare.fields import integer
 from snapjump.inverse.base import CONTROLS, Array, InverseOptions, Problem, Solution
 
 
-@dataclass(frozen=True)
 class BayesianOptions(InverseOptions):
     """Bayesian optimisation of the simulated miss."""
 
-    simulations: int = 60
+    simulations: int = integer(60, least=1, most=100_000)
     first: int = 16
     needs_forward: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        check_integer("inverse.simulations", self.simulations, 1, 100_000)
         check_integer("inverse.first", self.first, 1, self.simulations)
 
     def solve(self, problem: Problem) -> list[Solution]:
@@ -45,9 +43,6 @@ class BayesianOptions(InverseOptions):
         best = int(np.argmin([miss_bar(problem, apex) for apex in apexes]))
         apex = apexes[best] if np.isfinite(apexes[best]).all() else np.full(2, np.inf)
         return [Solution(problem.unscaled(shares[best]), apex, True)]
-
-
-MEMBER = BayesianOptions
 
 
 def simulated(problem: Problem, shares: Array) -> Array:

@@ -6,7 +6,7 @@ from typing import ClassVar
 import numpy as np
 from scipy.optimize import Bounds, minimize
 
-from snapjump.checks import check_integer, check_number
+from snapjump.declare.fields import integer, number
 from snapjump.inverse.base import Array, InverseOptions, Problem, Solution
 
 SIDE = 4  # of the grid of simulations that the search begins with
@@ -17,18 +17,12 @@ class BudgetSpentError(Exception):
     """The next gradient would cost more simulations than there are left."""
 
 
-@dataclass(frozen=True)
 class FiniteDifferenceOptions(InverseOptions):
     """Quasi-Newton descent (L-BFGS-B) on the simulated miss by finite differences."""
 
-    simulations: int = 200
-    step: float = 0.01
+    simulations: int = integer(200, least=SIDE**2, most=1_000_000)
+    step: float = number(0.01, above=0.0, most=0.5)
     needs_forward: ClassVar[bool] = False
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        check_integer("inverse.simulations", self.simulations, SIDE**2, 1_000_000)
-        check_number("inverse.step", self.step, 0.0, 0.5, above=True)
 
     def solve(self, problem: Problem) -> list[Solution]:
         """The best of all simulated designs: those of a coarse grid, then a descent (L-BFGS-B)."""
@@ -42,9 +36,6 @@ class FiniteDifferenceOptions(InverseOptions):
         except BudgetSpentError:
             pass
         return [search.best()]
-
-
-MEMBER = FiniteDifferenceOptions
 
 
 @dataclass

@@ -1,11 +1,9 @@
 """``inverse=gauss_newton``: the forward model's own roots, to rounding."""
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy.ndimage import minimum_filter
 
-from snapjump.checks import check_integer
+from snapjump.declare.fields import integer
 from snapjump.inverse.base import (
     REACHED_BAR,
     Array,
@@ -22,17 +20,11 @@ SHORTEST = 1.0e-5  # step that is worth another one, as a share of the ranges
 FIRST, LEAST, LARGEST = 1.0e-6, 1.0e-9, 1.0e4
 
 
-@dataclass(frozen=True)
 class GaussNewtonOptions(InverseOptions):
     """Damped Gauss-Newton on the forward model, from a grid of its predictions."""
 
-    points: int = 21
-    iterations: int = 30
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        check_integer("inverse.points", self.points, 3, 1000)
-        check_integer("inverse.iterations", self.iterations, 1, 10_000)
+    points: int = integer(21, least=3, most=1000)
+    iterations: int = integer(30, least=1, most=10_000)
 
     def solve(self, problem: Problem) -> list[Solution]:
         """All solutions that a grid of predictions can tell apart."""
@@ -48,9 +40,6 @@ class GaussNewtonOptions(InverseOptions):
             more, _ = descend(problem, forward, starts, self.iterations)
             found = np.vstack([found, more])
         return predicted_solutions(problem, forward, found)
-
-
-MEMBER = GaussNewtonOptions
 
 
 def nearest_points(controls: Array, apexes: Array, target: Array) -> Array:

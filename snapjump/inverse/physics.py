@@ -17,7 +17,7 @@ from typing import ClassVar
 import numpy as np
 from scipy.optimize import lsq_linear
 
-from snapjump.checks import check_choice, check_integer, check_number
+from snapjump.declare.fields import choice, integer, number
 from snapjump.inverse.base import Array, InverseOptions, Problem, Simulator, Solution
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
 
@@ -36,23 +36,15 @@ CLOSE_BAR = 2.0e-3  # misses below this weigh alike in a fit
 LENGTHS = np.array([1.5, 1.2, 1.0, 0.8, 0.5, 0.25, 0.1, 0.03])  # of exact steps
 
 
-@dataclass(frozen=True)
 class PhysicsOptions(InverseOptions):
     """Gauss-Newton on the simulator, from the forward model's solutions."""
 
     needs_forward: ClassVar[bool] = False
 
-    slopes: str = "fitted"
-    finishing: str = "same"
-    tolerance_bar: float = 3.0e-4
-    most_simulations: int = 160
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        check_choice("inverse.slopes", self.slopes, SLOPES)
-        check_choice("inverse.finishing", self.finishing, FINISHING)
-        check_number("inverse.tolerance_bar", self.tolerance_bar, 0.0, 1.0, above=True)
-        check_integer("inverse.most_simulations", self.most_simulations, CANDIDATES, 100_000)
+    slopes: str = choice("fitted", SLOPES)
+    finishing: str = choice("same", FINISHING)
+    tolerance_bar: float = number(3.0e-4, above=0.0, most=1.0)
+    most_simulations: int = integer(160, least=CANDIDATES, most=100_000)
 
     @property
     def needs_slopes(self) -> bool:
@@ -201,6 +193,3 @@ def exact_rounds(search: Search, start: Solution) -> Iterator[Solution]:
             return
         best = search.best()
         yield best
-
-
-MEMBER = PhysicsOptions

@@ -18,8 +18,8 @@ from torch import Tensor
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.sealed import canonical
+from snapjump.declare.members import make_member
 from snapjump.files.atomic import atomic_file
-from snapjump.members import make_member
 from snapjump.surrogate.base import Surrogate
 
 FORMAT = "snapjump forward model 1"  # another number for other metadata

@@ -71,8 +71,8 @@ class ForwardModel:
         """
         given = {part: asdict(getattr(simulation, part)) for part in MODEL}
         for part in MODEL[1:]:
-            given[part] = {"name": simulation.name(part), **given[part]}
-        given["sim"] = {"name": simulation.scene_name}
+            given[part] = {"name": getattr(simulation, part).name, **given[part]}
+        given["sim"] = {"name": simulation.sim.name}
         configuration = self.about["dataset"]["specification"]["configuration"]
         learned = {part: configuration[part] for part in MODEL}
         learned["sim"] = {"name": configuration["sim"]["name"]}

@@ -16,6 +16,7 @@ import torch
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.sealed import read_sealed, sha256_of, write_sealed
+from snapjump.declare.members import member_group
 from snapjump.files.lock import FileLock
 from snapjump.files.provenance import SOURCES, origin
 from snapjump.learning.checkpoint import Checkpoint, read_checkpoint, write_checkpoint
@@ -24,7 +25,6 @@ from snapjump.learning.fit import STATE, Fitted, descend
 from snapjump.learning.keeper import Progress
 from snapjump.learning.measures import measures
 from snapjump.learning.threads import torch_threads
-from snapjump.members import member_group
 from snapjump.plan.base import AXES
 from snapjump.surrogate.base import Surrogate, SurrogateOptions
 
@@ -56,7 +56,7 @@ class Learned(NamedTuple):
 def check_slopes(options: SurrogateOptions, data: JumpData) -> None:
     """Raise ParameterError for a surrogate that needs slopes and a dataset that has none."""
     if options.network().needs_slopes and not data.dataset.specification["sensitivities"]:
-        name = member_group("surrogate", options)["name"]
+        name = member_group(options)["name"]
         allowed = (
             f"a dataset with derivatives with surrogate={name} (dataset.sensitivities=true "
             "friction.velocity_threshold_m_s=0.01 when it is made)"
@@ -77,7 +77,7 @@ def learn(
     if the training diverges.
     """
     check_slopes(options, data)
-    group = dict(member_group("surrogate", options))
+    group = member_group(options)
     determined = {
         "surrogate": group,
         "training": asdict(data.training),

@@ -20,9 +20,11 @@ from numba.core.typing.templates import (
     signature,
 )
 
+from snapjump.declare.fields import required
 from snapjump.number.dispatch import kernel
 
 Function = Callable[..., Any]
+__all__ = ["Contract", "ContractError", "required"]
 METHODS_KEY = "snapjump.methods"
 METHODS: dict[tuple[type, str], Function] = {}
 CALLS: dict[Function, Function] = {}  # how numba writes a call of each
@@ -31,12 +33,6 @@ OF_TUPLES = ("_make", "_replace", "_asdict")
 
 class ContractError(TypeError):
     """A member does not fulfil its contract; the message is one line."""
-
-
-def required(function: Function) -> Function:
-    """A method that every member must write."""
-    function.is_required = True  # type: ignore[attr-defined]
-    return function
 
 
 class Contract:

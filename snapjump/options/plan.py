@@ -100,3 +100,10 @@ class LatinHypercubePlanOptions(PlanRanges):
     def member(self) -> LatinHypercubePlan:
         """The plan."""
         return LatinHypercubePlan(self.ranges, self.count, self.seed)
+
+
+PLANS = {
+    "grid": GridPlanOptions,
+    "sobol": SobolPlanOptions,
+    "latin_hypercube": LatinHypercubePlanOptions,
+}

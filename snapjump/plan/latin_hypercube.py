@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from snapjump.plan.base import AXES, Array, Range, check_stretch, stretched
-from snapjump.plan.shuffle import keyed, shuffled
+from snapjump.plan.parts.shuffle import keyed, shuffled
 
 FIRST_JITTER = 1000  # streams of random bits beyond those that shuffle
 MANTISSA_BITS = 53

@@ -25,7 +25,7 @@ def figures(
     the film. A result that ended early gets pictures of what there is, one without arrays none.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    scene = str(result.simulation.scene_name)
+    scene = str(result.simulation.sim.name)
     written: list[pathlib.Path] = []
     pictures = _pictures(result, scene, film)
     for name, draw in pictures:

@@ -36,7 +36,7 @@ def apex_of(result: Any) -> tuple[float, float] | None:
 def headline(result: Any) -> str:
     """What was simulated: scene, design, environment, and how it ended if not well."""
     simulation = result.simulation
-    scene, design, environment = simulation.scene_name, simulation.design, simulation.environment
+    scene, design, environment = simulation.sim.name, simulation.design, simulation.environment
     parts = []
     if scene in ("jump", "snap", "static"):
         parts.append(f"ε = {design.epsilon:g}")

@@ -13,9 +13,9 @@ from snapjump.damping.none import NoDamping
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import Model, numbers_of
-from snapjump.engine.work import NO_MESH, make_work
-from snapjump.frame.base import STILL
-from snapjump.frame.cantilever import CantileverFrame
+from snapjump.engine.work import make_work
+from snapjump.frame.base import NO_MESH, STILL
+from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.tip import TipLoad
 from snapjump.results import Result
@@ -35,9 +35,9 @@ def bend_cantilever(
         rod,
         CantileverFrame(),
         ConstantRate(0.0, 1.0, 1.0, 0.0),
-        NoContact(),
-        NoFriction(),
-        NoDamping(),
+        NoContact.Law(),
+        NoFriction.Law(),
+        NoDamping.Law(),
         TipLoad(0.0, 0.0, 0.0),
     )
     dofs = rod.node_dofs()
@@ -63,7 +63,7 @@ def simulate_cantilever_scene(simulation: Simulation, progress: Progress | None 
     """Deflection, tip angle and energy of the bent cantilever."""
     begun = time.perf_counter()
     elements = simulation.discretization.moving_elements
-    rod = simulation.discretization.member(simulation.robot)
+    rod = simulation.discretization.beam(simulation.robot)
     load = simulation.sim.load_bar
     nodes, energy, negative = bend_cantilever(rod, elements, 0.0, load, 0.0)
     ahead = nodes[-1] - nodes[-2]

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.backend.cuda import CudaBackend
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.cuda.availability import check_card
 from snapjump.cuda.plan import make_plan
 from snapjump.engine.march import Limits, Queue
 from snapjump.number.memory import aligned_zeros
-from snapjump.options.backend import CudaBackend
 from snapjump.recorder.none import NoRecorder
 from snapjump.scenes.runner import ITERATIONS_PER_STAGE, March, Progress
 

@@ -6,19 +6,18 @@ from typing import Any
 
 import numpy as np
 
+from snapjump.backend.scalar import ScalarBackend
 from snapjump.composition import Simulation
 from snapjump.ending.flight import FlightEnding
 from snapjump.engine import clock as c
 from snapjump.engine.status import NAMES, NO_JUMP, OK, REASONS
 from snapjump.error_estimate import error_estimate
-from snapjump.options.backend import ScalarBackend
 from snapjump.recorder.none import NoRecorder
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
 from snapjump.scenes.card_march import check_backend, march_on
 from snapjump.scenes.flight import flight
 from snapjump.scenes.flight_check import checked_status
-from snapjump.scenes.frame_body import frame_mesh
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.resting import resting_guess
 from snapjump.scenes.runner import Progress
@@ -47,7 +46,7 @@ def simulate_jump_scene(simulation: Simulation, progress: Progress | None = None
         ending=FlightEnding(duration),
         recorder=make_recorder(len(state), duration, interval) if alone else NoRecorder(),
         lanes=1 if alone else simulation.backend.width,
-        mesh=frame_mesh(simulation, model.frame),
+        mesh=simulation.frame.mesh(model.frame),
     )
     march.find_starts()
     outcome = march.run(progress)[0]

@@ -7,7 +7,6 @@ from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
 from snapjump.engine.model import Model
 from snapjump.load.gravity import Gravity
-from snapjump.options.contact import ground
 from snapjump.scenes.frame_body import compression, frame_model
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.rounding import LostToRoundingError
@@ -89,9 +88,8 @@ def jump_model(simulation: Simulation, threshold: Threshold | None = None) -> Mo
             robot.rotation_end_rad,
             f"above {start:.4g} rad, where the motion starts (sim.start_fraction)",
         )
-    law = simulation.contact.member(scales)
     return Model(
-        discretization=simulation.discretization.member(robot),
+        discretization=simulation.discretization.beam(robot),
         frame=frame_model(simulation, mount_height_bar(simulation, threshold)),
         clamp=ConstantRate(
             start=start,
@@ -99,9 +97,9 @@ def jump_model(simulation: Simulation, threshold: Threshold | None = None) -> Mo
             rate=robot.rotation_rate_rad_s * scales.time_s,
             delta_alpha=simulation.design.delta_alpha,
         ),
-        contact=law,
-        friction=simulation.friction.member(scales, simulation.environment.mu),
-        damping=simulation.damping.member(scales),
+        contact=simulation.contact.law(scales),
+        friction=simulation.friction.law(scales, simulation.environment.mu),
+        damping=simulation.damping.law(scales),
         load=Gravity(robot.gravity_m_s2 / scales.acceleration_m_s2),
-        ground=ground(simulation.contact, law, scales, simulation.discretization),
+        ground=simulation.contact.ground(scales, simulation.discretization.elements),
     )

@@ -9,20 +9,19 @@ import numpy as np
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
 from snapjump.contact.base import Approach, force_if_acting
-from snapjump.contact.resting import resting_gap
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.none import LooseNodes
+from snapjump.discretization.parts.loose_nodes import LooseNodes
 from snapjump.ending.timed import TimedEnding
 from snapjump.engine import clock as c
 from snapjump.engine.model import Model
 from snapjump.engine.status import NAMES, OK, REASONS
-from snapjump.frame.none import NoFrame
+from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.load.inclined import InclinedGravity
-from snapjump.options.contact import ground
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
 from snapjump.scenes.runner import March, Progress
 from snapjump.scenes.trajectory import trajectory_arrays
+from snapjump.statics.resting_gap import resting_gap
 
 
 def mass_model(simulation: Simulation, gravity_m_s2: float, incline: float) -> Model:
@@ -30,16 +29,15 @@ def mass_model(simulation: Simulation, gravity_m_s2: float, incline: float) -> M
     scales = simulation.robot.scales
     angle = math.atan(incline)
     fall = gravity_m_s2 / scales.acceleration_m_s2
-    law = simulation.contact.member(scales)
     return Model(
         LooseNodes(),
         NoFrame(),
         ConstantRate(0.0, 1.0, 1.0, 0.0),
-        law,
-        simulation.friction.member(scales, simulation.environment.mu),
-        NoDamping(),
+        simulation.contact.law(scales),
+        simulation.friction.law(scales, simulation.environment.mu),
+        NoDamping.Law(),
         InclinedGravity(fall * math.cos(angle), fall * math.sin(angle)),
-        ground(simulation.contact, law, scales, None),
+        simulation.contact.ground(scales, None),
     )
 
 

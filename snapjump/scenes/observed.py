@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from snapjump.composition import Simulation
 from snapjump.ending.flight import FlightEnding
 from snapjump.recorder.observables import make_observables
-from snapjump.scenes.frame_body import frame_mesh
 from snapjump.scenes.jump import jump_summary
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.resting import resting_guess
@@ -35,7 +34,7 @@ def observe_jump(simulation: Simulation) -> dict[str, Any]:
         simulation=simulation,
         ending=FlightEnding(simulation.sim.time_limit_s / scales.time_s),
         recorder=make_observables(MOST_STEPS),
-        mesh=frame_mesh(simulation, model.frame),
+        mesh=simulation.frame.mesh(model.frame),
     )
     march.find_starts()
     outcome = march.run()[0]

@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
-from snapjump.contact.resting import resting_gap
 from snapjump.engine.model import Model
-from snapjump.scenes.frame_body import compression, frame_mesh
+from snapjump.scenes.frame_body import compression
 from snapjump.statics.chain_state import chain_state
 from snapjump.statics.elastica import buckled_arch, resampled
+from snapjump.statics.resting_gap import resting_gap
 
 Array = NDArray[np.float64]
 
@@ -29,7 +29,7 @@ def resting_guesses(simulations: Sequence[Simulation], models: Sequence[Model]) 
         frame = model.frame
         weight = (frame.mass + beam_mass) * model.load.acceleration
         gap = resting_gap(model.contact, weight, 2.0 * model.ground.corner_share)
-        mesh = frame_mesh(simulation, frame)
+        mesh = simulation.frame.mesh(frame)
         beam = chain_state(rod, x[k], y[k] + (gap - frame.foot_y) + frame.mount_y)
         state = np.concatenate([np.zeros(frame.dofs(mesh)), beam])
         frame.rest(mesh, state, gap)

@@ -11,7 +11,8 @@ from snapjump.composition import Simulation
 from snapjump.engine.clock import ROWS, TIME
 from snapjump.engine.march import Limits, Queue, find_starts, march
 from snapjump.engine.model import Model, numbers_of
-from snapjump.engine.work import NO_MESH, Work, make_work
+from snapjump.engine.work import Work, make_work
+from snapjump.frame.base import NO_MESH
 from snapjump.number.announcement import load
 from snapjump.number.memory import aligned_zeros
 from snapjump.recorder.none import NoRecorder
@@ -62,7 +63,7 @@ class March:
             carried=np.zeros(self.lanes, dtype=np.int64),
         )
         self.scheme = self.simulation.integrator.scheme()
-        self.stepping = self.simulation.stepping.member(self.simulation.robot.scales)
+        self.stepping = self.simulation.stepping.control(self.simulation.robot.scales)
         threads = max(1, min(self.threads, -(-robots // self.lanes)))
         self.crew = [self._worker(shared) for _ in range(threads)]
         self.memory, self.queue = self.crew[0].memory, self.crew[0].queue

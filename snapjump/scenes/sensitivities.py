@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
+from snapjump.declare.members import members_with
 from snapjump.engine.clock import ROWS
 from snapjump.engine.differentiate_start import differentiate_starts
 from snapjump.engine.shadow import make_shadow
@@ -27,19 +28,12 @@ SMALLEST_STICK_ZONE_M_S = 5.0e-3
 ROBOTS_PER_SLICE = 16
 
 
-def check_rigid(simulation: Simulation) -> None:
-    """Require a rigid frame. Raises ParameterError."""
-    if simulation.name("frame") != "rigid":
-        raise ParameterError("frame", simulation.name("frame"), "rigid with sensitivities")
-
-
 def check_differentiable(simulation: Simulation) -> None:
     """Require modules that sensitivities know. Raises ParameterError naming the first other."""
-    if simulation.name("backend") == "cuda":
-        raise ParameterError("backend", "cuda", "lanes or scalar with sensitivities")
-    check_rigid(simulation)
-    if simulation.name("contact") == "signorini":
-        raise ParameterError("contact", "signorini", "a law that is no impulse, with sensitivities")
+    for part in simulation.parts:
+        if not part.differentiable:
+            able = " or ".join(members_with(part.group, "differentiable"))
+            raise ParameterError(part.group, part.name, f"{able} with sensitivities")
     threshold = getattr(simulation.friction, "velocity_threshold_m_s", SMALLEST_STICK_ZONE_M_S)
     if threshold < SMALLEST_STICK_ZONE_M_S:
         raise ParameterError(
@@ -47,10 +41,6 @@ def check_differentiable(simulation: Simulation) -> None:
             threshold,
             f"at least {SMALLEST_STICK_ZONE_M_S:g} m/s with sensitivities: steps do not resolve a "
             "smaller stick zone (0.01 instead of 0.0001 moves x by 0.1 % in the median)",
-        )
-    if simulation.integrator.scheme().is_explicit():
-        raise ParameterError(
-            "integrator", simulation.name("integrator"), "an implicit one with sensitivities"
         )
 
 

@@ -30,8 +30,8 @@ def simulate_snap_scene(simulation: Simulation, progress: Progress | None = None
     lag = simulation.design.delta_alpha
     state = arch.flat(lag)
     model = Model(
-        discretization=simulation.discretization.member(robot),
-        frame=FixedFrame(0.5 * (1.0 - simulation.design.epsilon), 0.0),
+        discretization=simulation.discretization.beam(robot),
+        frame=FixedFrame.Body(0.5 * (1.0 - simulation.design.epsilon), 0.0),
         clamp=SmoothStart(
             start=0.0,
             end=robot.rotation_end_rad,
@@ -39,9 +39,9 @@ def simulate_snap_scene(simulation: Simulation, progress: Progress | None = None
             delta_alpha=lag,
             rise_time=scene.rise_time_s / scales.time_s,
         ),
-        contact=simulation.contact.member(scales),
-        friction=simulation.friction.member(scales, simulation.environment.mu),
-        damping=simulation.damping.member(scales),
+        contact=simulation.contact.law(scales),
+        friction=simulation.friction.law(scales, simulation.environment.mu),
+        damping=simulation.damping.law(scales),
         load=NoLoad(),
     )
     duration = scene.duration_s / scales.time_s

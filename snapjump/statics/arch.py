@@ -14,8 +14,8 @@ from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.newton import ROUNDING
-from snapjump.engine.work import NO_MESH, make_work
-from snapjump.frame.base import STILL
+from snapjump.engine.work import make_work
+from snapjump.frame.base import NO_MESH, STILL
 from snapjump.frame.fixed import FixedFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.none import NoLoad
@@ -68,8 +68,8 @@ class StaticArch:
     def __init__(self, robot: Robot, discretization: Any, epsilon: float):
         self.epsilon = epsilon
         self.discretization = discretization
-        self.rod: Any = discretization.member(robot)
-        self.frame = FixedFrame(0.5 * (1.0 - epsilon), 0.0)
+        self.rod: Any = discretization.beam(robot)
+        self.frame = FixedFrame.Body(0.5 * (1.0 - epsilon), 0.0)
         self.masses = discretization.masses()
         self.node_dofs = self.rod.node_dofs()
         self.size = self.node_dofs * len(self.masses)
@@ -83,7 +83,15 @@ class StaticArch:
 
     def _model(self, left: float, right: float) -> Model:
         clamp = ConstantRate(left, 10.0, 1.0, left - right)
-        return Model(self.rod, self.frame, clamp, NoContact(), NoFriction(), NoDamping(), NoLoad())
+        return Model(
+            self.rod,
+            self.frame,
+            clamp,
+            NoContact.Law(),
+            NoFriction.Law(),
+            NoDamping.Law(),
+            NoLoad(),
+        )
 
     def guess(self, upward: bool = True) -> Array:
         """State of the exact arch between flat clamps, buckled up or down."""

@@ -6,7 +6,7 @@ from itertools import islice
 
 import numpy as np
 
-from snapjump.options.discretization import DiscretizationOptions
+from snapjump.discretization.base import DiscretizationOptions
 from snapjump.parameters.robot import Robot
 from snapjump.statics.arch import Equilibrium, StaticArch
 from snapjump.statics.band import dot

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from functools import lru_cache
 
-from snapjump.options.discretization import DiscretizationOptions
+from snapjump.discretization.base import DiscretizationOptions
 from snapjump.parameters.robot import Robot
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch

@@ -2,7 +2,9 @@
 
 from typing import Any
 
+from snapjump.declare.fields import Part
 from snapjump.number.methods import Contract, required
+from snapjump.units import Scales
 
 
 class StepControl(Contract):
@@ -31,3 +33,13 @@ class StepControl(Contract):
     @required
     def newton_tolerance(self) -> Any:
         """Error (L) that Newton's method may leave in a stage."""
+
+
+class SteppingOptions(Part):
+    """A step control and its numbers."""
+
+    group = "stepping"
+
+    @required
+    def control(self, scales: Scales) -> Any:
+        """The dimensionless control: a member of :class:`StepControl`."""

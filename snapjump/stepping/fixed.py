@@ -2,31 +2,44 @@
 
 from typing import Any, NamedTuple
 
+from snapjump.declare.fields import number
 from snapjump.number.functions import minimum
-from snapjump.stepping.base import StepControl
+from snapjump.stepping.base import StepControl, SteppingOptions
+from snapjump.units import Scales
+
+NEWTON_TOLERANCE_BAR = 1e-9
 
 
-@StepControl.member
-class FixedStep(NamedTuple):
-    """The step (T), and the error that Newton's method may leave (L)."""
+class FixedStep(SteppingOptions):
+    """One step size throughout, halved only where Newton's method fails."""
 
-    step: float
-    newton: float
+    step_s: float = number(1.0e-5, above=0.0, most=0.01, unit="s")
 
-    def first_step(self) -> Any:
-        return self.step
+    @StepControl.member
+    class Control(NamedTuple):
+        """The step (T), and the error that Newton's method may leave (L)."""
 
-    def accepts(self, error: Any, step: Any, contact_rate: Any) -> Any:
-        return step > 0.0
+        step: float
+        newton: float
 
-    def next_step(self, error: Any, error_order: Any, step: Any, contact_rate: Any) -> Any:
-        return minimum(2.0 * step, self.step + 0.0 * step)
+        def first_step(self) -> Any:
+            return self.step
 
-    def step_after_failure(self, step: Any) -> Any:
-        return 0.5 * step
+        def accepts(self, error: Any, step: Any, contact_rate: Any) -> Any:
+            return step > 0.0
 
-    def smallest_step(self) -> Any:
-        return 1e-6 * self.step
+        def next_step(self, error: Any, error_order: Any, step: Any, contact_rate: Any) -> Any:
+            return minimum(2.0 * step, self.step + 0.0 * step)
 
-    def newton_tolerance(self) -> Any:
-        return self.newton
+        def step_after_failure(self, step: Any) -> Any:
+            return 0.5 * step
+
+        def smallest_step(self) -> Any:
+            return 1e-6 * self.step
+
+        def newton_tolerance(self) -> Any:
+            return self.newton
+
+    def control(self, scales: Scales) -> Control:
+        """The dimensionless control."""
+        return self.Control(self.step_s / scales.time_s, NEWTON_TOLERANCE_BAR)

@@ -1,16 +1,18 @@
 """The contract of a surrogate: the apex of a jump from its design and environment, learned.
 
-A member's module has its options, a frozen dataclass ``MEMBER`` with a method ``network()``, and
-the :class:`Surrogate` which that returns. Everything a surrogate has learned is in its parameters
+A member's module has its options, with a method ``network()``, and the :class:`Surrogate` which
+that returns. Everything a surrogate has learned is in its parameters
 and buffers, so that safetensors hold all of it. Designs are columns delta_alpha (rad), epsilon,
 mass_bar, mu; apexes are x_bar, y_bar in L.
 """
 
 from abc import ABC, abstractmethod
-from typing import ClassVar, NamedTuple, Protocol
+from typing import ClassVar, NamedTuple
 
 import torch
 from torch import Tensor, nn
+
+from snapjump.declare.fields import Part, required
 
 INPUTS, OUTPUTS = 4, 2
 
@@ -24,11 +26,15 @@ class Rows(NamedTuple):
     slopes: Tensor
 
 
-class SurrogateOptions(Protocol):
-    """What a member's module calls ``MEMBER``."""
+class SurrogateOptions(Part):
+    """A surrogate and its numbers."""
 
+    group = "surrogate"
+
+    @required
     def network(self) -> "Surrogate":
         """A new surrogate, which has learned nothing yet; torch's generator seeds it."""
+        raise NotImplementedError
 
 
 class Standardisation(nn.Module):

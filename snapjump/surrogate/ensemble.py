@@ -1,29 +1,22 @@
 """``surrogate=ensemble``: residual networks of different seeds, and intervals from their spread."""
 
 import math
-from dataclasses import dataclass
 
 import torch
 from torch import Tensor, nn
 
-from snapjump.checks import check_integer
-from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, Rows
+from snapjump.declare.fields import integer
+from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, Rows, SurrogateOptions
 
 CONFIDENCE = 0.9
 
 
-@dataclass(frozen=True)
-class EnsembleOptions:
+class EnsembleOptions(SurrogateOptions):
     """Several residual networks: their mean, and calibrated intervals from their spread."""
 
-    members: int = 5
-    width: int = 64
-    blocks: int = 4
-
-    def __post_init__(self) -> None:
-        check_integer("surrogate.members", self.members, 2, 64)
-        check_integer("surrogate.width", self.width, 1, 4096)
-        check_integer("surrogate.blocks", self.blocks, 1, 64)
+    members: int = integer(5, least=2, most=64)
+    width: int = integer(64, least=1, most=4096)
+    blocks: int = integer(4, least=1, most=64)
 
     def network(self) -> "Ensemble":
         """A new ensemble."""
@@ -100,6 +93,3 @@ class Ensemble(MassScaled):
 
     def half_widths(self, designs: Tensor) -> Tensor:
         return self.scale * (self.each(designs).std(dim=0) + self.least)
-
-
-MEMBER = EnsembleOptions

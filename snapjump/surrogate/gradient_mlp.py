@@ -1,26 +1,18 @@
 """``surrogate=gradient_mlp``: a network that is trained on apexes and their exact derivatives."""
 
-from dataclasses import dataclass
-
 import torch
 from torch import Tensor, nn
 
-from snapjump.checks import check_integer, check_number
-from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, Rows
+from snapjump.declare.fields import integer, number
+from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, Rows, SurrogateOptions
 
 
-@dataclass(frozen=True)
-class GradientMlpOptions:
+class GradientMlpOptions(SurrogateOptions):
     """Fully connected layers with SiLU, trained on apexes and their sensitivities."""
 
-    width: int = 128
-    layers: int = 4
-    slope_weight: float = 0.1
-
-    def __post_init__(self) -> None:
-        check_integer("surrogate.width", self.width, 1, 4096)
-        check_integer("surrogate.layers", self.layers, 1, 64)
-        check_number("surrogate.slope_weight", self.slope_weight, 0.0, 1e6)
+    width: int = integer(128, least=1, most=4096)
+    layers: int = integer(4, least=1, most=64)
+    slope_weight: float = number(0.1, least=0.0, most=1e6)
 
     def network(self) -> "GradientMlp":
         """A new network."""
@@ -66,6 +58,3 @@ class GradientMlp(MassScaled):
         strides[:, 2] *= rows.designs[:, 2]
         error = (slopes - rows.slopes) * strides[:, None] / self.spread[:, None]
         return values + self.slope_weight * error[known].abs().sum() / known.sum().clamp(min=1)
-
-
-MEMBER = GradientMlpOptions

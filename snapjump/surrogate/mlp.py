@@ -1,23 +1,16 @@
 """``surrogate=mlp``: the paper's network."""
 
-from dataclasses import dataclass
-
 from torch import Tensor, nn
 
-from snapjump.checks import check_integer
-from snapjump.surrogate.base import INPUTS, OUTPUTS, Surrogate
+from snapjump.declare.fields import integer
+from snapjump.surrogate.base import INPUTS, OUTPUTS, Surrogate, SurrogateOptions
 
 
-@dataclass(frozen=True)
-class MlpOptions:
+class MlpOptions(SurrogateOptions):
     """The paper's network: fully connected layers with ReLU."""
 
-    width: int = 372
-    layers: int = 3
-
-    def __post_init__(self) -> None:
-        check_integer("surrogate.width", self.width, 1, 4096)
-        check_integer("surrogate.layers", self.layers, 1, 64)
+    width: int = integer(372, least=1, most=4096)
+    layers: int = integer(3, least=1, most=64)
 
     def network(self) -> "Mlp":
         """A new network."""
@@ -37,6 +30,3 @@ class Mlp(Surrogate):
 
     def forward(self, designs: Tensor) -> Tensor:
         return self.outputs.inverse(self.body(self.inputs(designs)))
-
-
-MEMBER = MlpOptions

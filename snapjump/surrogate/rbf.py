@@ -1,6 +1,5 @@
 """``surrogate=rbf``: interpolation between the nearest jumps, as a measure for networks."""
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -9,25 +8,20 @@ from numpy.linalg import LinAlgError
 from scipy.interpolate import RBFInterpolator
 from torch import Tensor
 
-from snapjump.checks import ParameterError, check_choice, check_integer, check_number
-from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, Rows
+from snapjump.checks import ParameterError
+from snapjump.declare.fields import choice, integer, number
+from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, Rows, SurrogateOptions
 
 KERNELS = ("linear", "thin_plate_spline", "cubic")
 
 
-@dataclass(frozen=True)
-class RbfOptions:
+class RbfOptions(SurrogateOptions):
     """Radial basis functions through the nearest jumps: no network."""
 
-    neighbours: int = 120
-    kernel: str = "cubic"
-    smoothing: float = 0.0
-
-    def __post_init__(self) -> None:
-        # A polynomial of degree 1 goes with the kernels: five coefficients in four inputs.
-        check_integer("surrogate.neighbours", self.neighbours, 5, 4096)
-        check_choice("surrogate.kernel", self.kernel, KERNELS)
-        check_number("surrogate.smoothing", self.smoothing, 0.0, 1e6)
+    # A polynomial of degree 1 goes with the kernels: five coefficients in four inputs.
+    neighbours: int = integer(120, least=5, most=4096)
+    kernel: str = choice("cubic", KERNELS)
+    smoothing: float = number(0.0, least=0.0, most=1e6)
 
     def network(self) -> "Rbf":
         """A new interpolation, through nothing yet."""
@@ -83,6 +77,3 @@ def _make_room(network: Rbf, state: dict[str, Any], prefix: str, *others: Any) -
         there = state.get(prefix + name)
         if there is not None:
             setattr(network, name, torch.empty_like(there))
-
-
-MEMBER = RbfOptions

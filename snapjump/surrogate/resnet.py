@@ -1,23 +1,16 @@
 """``surrogate=resnet``: a smooth residual network."""
 
-from dataclasses import dataclass
-
 from torch import Tensor, nn
 
-from snapjump.checks import check_integer
-from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled
+from snapjump.declare.fields import integer
+from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, SurrogateOptions
 
 
-@dataclass(frozen=True)
-class ResnetOptions:
+class ResnetOptions(SurrogateOptions):
     """Residual blocks with SiLU, of apex times mass over log(mass)."""
 
-    width: int = 128
-    blocks: int = 4
-
-    def __post_init__(self) -> None:
-        check_integer("surrogate.width", self.width, 1, 4096)
-        check_integer("surrogate.blocks", self.blocks, 1, 64)
+    width: int = integer(128, least=1, most=4096)
+    blocks: int = integer(4, least=1, most=64)
 
     def network(self) -> "Resnet":
         """A new network."""
@@ -51,6 +44,3 @@ class Resnet(MassScaled):
 
     def forward(self, designs: Tensor) -> Tensor:
         return self.apexes(self.body(self.scaled(designs)), designs)
-
-
-MEMBER = ResnetOptions

@@ -7,7 +7,7 @@ import numpy as np
 
 from snapjump.inverse.base import (
     ForwardModel,
-    InverseMethod,
+    InverseOptions,
     Problem,
     Solution,
     predicted_solutions,
@@ -35,7 +35,7 @@ class Answer:
     simulations: int
 
 
-def answer(problem: Problem, method: InverseMethod) -> Answer:
+def answer(problem: Problem, method: InverseOptions) -> Answer:
     """Decide whether the target is in the achievable region, and let a method search if it is.
 
     Without a forward model the method alone decides.

@@ -5,16 +5,16 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from snapjump.accuracy import TIERS
 from snapjump.checks import check_choice
 from snapjump.composition import Simulation, with_tier
-from snapjump.inverse.base import Array, ForwardModel, InverseMethod, Problem
+from snapjump.inverse.base import Array, ForwardModel, InverseOptions, Problem
 from snapjump.inverse.physics import PhysicsOptions
 from snapjump.learning.forward_model import open_forward_model
 from snapjump.parameters.environment import Environment
 from snapjump.targets.answer import Answer, answer
 from snapjump.targets.request import checked_target, checkpoint_path, usable_forward
 from snapjump.targets.simulator import JumpSimulator
+from snapjump.tiers import TIERS
 
 
 def problem_of(
@@ -46,7 +46,7 @@ def design_for(
     target: Sequence[float],
     environment: Environment | None = None,
     accuracy: str = "standard",
-    method: InverseMethod | None = None,
+    method: InverseOptions | None = None,
     checkpoint: str | None = None,
     seed: int = 0,
 ) -> Answer:

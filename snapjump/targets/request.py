@@ -9,7 +9,7 @@ import numpy as np
 from snapjump import learning
 from snapjump.checks import ParameterError, is_finite_number
 from snapjump.composition import Simulation
-from snapjump.inverse.base import Array, InverseMethod
+from snapjump.inverse.base import Array, InverseOptions
 
 if TYPE_CHECKING:
     from snapjump.learning.forward_model import ForwardModel
@@ -56,7 +56,7 @@ def outside(base: Simulation, forward: "ForwardModel") -> ParameterError | None:
 
 
 def usable_forward(
-    base: Simulation, forward: "ForwardModel", method: InverseMethod
+    base: Simulation, forward: "ForwardModel", method: InverseOptions
 ) -> tuple["ForwardModel | None", str]:
     """The forward model, or None and a warning for a method that can do without it there.
 

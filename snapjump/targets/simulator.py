@@ -29,8 +29,8 @@ class JumpSimulator:
 
     def __init__(self, base: Simulation):
         """Raises ParameterError for a scene that is no jump."""
-        if base.scene_name != "jump":
-            raise ParameterError("sim", base.scene_name, "jump, which is what targets are of")
+        if base.sim.name != "jump":
+            raise ParameterError("sim", base.sim.name, "jump, which is what targets are of")
         self.base = base
         self._own = 0
         self._tiers: dict[str, JumpSimulator] = {}
@@ -89,7 +89,7 @@ def differentiable(base: Simulation) -> Simulation:
     """The simulation, with a stick zone that its steps resolve. Raises ParameterError."""
     threshold = getattr(base.friction, "velocity_threshold_m_s", SMALLEST_STICK_ZONE_M_S)
     if threshold < SMALLEST_STICK_ZONE_M_S:
-        wider = replace(base.friction, velocity_threshold_m_s=RESOLVED_STICK_ZONE_M_S)
+        wider = base.friction.changed(velocity_threshold_m_s=RESOLVED_STICK_ZONE_M_S)
         base = replace(base, friction=wider)
     check_differentiable(base)
     return base

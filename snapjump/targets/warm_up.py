@@ -3,13 +3,13 @@
 import numpy as np
 
 from snapjump.composition import Simulation
-from snapjump.inverse.base import ForwardModel, InverseMethod, Problem
+from snapjump.inverse.base import ForwardModel, InverseOptions, Problem
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
 from snapjump.targets.answer import answer
 from snapjump.targets.simulator import JumpSimulator
 
 
-def warm_up(base: Simulation, forward: ForwardModel, method: InverseMethod) -> None:
+def warm_up(base: Simulation, forward: ForwardModel, method: InverseOptions) -> None:
     """Do it before a search is timed; a method that asks the forward model alone needs no jumps."""
     middle = np.mean(forward.ranges, axis=1)[None, :]
     simulator = JumpSimulator(base)

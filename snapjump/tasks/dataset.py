@@ -41,14 +41,15 @@ class GenerateDataset:
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Check every value, the folder and the executor; claim the folder."""
         from snapjump.dataset.folder import DatasetFolder, default_path
-        from snapjump.dataset.specification import dataset_member, specify
+        from snapjump.dataset.specification import specify
+        from snapjump.declare.members import make_member
 
         self._config = config
         keys = config.get("dataset") or {}
         check_keys(keys)
         self._specification = specify(config, keys["shard_size"], keys["sensitivities"])
         check_complete(config, self._specification.simulation)
-        self._executor = dataset_member("executor", config.get("executor")).member()
+        self._executor = make_member("executor", config.get("executor")).executor()
         self._executor.check()
         path = keys["path"]
         self._folder = DatasetFolder(Path(path) if path else default_path(self._specification))

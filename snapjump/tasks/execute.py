@@ -42,7 +42,6 @@ SECTIONS = (
     "damping",
     "integrator",
     "stepping",
-    "linear_solver",
     "backend",
     "tracking",
 )

@@ -14,7 +14,7 @@ from snapjump.tasks.simulate import check_complete
 
 if TYPE_CHECKING:
     from snapjump.composition import Simulation
-    from snapjump.inverse.base import InverseMethod, Solution
+    from snapjump.inverse.base import InverseOptions, Solution
     from snapjump.learning.forward_model import ForwardModel
     from snapjump.results import Result
     from snapjump.targets.designed import Designed
@@ -31,7 +31,7 @@ class InverseDesign:
     def __init__(self) -> None:
         self._config: Mapping[str, Any] = {}
         self._base: Simulation
-        self._method: InverseMethod
+        self._method: InverseOptions
         self._tolerance: Tolerance
         self._trained: ForwardModel
         self._forward: ForwardModel | None = None
@@ -40,8 +40,9 @@ class InverseDesign:
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Check every value, the forward model, and that it is one of this physical model."""
+        from snapjump.declare.fields import construct
+        from snapjump.declare.members import make_member
         from snapjump.learning.forward_model import open_forward_model
-        from snapjump.members import make_member, make_options
         from snapjump.simulation import build, check_scene
         from snapjump.targets import request
         from snapjump.targets.robust import Tolerance
@@ -50,7 +51,7 @@ class InverseDesign:
         self._config = config
         self._target = request.checked_target(config.get("target"))
         self._method = make_member("inverse", config.get("inverse"))
-        self._tolerance = make_options("tolerance", Tolerance, config.get("tolerance"))
+        self._tolerance = construct("tolerance", Tolerance, config.get("tolerance"))
         path = request.checkpoint_path(config.get("checkpoint"))
         scene = config["sim"].get("name")
         if scene != "jump":
@@ -105,7 +106,7 @@ class InverseDesign:
 
     def _simulated(self, chosen: "Solution", progress: Progress) -> "Result":
         """The jump of a design with its trajectory, by the program for one robot."""
-        from snapjump.options.backend import ScalarBackend
+        from snapjump.backend.scalar import ScalarBackend
         from snapjump.parameters.design import Design
         from snapjump.simulation import simulate
 

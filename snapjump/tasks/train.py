@@ -34,10 +34,10 @@ class Train:
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Check every value, then the dataset: that it is whole, and enough for the split."""
         from snapjump.dataset.read import open_dataset
+        from snapjump.declare.members import make_member
         from snapjump.learning.data import JumpData
         from snapjump.learning.learn import check_slopes
         from snapjump.learning.training import make_training
-        from snapjump.members import make_member
 
         self._config = config
         training = make_training(config.get("training"))

@@ -6,7 +6,7 @@ from pathlib import Path
 import yaml
 
 # Runge-Kutta methods, whose configurations belong to the library.
-TABLEAUX = Path(__file__).resolve().parent.parent / "tableaux"
+TABLEAUX = Path(__file__).resolve().parent.parent
 GROUPS = {
     "task": "what to do",
     "sim": "the scene",
@@ -19,7 +19,6 @@ GROUPS = {
     "damping": "how the material loses energy",
     "integrator": "how time goes on",
     "stepping": "how long a step is",
-    "linear_solver": "how a Newton step is solved",
     "backend": "how many robots at once",
     "plan": "which designs a dataset has; of task=dataset",
     "executor": "where a dataset's shards are made; of task=dataset",

@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 from typing import Any
 
-from snapjump.accuracy import TIERS
 from snapjump.terminal.block import number
+from snapjump.tiers import TIERS
 
 # Shown in lines of their own.
 ELSEWHERE = (
@@ -40,27 +40,7 @@ def accuracy_line(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
     name = accuracy["name"]
     if config["sim"]["name"] != "jump":
         return str(name)
-    tier = TIERS[name]
-    chosen: dict[str, dict[str, Any]] = {
-        "integrator": {"name": tier.integrator},
-        "stepping": {
-            "name": tier.stepping,
-            "tolerance": tier.tolerance,
-            "contact_steps": tier.contact_steps,
-            "step_s": tier.step_s,
-        },
-        "discretization": {"elements": tier.elements, "clamp": tier.clamp},
-        "contact": {"weighting": tier.weighting},
-        "friction": {"name": tier.friction},
-        "damping": {"name": tier.damping},
-        "sim": {"start_fraction": tier.start_fraction},
-    }
-    changed = [
-        f"{family}.{key}"
-        for family, values in chosen.items()
-        for key, value in values.items()
-        if config.get(family, {}).get(key, value) != value
-    ]
+    changed = TIERS[name].departures(config)
     if changed:
         estimate = summary.get("error_estimate_percent")
         known = "its error is not known" if estimate is None else f"estimated {estimate:.2g} % off"

@@ -8,17 +8,17 @@ from snapjump.batch import simulate_batch, variants
 from snapjump.batch.alike import check_alike
 from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
-from snapjump.families import FAMILIES
+from snapjump.declare.members import member_class
 from snapjump.parameters.environment import Environment
 
 BASE = with_tier("draft")
 OTHERS = {
-    "contact": FAMILIES["contact"]["penalty"](),
-    "friction": FAMILIES["friction"]["none"](),
-    "damping": FAMILIES["damping"]["none"](),
-    "integrator": FAMILIES["integrator"]["bdf2"](),
-    "discretization": FAMILIES["discretization"]["der"](elements=58),
-    "stepping": FAMILIES["stepping"]["adaptive"](tolerance=2e-6),
+    "contact": member_class("contact", "penalty")(),
+    "friction": member_class("friction", "none")(),
+    "damping": member_class("damping", "none")(),
+    "integrator": member_class("integrator", "bdf2")(),
+    "discretization": member_class("discretization", "der")(elements=58),
+    "stepping": member_class("stepping", "adaptive")(tolerance=2e-6),
     "sim": replace(BASE.sim, time_limit_s=0.2),
     "robot": replace(BASE.robot, thickness_m=6e-5),
 }

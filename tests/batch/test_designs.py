@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from snapjump.backend.lanes import LanesBackend
 from snapjump.batch import simulate_batch, simulate_designs, variants
 from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
-from snapjump.families import FAMILIES
-from snapjump.options.backend import LanesBackend
-from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.declare.members import member_class
+from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.parameters.robot import Robot
 from snapjump.scenes.jump import simulate_jump_scene
 from snapjump.statics.threshold_curve import ThresholdCurve
@@ -153,17 +153,17 @@ def test_wrong_arguments(base, curve):
         simulate_designs(base, one, lanes=3)
     with pytest.raises(ParameterError, match="threads = 0"):
         simulate_designs(base, one, threads=0)
-    finer = replace(base, discretization=DiscreteElasticRodOptions(elements=32))
+    finer = replace(base, discretization=DiscreteElasticRod(elements=32))
     with pytest.raises(ParameterError, match="curve = .*element_length"):
         simulate_designs(finer, one, curve=curve)
     with pytest.raises(ParameterError, match="curve = .*of this robot"):
         simulate_designs(replace(base, robot=Robot(length_m=0.03)), one, curve=curve)
     static = with_tier(
         "draft",
-        sim=FAMILIES["sim"]["static"](),
-        frame=FAMILIES["frame"]["fixed"](),
-        contact=FAMILIES["contact"]["none"](),
-        friction=FAMILIES["friction"]["none"](),
+        sim=member_class("sim", "static")(),
+        frame=member_class("frame", "fixed")(),
+        contact=member_class("contact", "none")(),
+        friction=member_class("friction", "none")(),
     )
     with pytest.raises(ParameterError, match="sim = 'static'"):
         simulate_designs(static, one)

@@ -9,12 +9,12 @@ from robots import small_simulation
 from snapjump.batch import simulate_designs
 from snapjump.batch.sensitivities import NEAREST
 from snapjump.checks import ParameterError
-from snapjump.families import FAMILIES
-from snapjump.options.friction import ImplicitFrictionOptions
+from snapjump.declare.members import member_class
+from snapjump.friction.implicit import ImplicitFriction
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 FINE = small_simulation(0.2, 0.1, 0.3, 0.768)
-BASE = replace(FINE, friction=ImplicitFrictionOptions(velocity_threshold_m_s=0.01))
+BASE = replace(FINE, friction=ImplicitFriction(velocity_threshold_m_s=0.01))
 # delta_alpha, epsilon, mass_bar, mu; the last one cannot be built.
 DESIGNS = np.array(
     [
@@ -80,10 +80,10 @@ def test_a_symmetric_jump_stays_upright(batch):
     "family, name", [("frame", "elastic"), ("contact", "signorini"), ("backend", "cuda")]
 )
 def test_modules_that_they_do_not_know(family, name, curve):
-    options = FAMILIES[family][name]()
+    options = member_class(family, name)()
     parts = {family: options}
     if name == "signorini":
-        parts["integrator"] = FAMILIES["integrator"]["implicit_euler"]()
+        parts["integrator"] = member_class("integrator", "implicit_euler")()
     with pytest.raises(ParameterError, match=family):
         simulate_designs(replace(BASE, **parts), DESIGNS[:1], curve=curve, sensitivities=True)
 

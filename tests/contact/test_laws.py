@@ -2,13 +2,13 @@
 
 import numpy as np
 import pytest
+from families import FAMILIES
 from numba import njit
 
 from snapjump.contact.base import Approach, at_rest, derived_slope, force_if_acting
+from snapjump.contact.hunt_crossley import damping_number
 from snapjump.contact.signorini import SKIN
-from snapjump.families import FAMILIES
 from snapjump.number.dispatch import PROGRAM
-from snapjump.options.contact import damping_number, ground
 from snapjump.parameters.robot import Robot
 
 OPTIONS = {name: cls for name, cls in FAMILIES["contact"].items() if name != "none"}
@@ -29,7 +29,7 @@ def push(law, gap, approach):
 
 
 def law_and_gaps(name):
-    law = VARIANTS[name].member(SCALES)
+    law = VARIANTS[name].law(SCALES)
     if law.keeps_open():
         return law, law.reach() * np.array([0.01, 0.3, 0.7, 0.95])
     return law, law.reach() - np.array([1e-6, 1e-4, 2e-3])
@@ -103,12 +103,12 @@ def test_nothing_acts_out_of_reach(name):
     gap = law.reach() + 1e-9
     active, force, stiffness = force_if_acting(law, gap, at_rest(gap))
     assert not active and force == stiffness == 0.0
-    assert ground(VARIANTS[name], law, SCALES, None).clearance >= law.reach()
+    assert VARIANTS[name].ground(SCALES, None).clearance >= law.reach()
     assert not law.active(0.1, Approach(-1.0, 400.0, 0.1025, -1.0, 0.0))
 
 
 def test_energy_taken_by_damping_is_force_times_speed():
-    law = VARIANTS["logbarrier damped"].member(SCALES)
+    law = VARIANTS["logbarrier damped"].law(SCALES)
     gap = 0.5 * law.reach()
     elastic, stiffness = push(law, gap, at_rest(gap))
     speed = -0.2
@@ -129,7 +129,7 @@ def test_damping_number_of_hunt_and_crossley():
 
 def test_signorini_s_target():
     """Newton's impact law where the gap would close, the ground elsewhere."""
-    law = OPTIONS["signorini"](restitution=0.5).member(SCALES)
+    law = OPTIONS["signorini"](restitution=0.5).law(SCALES)
     rate = 1e4
 
     def target(begun, speed):

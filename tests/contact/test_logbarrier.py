@@ -9,12 +9,10 @@ import pytest
 from snapjump.contact.base import RESTING_SPEED, at_rest
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.contact.none import NoContact
-from snapjump.options.contact import LogBarrierOptions, ground
-from snapjump.options.discretization import DiscreteElasticRodOptions
 from snapjump.units import Scales
 
-LAW = LogBarrier(3.0e4, 0.025, 0.0)
-UNIT = LogBarrier(1.0, 1.0, 0.0)
+LAW = LogBarrier.Law(3.0e4, 0.025, 0.0)
+UNIT = LogBarrier.Law(1.0, 1.0, 0.0)
 
 
 def force_at(law, gap):
@@ -87,7 +85,7 @@ def test_lowest_point_of_a_bounce(speed, lowest, force, frequency):
 
 def test_lowest_point_of_a_bounce_in_si_units():
     # C2_barrier_dim: m = 4 g, v = 1 m/s, and a beam node at 10 m/s
-    law = LogBarrier(1e4, 5e-4, 0.0)
+    law = LogBarrier.Law(1e4, 5e-4, 0.0)
     for mass, speed, lowest, force, frequency in (
         (0.004, 1.0, 0.0001226955281, 22.20411361, 7836.888746),
         (7.575757576e-07, 10.0, 0.0003816042592, 1.007199562, 157436.2187),
@@ -108,7 +106,7 @@ def test_lowest_point_of_a_bounce_in_si_units():
     ],
 )
 def test_gap_at_rest(mass, gap, frequency):
-    force, stiffness = force_at(LogBarrier(1e4, 5e-4, 0.0), gap)
+    force, stiffness = force_at(LogBarrier.Law(1e4, 5e-4, 0.0), gap)
     assert force == pytest.approx(10.0 * mass, rel=1e-7)
     assert math.sqrt(stiffness / mass) == pytest.approx(frequency, rel=1e-7)
 
@@ -125,9 +123,8 @@ def test_weights_by_length_do_not_depend_on_the_mesh():
     scales = Scales(0.02, 4e-3, 5e-5)
 
     def weights(weighting, elements):
-        options = LogBarrierOptions(weighting=weighting)
-        mesh = DiscreteElasticRodOptions(elements)
-        return ground(options, options.member(scales), scales, mesh)[:2]
+        options = LogBarrier(weighting=weighting)
+        return options.ground(scales, elements)[:2]
 
     assert weights("per_node", 33) == weights("per_node", 132) == (1.0, 1.0)
     assert weights("per_length", 66) == (1.0, 1.0)  # the paper's mesh
@@ -139,7 +136,7 @@ def test_weights_by_length_do_not_depend_on_the_mesh():
 
 def test_no_contact_exerts_nothing():
     assert LAW.exists()
-    assert not NoContact().exists()
-    assert NoContact().reach() == 0.0
-    assert force_at(NoContact(), 0.3) == (0.0, 0.0)
-    assert NoContact().energy(0.3) == 0.0
+    assert not NoContact.Law().exists()
+    assert NoContact.Law().reach() == 0.0
+    assert force_at(NoContact.Law(), 0.3) == (0.0, 0.0)
+    assert NoContact.Law().energy(0.3) == 0.0

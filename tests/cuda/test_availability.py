@@ -2,12 +2,12 @@
 
 import pytest
 
+from snapjump.backend.cuda import CudaBackend
 from snapjump.batch import simulate_batch
 from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
 from snapjump.cuda import availability
 from snapjump.cuda.availability import check_card
-from snapjump.options.backend import CudaBackend
 from snapjump.scenes.jump import simulate_jump_scene
 from snapjump.simulation import check_scene
 

@@ -3,10 +3,9 @@ import pytest
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.mass_proportional import MassProportional
 from snapjump.damping.none import NoDamping
-from snapjump.options.damping import KelvinVoigtOptions, MassProportionalOptions
 from snapjump.parameters.robot import Robot
 
-LAWS = [NoDamping(), KelvinVoigt(0.03), MassProportional(0.7)]
+LAWS = [NoDamping.Law(), KelvinVoigt.Law(0.03), MassProportional.Law(0.7)]
 
 
 @pytest.mark.parametrize("law", LAWS)
@@ -28,5 +27,5 @@ def test_what_each_law_damps():
 
 def test_options_are_in_seconds():
     scales = Robot().scales
-    assert KelvinVoigtOptions(scales.time_s).member(scales).relaxation_time == pytest.approx(1.0)
-    assert MassProportionalOptions(1.0 / scales.time_s).member(scales).rate == pytest.approx(1.0)
+    assert KelvinVoigt(scales.time_s).law(scales).relaxation_time == pytest.approx(1.0)
+    assert MassProportional(1.0 / scales.time_s).law(scales).rate == pytest.approx(1.0)

@@ -5,13 +5,13 @@ from small_datasets import CONFIG, small
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.specification import first_difference, restored, specify
-from snapjump.families import FAMILIES
+from snapjump.declare.members import member_names
 
 PLAN = {"name": "sobol", "count": 8}
 
 
 def test_a_plain_specification_tells_everything_again():
-    for integrator in FAMILIES["integrator"]:
+    for integrator in member_names("integrator"):
         damping = {"name": "none"} if integrator == "central_difference" else {}
         changes = {"integrator": {"name": integrator}, "damping": damping}
         try:

@@ -12,15 +12,15 @@ from snapjump.contact.none import NoContact
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.mass_proportional import MassProportional
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.beam_elements import (
-    Span,
-)
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.geometrically_exact import GeometricallyExact
+from snapjump.discretization.parts.beam_elements import (
+    Span,
+)
 from snapjump.engine.assemble import Motion
 from snapjump.engine.model import Model
-from snapjump.frame.cantilever import CantileverFrame
 from snapjump.frame.fixed import FixedFrame
+from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.none import NoLoad
 from snapjump.load.tip import TipLoad
@@ -30,12 +30,12 @@ LENGTH = 1.0 / ELEMENTS
 STILL = Motion(0.0, 0.0, 0.0, 0.0)
 MOVING = Motion(0.4, 30.0, 30.0, 0.0)
 RELAXATION = 2e-3
-ELASTIC = NoDamping()
+ELASTIC = NoDamping.Law()
 CLAMP = ConstantRate(0.3, 1.5, 0.7, 0.1)
-HELD, NO_LOAD = FixedFrame(0.4, 0.0), NoLoad()
+HELD, NO_LOAD = FixedFrame.Body(0.4, 0.0), NoLoad()
 BEAMS = {
-    "corotational": Corotational(LENGTH, 2e5),
-    "geometrically_exact": GeometricallyExact(LENGTH, 2e5, 6e4),
+    "corotational": Corotational.Beam(LENGTH, 2e5),
+    "geometrically_exact": GeometricallyExact.Beam(LENGTH, 2e5, 6e4),
 }
 FREE = slice(3, -3)
 
@@ -61,7 +61,7 @@ def strains(beam: Any, q: Any) -> Any:
     ex, ey = np.diff(q[0::3]), np.diff(q[1::3])
     theta = q[2::3] / LENGTH
     bending = np.diff(theta) / np.sqrt(LENGTH)
-    if isinstance(beam, Corotational):
+    if isinstance(beam, Corotational.Beam):
         chord = np.arctan(ey / ex)
         a = np.array([theta[:-1] - chord, theta[1:] - chord])
         stretching = np.sqrt(beam.stretching_stiffness / LENGTH) * (
@@ -81,8 +81,8 @@ def model_of(beam: Any, damping: Any = ELASTIC, frame: Any = HELD, load: Any = N
         beam,
         frame,
         CLAMP,
-        NoContact(),
-        NoFriction(),
+        NoContact.Law(),
+        NoFriction.Law(),
         damping,
         load,
     )
@@ -123,7 +123,9 @@ def test_residual_is_the_gradient_of_the_energy(beam, seed):
 
 @beams
 @seeds
-@pytest.mark.parametrize("damping", [ELASTIC, KelvinVoigt(RELAXATION), MassProportional(3.0)])
+@pytest.mark.parametrize(
+    "damping", [ELASTIC, KelvinVoigt.Law(RELAXATION), MassProportional.Law(3.0)]
+)
 def test_band_is_the_derivative_of_the_residual(beam, seed, damping):
     """Up to a term that damping would make unsymmetric: eta J^T dJ/dt, left out of the band."""
     q = bent_state(seed)
@@ -140,7 +142,7 @@ def test_band_is_the_derivative_of_the_residual(beam, seed, damping):
 
     _, work = assembled(model, MOVING, masses, q, origin=origin)
     matrix, expected = dense(work, 0), complex_step(residual, q)
-    if isinstance(damping, KelvinVoigt):
+    if isinstance(damping, KelvinVoigt.Law):
         change = (jacobian(1e-5) - jacobian(-1e-5)) / 2e-5
         expected = expected - RELAXATION * jacobian(0.0).T @ change
     error = np.abs(matrix[FREE, FREE] - expected[FREE, FREE]).max()
@@ -163,11 +165,11 @@ def test_kelvin_voigt_is_the_gradient_of_its_dissipation(beam, seed):
     expected = RELAXATION * jacobian.T @ rates
     damped, elastic = (
         residual_of(assembled(model_of(beam, d), MOVING, MASSLESS, q, origin=origin)[1], 0)
-        for d in (KelvinVoigt(RELAXATION), ELASTIC)
+        for d in (KelvinVoigt.Law(RELAXATION), ELASTIC)
     )
     error = np.abs((damped - elastic)[FREE] - expected[FREE]).max()
     assert error <= 1e-8 * np.abs(expected).max()
-    powers = beam.chain_powers(KelvinVoigt(RELAXATION), q, velocity, None)
+    powers = beam.chain_powers(KelvinVoigt.Law(RELAXATION), q, velocity, None)
     assert powers.dissipation == pytest.approx(RELAXATION * rates @ rates, rel=1e-9)
     assert beam.chain_powers(ELASTIC, q, velocity, None).dissipation == 0.0
 
@@ -197,7 +199,7 @@ def test_rigid_turns_change_nothing(beam, turn):
     )
     spinning = np.empty_like(q)
     spinning[0::3], spinning[1::3], spinning[2::3] = -3.0 * q[1::3], 3.0 * q[0::3], 3.0 * LENGTH
-    moving = beam.chain_powers(KelvinVoigt(1.0), q, spinning, None)
+    moving = beam.chain_powers(KelvinVoigt.Law(1.0), q, spinning, None)
     assert abs(moving.dissipation) < 1e-9
 
 

@@ -10,13 +10,13 @@ from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.contact.base import Ground
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.damping.kelvin_voigt import KelvinVoigt
+from snapjump.declare.members import member_class
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import ROWS
 from snapjump.engine.model import Model, numbers_of, with_numbers
 from snapjump.engine.newton import solve_linearised
 from snapjump.engine.view import view_work
 from snapjump.engine.work import make_work
-from snapjump.families import FAMILIES
 from snapjump.frame.rigid import RigidFrame
 from snapjump.friction.implicit import ImplicitFriction
 from snapjump.load.gravity import Gravity
@@ -41,14 +41,14 @@ def solve(template: Any, masses: Any, memory: Any, lanes: Any) -> None:
 @pytest.mark.compiles
 @pytest.mark.parametrize("name", ["corotational", "geometrically_exact"])
 def test_lanes_and_scalars_agree_to_the_last_bit(name):
-    options = FAMILIES["discretization"][name](ELEMENTS)
+    options = member_class("discretization", name)(ELEMENTS)
     model = Model(
-        options.member(Robot()),
-        RigidFrame(0.4, -0.15, -0.25, 0.25, 15.0, 1.3),
+        options.beam(Robot()),
+        RigidFrame.Body(0.4, -0.15, -0.25, 0.25, 15.0, 1.3),
         ConstantRate(0.35, 1.5, 0.6, 0.1),
-        LogBarrier(4e3, 0.025, 0.0),
-        ImplicitFriction(0.4, 0.25),
-        KelvinVoigt(1e-3),
+        LogBarrier.Law(4e3, 0.025, 0.0),
+        ImplicitFriction.Law(0.4, 0.25),
+        KelvinVoigt.Law(1e-3),
         Gravity(20.0),
         Ground(7.0, 1.5, 0.025),
     )

@@ -14,27 +14,26 @@ from snapjump.discretization.base import EndTangents
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.engine.assemble import Motion
 from snapjump.engine.model import Model
-from snapjump.frame.cantilever import CantileverFrame
 from snapjump.frame.fixed import FixedFrame
+from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.none import NoLoad
 from snapjump.load.tip import TipLoad
-from snapjump.options.discretization import DiscreteElasticRodOptions
 from snapjump.parameters.robot import Robot
 
 ELEMENTS = 9
 ANGLES = ConstantRate(0.3, 1.5, 0.7, 0.1)
 RELAXATION = 2e-3
-ELASTIC = NoDamping()
+ELASTIC = NoDamping.Law()
 STILL = Motion(0.0, 0.0, 0.0, 0.0)
 MOVING = Motion(0.4, 30.0, 30.0, 0.0)
 
 
-def make_rod(clamp: str) -> DiscreteElasticRod:
-    return DiscreteElasticRodOptions(ELEMENTS, clamp).member(Robot())
+def make_rod(clamp: str) -> DiscreteElasticRod.Beam:
+    return DiscreteElasticRod(ELEMENTS, clamp).beam(Robot())
 
 
-def bent_state(rod: DiscreteElasticRod, seed: int) -> Any:
+def bent_state(rod: DiscreteElasticRod.Beam, seed: int) -> Any:
     """A random arch, 0.1 % stretched, with kinks."""
     rng = np.random.default_rng(seed)
     nodes = ELEMENTS + 1 if rod.clamp_offset == 0.0 else ELEMENTS - 1
@@ -46,7 +45,7 @@ def bent_state(rod: DiscreteElasticRod, seed: int) -> Any:
     return state
 
 
-def strains(rod: DiscreteElasticRod, q: Any, left: Any, right: Any, held: float = 1.0) -> Any:
+def strains(rod: DiscreteElasticRod.Beam, q: Any, left: Any, right: Any, held: float = 1.0) -> Any:
     """Strains whose squares sum up to twice the energy, by complex-safe geometry."""
     ex, ey = np.diff(q[0::2]), np.diff(q[1::2])
     lengths = np.sqrt(ex * ex + ey * ey)
@@ -68,8 +67,10 @@ def clamp_directions(time: float) -> tuple[float, float]:
     return -turned, turned - ANGLES.delta_alpha
 
 
-def fixed_model(rod: DiscreteElasticRod, damping: Any = ELASTIC) -> Model:
-    return Model(rod, FixedFrame(0.4, 0.0), ANGLES, NoContact(), NoFriction(), damping, NoLoad())
+def fixed_model(rod: DiscreteElasticRod.Beam, damping: Any = ELASTIC) -> Model:
+    return Model(
+        rod, FixedFrame.Body(0.4, 0.0), ANGLES, NoContact.Law(), NoFriction.Law(), damping, NoLoad()
+    )
 
 
 def massless(state: Any) -> Any:
@@ -121,7 +122,7 @@ def test_residual_is_the_gradient_of_the_energy(clamp, seed):
 
 @clamps
 @seeds
-@pytest.mark.parametrize("damping", [NoDamping(), KelvinVoigt(RELAXATION)])
+@pytest.mark.parametrize("damping", [NoDamping.Law(), KelvinVoigt.Law(RELAXATION)])
 def test_band_is_the_derivative_of_the_residual(clamp, seed, damping):
     """Up to a term that damping would make unsymmetric: eta J^T dJ/dt, left out of the band."""
     rod = make_rod(clamp)
@@ -140,7 +141,7 @@ def test_band_is_the_derivative_of_the_residual(clamp, seed, damping):
     _, work = assembled(model, MOVING, massless(q), q, origin=origin)
     matrix, expected = dense(work, 0), complex_step(residual, q)
     change = (jacobian(1e-5) - jacobian(-1e-5)) / 2e-5
-    if isinstance(damping, KelvinVoigt):
+    if isinstance(damping, KelvinVoigt.Law):
         expected = expected - RELAXATION * jacobian(0.0).T @ change
     free = slice(2, -2)
     error = np.abs(matrix[free, free] - expected[free, free]).max()
@@ -166,7 +167,7 @@ def test_kelvin_voigt_is_the_gradient_of_its_dissipation(clamp, seed):
     expected = RELAXATION * jacobian[:, :-2].T @ rates
     masses = massless(q)
     _, damped = assembled(
-        fixed_model(rod, KelvinVoigt(RELAXATION)), MOVING, masses, q, origin=origin
+        fixed_model(rod, KelvinVoigt.Law(RELAXATION)), MOVING, masses, q, origin=origin
     )
     _, elastic = assembled(fixed_model(rod), MOVING, masses, q, origin=origin)
     viscous = residual_of(damped, 0) - residual_of(elastic, 0)
@@ -174,10 +175,10 @@ def test_kelvin_voigt_is_the_gradient_of_its_dissipation(clamp, seed):
     assert np.abs(viscous[free] - expected[free]).max() <= 1e-8 * np.abs(expected).max()
 
     tangents = tangents_of(left, right, -ANGLES.rate, ANGLES.rate)
-    powers = rod.chain_powers(KelvinVoigt(RELAXATION), q, velocity, tangents)
+    powers = rod.chain_powers(KelvinVoigt.Law(RELAXATION), q, velocity, tangents)
     assert powers.dissipation == pytest.approx(RELAXATION * rates @ rates, rel=1e-9)
     assert powers.dissipation > 0.0
-    assert rod.chain_powers(NoDamping(), q, velocity, tangents).dissipation == 0.0
+    assert rod.chain_powers(NoDamping.Law(), q, velocity, tangents).dissipation == 0.0
 
 
 @clamps
@@ -185,7 +186,7 @@ def test_end_forces_and_moments_are_those_of_the_energy(clamp):
     rod = make_rod(clamp)
     q = bent_state(rod, 4)
     left, right = clamp_directions(0.0)
-    powers = rod.chain_powers(NoDamping(), q, 0.0 * q, tangents_of(left, right, 0.0, 0.0))
+    powers = rod.chain_powers(NoDamping.Law(), q, 0.0 * q, tangents_of(left, right, 0.0, 0.0))
     everything = np.concatenate([q, [left, right]])
     gradient = complex_step(
         lambda z: 0.5 * np.sum(strains(rod, z[:-2], z[-2], z[-1]) ** 2), everything
@@ -204,12 +205,12 @@ def test_rigid_motion_costs_nothing(clamp):
     velocity = np.empty_like(q)
     velocity[0::2] = 5.0 - turn * q[1::2]
     velocity[1::2] = -2.0 + turn * q[0::2]
-    still = rod.chain_powers(NoDamping(), q, velocity, tangents_of(-0.3, 0.2, turn, turn))
-    moving = rod.chain_powers(KelvinVoigt(1.0), q, velocity, tangents_of(-0.3, 0.2, turn, turn))
+    still = rod.chain_powers(NoDamping.Law(), q, velocity, tangents_of(-0.3, 0.2, turn, turn))
+    moving = rod.chain_powers(KelvinVoigt.Law(1.0), q, velocity, tangents_of(-0.3, 0.2, turn, turn))
     assert abs(moving.dissipation) < 1e-10
     np.testing.assert_allclose(moving[1:], still[1:], rtol=1e-7)
     # One clamp that does not turn along is enough to dissipate.
-    held = rod.chain_powers(KelvinVoigt(1.0), q, velocity, tangents_of(-0.3, 0.2, 0.0, turn))
+    held = rod.chain_powers(KelvinVoigt.Law(1.0), q, velocity, tangents_of(-0.3, 0.2, 0.0, turn))
     assert held.dissipation > 1.0
 
 
@@ -218,7 +219,9 @@ def test_free_end_feels_its_force_and_moment_only(seed):
     rod = make_rod("half_element")
     q = bent_state(rod, seed)
     load = TipLoad(3.0, -4.0, 2.5)
-    model = Model(rod, CantileverFrame(), ANGLES, NoContact(), NoFriction(), NoDamping(), load)
+    model = Model(
+        rod, CantileverFrame(), ANGLES, NoContact.Law(), NoFriction.Law(), NoDamping.Law(), load
+    )
     left, _ = clamp_directions(0.0)
 
     def potential(y):

@@ -4,18 +4,18 @@ import re
 from pathlib import Path
 
 import pytest
+from families import EVERY
 
-from snapjump.families import DATASET_FAMILIES, FAMILIES
-from snapjump.members import member_names
+from snapjump.declare.members import member_names
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "theory.md"
 TEXT = PAGE.read_text(encoding="utf-8")
 POINTERS = re.findall(r"\]\(([^)#\s]+)\)", TEXT)
 QUOTED = re.findall(r"`((?:tests|snapjump|experiments)/[^`]+)`", TEXT)
-MEMBERS = [
-    (family, name) for family, members in (FAMILIES | DATASET_FAMILIES).items() for name in members
-] + [(family, name) for family in ("surrogate", "inverse") for name in member_names(family)]
+MEMBERS = [(family, name) for family, members in EVERY.items() for name in members] + [
+    (family, name) for family in ("surrogate", "inverse") for name in member_names(family)
+]
 # What has equations: a file of theirs that the page has to point at.
 EQUATIONS = ("contact", "damping", "discretization", "friction", "integrator", "stepping")
 

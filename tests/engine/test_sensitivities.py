@@ -5,19 +5,19 @@ import pytest
 
 from experiments.sensitivities.agreement import frozen_errors
 from snapjump.composition import with_tier
-from snapjump.options.contact import LogBarrierOptions
-from snapjump.options.discretization import DiscreteElasticRodOptions
-from snapjump.options.friction import ImplicitFrictionOptions
-from snapjump.options.stepping import AdaptiveStepOptions
+from snapjump.contact.logbarrier import LogBarrier
+from snapjump.discretization.der import DiscreteElasticRod
+from snapjump.friction.implicit import ImplicitFriction
 from snapjump.statics.threshold_curve import ThresholdCurve
+from snapjump.stepping.adaptive import AdaptiveStep
 
 BASE = with_tier(
     "draft",
-    discretization=DiscreteElasticRodOptions(16),
-    stepping=AdaptiveStepOptions(2e-5, 2.0),
-    contact=LogBarrierOptions(distance_m=1e-3),
+    discretization=DiscreteElasticRod(16),
+    stepping=AdaptiveStep(2e-5, 2.0),
+    contact=LogBarrier(distance_m=1e-3),
     # The kinks of friction, at its true 1e-4 m/s, leave nothing of differences.
-    friction=ImplicitFrictionOptions(velocity_threshold_m_s=1.0),
+    friction=ImplicitFriction(velocity_threshold_m_s=1.0),
 )
 # delta_alpha, epsilon, mass_bar, mu
 DESIGNS = ((0.03, 0.15, 1.3, 0.25), (0.15, 0.18, 1.6, 0.2))

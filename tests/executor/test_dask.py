@@ -15,8 +15,7 @@ from small_datasets import BACKEND, OVERRIDES, generated, small
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.read import open_dataset
-from snapjump.executor.dask import DaskExecutor
-from snapjump.options.executor import DaskExecutorOptions
+from snapjump.executor.dask import Dask, DaskExecutor
 
 ROOT = Path(__file__).resolve().parents[2]
 PATIENCE_S = 60.0
@@ -155,13 +154,13 @@ def test_no_scheduler_is_bad_input() -> None:
         unused.bind(("127.0.0.1", 0))
         address = f"tcp://127.0.0.1:{unused.getsockname()[1]}"
         with pytest.raises(ParameterError, match=r"executor\.scheduler"):
-            DaskExecutorOptions(address).member().check()
+            Dask(address).member().check()
 
 
 def test_without_the_package_it_says_what_to_install(monkeypatch) -> None:
     monkeypatch.setattr("snapjump.executor.dask.find_spec", lambda name: None)
     with pytest.raises(ParameterError, match=r"snapjump\[cluster\]"):
-        DaskExecutorOptions().member().check()
+        Dask().member().check()
 
 
 def test_workers_here_share_the_cores() -> None:

@@ -7,13 +7,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from families import FAMILIES
 
 from experiments.compositions import changed, composed, described, groups_of
 from experiments.convergence.ladders import ladders
 from experiments.convergence.study import Convergence
 from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
-from snapjump.families import FAMILIES
 
 TINY = (
     "task=convergence",

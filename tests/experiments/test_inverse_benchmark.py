@@ -16,11 +16,11 @@ from experiments.inverse_benchmark.study import InverseBenchmark, chosen, stretc
 from experiments.inverse_benchmark.table import readme_block, summary_row, unsolved
 from snapjump.checks import ParameterError
 from snapjump.dataset.read import open_dataset
+from snapjump.declare.members import member_class, member_names
 from snapjump.files.result_folder import ResultFolder
 from snapjump.learning.data import JumpData
 from snapjump.learning.learn import learn
 from snapjump.learning.training import Training
-from snapjump.members import member_class, member_names
 from snapjump.simulation import build
 
 RANGES = ((0.01, 0.19), (0.1, 0.3), (0.3, 2.0), (0.1, 0.6))

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from families import FAMILIES
 
 from experiments.robustness.fields import all_fields, outside
 from experiments.robustness.invalid import (
@@ -13,7 +14,6 @@ from experiments.robustness.invalid import (
     refusal,
 )
 from experiments.robustness.study import HIGH, LOW, by_status, random_designs
-from snapjump.families import FAMILIES
 from snapjump.simulation import build
 
 

@@ -12,13 +12,13 @@ from experiments.scaling.table import table
 from snapjump.batch import variants
 from snapjump.batch.simulate import marches
 from snapjump.composition import with_tier
+from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.engine.march import march as march_on
-from snapjump.options.discretization import DiscreteElasticRodOptions
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.runner import MOST_ITERATIONS
 from snapjump.statics.threshold_curve import ThresholdCurve
 
-BASE = replace(with_tier("draft"), discretization=DiscreteElasticRodOptions(24))
+BASE = replace(with_tier("draft"), discretization=DiscreteElasticRod(24))
 
 
 @pytest.fixture(scope="module")

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from families import FAMILIES
 
 from experiments.compositions import changed, described
 from experiments.tradeoff import study as module
@@ -13,11 +14,11 @@ from experiments.tradeoff import tiers
 from experiments.tradeoff.curves import Curve, adaptive, curves, estimate_order, fixed, tolerance
 from experiments.tradeoff.modelling import DEFAULT, models
 from experiments.tradeoff.study import Tradeoff
-from snapjump.accuracy import TIERS
 from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
-from snapjump.families import FAMILIES
+from snapjump.declare.members import member_names
 from snapjump.files.result_folder import ResultFolder
+from snapjump.tiers import TIERS
 
 COARSE = (16, 24)
 CONFIG: dict[str, Any] = {
@@ -98,7 +99,7 @@ def test_every_integrator_and_discretization_is_in_it_by_name() -> None:
     found = curves(base, full=False)
     assert len(found) >= 24
     assert len({curve.name for curve in found}) == len(found)
-    for name in FAMILIES["integrator"]:
+    for name in member_names("integrator"):
         assert {f"{name} adaptive", f"{name} fixed"} <= {curve.name for curve in found}
     for name in set(FAMILIES["discretization"]) - {"der"}:
         assert f"tr_bdf2, {name}" in {curve.name for curve in found}

@@ -12,29 +12,30 @@ from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation, with_tier
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.none import NoDamping
+from snapjump.declare.members import member_class, member_names
+from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.newton import solve_linearised
 from snapjump.engine.powers import powers
-from snapjump.families import FAMILIES
 from snapjump.frame.base import STILL
-from snapjump.frame.elastic_chain import add_chain_forces
-from snapjump.frame.elastic_mesh import right_mount
+from snapjump.frame.elastic import ElasticFrame
+from snapjump.frame.parts.elastic_chain import add_chain_forces
+from snapjump.frame.parts.elastic_mesh import right_mount
+from snapjump.frame.rigid import RigidFrame
 from snapjump.friction.none import NoFriction
-from snapjump.options.discretization import DiscreteElasticRodOptions
-from snapjump.options.frame import ElasticFrameOptions
-from snapjump.scenes.frame_body import frame_mesh, rigid_frame
+from snapjump.scenes.frame_body import frame_model
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.resting import resting_guess
 
-OPTIONS = ElasticFrameOptions(30.0, 2.0, 6, 5, inset_m=3e-4)
+OPTIONS = ElasticFrame(30.0, 2.0, 6, 5, inset_m=3e-4)
 MOVING = Motion(0.2, 50.0, 50.0, 0.0)
 REST = Motion(0.0, 0.0, 0.0, 0.0)
 clamps = pytest.mark.parametrize("clamp", ["half_element", "two_nodes"])
 
 
 def small_robot(clamp: str = "half_element", **frame: Any) -> Simulation:
-    base = with_tier("draft", discretization=DiscreteElasticRodOptions(10, clamp))
+    base = with_tier("draft", discretization=DiscreteElasticRod(10, clamp))
     return replace(base, frame=replace(OPTIONS, **frame))
 
 
@@ -42,11 +43,14 @@ class Case:
     """A robot of few nodes, its clamps turned, in a bent and tilted state."""
 
     def __init__(self, simulation: Simulation, **members: Any):
-        members = {"clamp": ConstantRate(0.35, 1.5, 0.6, 0.1), "friction": NoFriction()} | members
-        members = {"damping": NoDamping()} | members
+        members = {
+            "clamp": ConstantRate(0.35, 1.5, 0.6, 0.1),
+            "friction": NoFriction.Law(),
+        } | members
+        members = {"damping": NoDamping.Law()} | members
         self.model = jump_model(simulation)._replace(**members)
         self.masses = simulation.discretization.masses()
-        self.mesh = frame_mesh(simulation, self.model.frame)
+        self.mesh = simulation.frame.mesh(self.model.frame)
         self.dofs = int(self.mesh[0])
         rng = np.random.default_rng(3)
         state = resting_guess(simulation, self.model)
@@ -100,7 +104,7 @@ def test_residual_is_the_gradient_of_the_whole_energy(clamp, contact):
 
 
 @clamps
-@pytest.mark.parametrize("damping", [NoDamping(), KelvinVoigt(1e-3)])
+@pytest.mark.parametrize("damping", [NoDamping.Law(), KelvinVoigt.Law(1e-3)])
 def test_solution_of_the_linearised_system(clamp, damping):
     """Elimination of the beam, mounts, band and border against a dense, exact tangent."""
     still = ConstantRate(0.35, 1.5, 0.0, 0.1)
@@ -139,7 +143,9 @@ def test_mounts_turn_with_their_edges():
 
 
 def test_material_damping_takes_out_the_power_of_its_forces():
-    case = Case(small_robot(), damping=KelvinVoigt(1e-3), clamp=ConstantRate(0.3, 1.5, 0.0, 0.1))
+    case = Case(
+        small_robot(), damping=KelvinVoigt.Law(1e-3), clamp=ConstantRate(0.3, 1.5, 0.0, 0.1)
+    )
     rate = 50.0
     motion = Motion(0.0, rate, rate, 0.0)
     rng = np.random.default_rng(2)
@@ -150,7 +156,7 @@ def test_material_damping_takes_out_the_power_of_its_forces():
     work.drift[:] = velocity  # without inertia
     free = {"origin": origin, "drift": velocity}
     damped = assembled(case.model, motion, case.masses, state, case.mesh, **free)[1]
-    elastic = case.model._replace(damping=NoDamping())
+    elastic = case.model._replace(damping=NoDamping.Law())
     undamped = assembled(elastic, motion, case.masses, state, case.mesh, **free)[1]
     force = residual_of(damped, case.dofs) - residual_of(undamped, case.dofs)
     found = powers(case.model, motion, case.masses, work, state, velocity)
@@ -161,7 +167,7 @@ def test_mass_outline_and_centre_are_the_rigid_frame_s():
     simulation = small_robot()
     case = Case(simulation)
     frame = case.model.frame
-    rigid = rigid_frame(simulation, frame.mount_y)
+    rigid = frame_model(replace(simulation, frame=RigidFrame()), frame.mount_y)
     state = resting_guess(simulation, case.model)
     masses = [frame.mass_of(case.mesh, k) for k in range(0, case.dofs, 2)]
     assert sum(masses) == pytest.approx(rigid.mass, rel=1e-12)
@@ -219,10 +225,10 @@ def test_the_beam_s_mass_on_top_of_the_robot_s():
 
 
 def test_elements_with_rotations_are_refused_by_name():
-    others = [n for n in FAMILIES["discretization"] if n != "der"]
+    others = [n for n in member_names("discretization") if n != "der"]
     for name in others:
         with pytest.raises(ParameterError, match="der with frame=elastic"):
-            replace(small_robot(), discretization=FAMILIES["discretization"][name]())
+            replace(small_robot(), discretization=member_class("discretization", name)())
 
 
 def test_an_inset_beyond_the_beam_s_compression_is_refused():
@@ -238,7 +244,7 @@ def test_the_legs_open_like_beams_under_a_thrust_between_the_mounts():
         bending_ratio=bending, stretching_ratio=10.0, leg_elements=24, top_elements=20, inset_m=0.0
     )
     frame = jump_model(simulation).frame
-    mesh = frame_mesh(simulation, frame)
+    mesh = simulation.frame.mesh(frame)
     dofs = int(mesh[0])
     rest = np.zeros(dofs)
     frame.rest(mesh, rest, 1.0)
@@ -246,7 +252,7 @@ def test_the_legs_open_like_beams_under_a_thrust_between_the_mounts():
     def gradient(state):
         residual = np.zeros(dofs, state.dtype)
         band = np.zeros((dofs, 6), state.dtype)
-        add_chain_forces(frame, mesh, NoDamping(), state, state, 0.0, residual, band)
+        add_chain_forces(frame, mesh, NoDamping.Law(), state, state, 0.0, residual, band)
         return residual
 
     assert np.abs(gradient(rest)).max() < 1e-13 * frame.stretching / frame.low_length

@@ -4,19 +4,18 @@ import pytest
 from snapjump.clamp.base import ClampAngles
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
-from snapjump.engine.work import NO_MESH
-from snapjump.frame.base import STILL
-from snapjump.frame.cantilever import CantileverFrame
+from snapjump.frame.base import NO_MESH, STILL
 from snapjump.frame.fixed import FixedFrame
+from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.load.none import NoLoad
 from snapjump.load.tip import TipLoad
 
-ROD = DiscreteElasticRod(0.05, 1e4, 0.05, clamp_offset=0.05)
+ROD = DiscreteElasticRod.Beam(0.05, 1e4, 0.05, clamp_offset=0.05)
 ANGLES = ClampAngles(0.3, 0.2, 5.0, 4.0)
 
 
 def test_fixed_frame_holds_both_ends_and_turns_them_down():
-    frame = FixedFrame(0.4, 0.7)
+    frame = FixedFrame.Body(0.4, 0.7)
     assert frame.dofs(NO_MESH) == 0
     state = np.full(8, 9.0)
     frame.place_ends(NO_MESH, ROD, ANGLES, state)
@@ -45,11 +44,11 @@ def test_cantilever_holds_the_left_end_only():
 def test_clamps_hold_the_rotation_of_nodes_that_turn():
     """The third coordinate is the rotation times the element's length."""
     state = np.full(12, 9.0)
-    FixedFrame(0.4, 0.7).place_ends(NO_MESH, Corotational(0.05, 1e4), ANGLES, state)
+    FixedFrame.Body(0.4, 0.7).place_ends(NO_MESH, Corotational.Beam(0.05, 1e4), ANGLES, state)
     np.testing.assert_allclose(state[:3], [-0.4, 0.7, -0.05 * 0.3])
     np.testing.assert_allclose(state[-3:], [0.4, 0.7, 0.05 * 0.2])
     assert (state[3:-3] == 9.0).all()
     state[:] = 9.0
-    CantileverFrame().place_ends(NO_MESH, Corotational(0.05, 1e4), ANGLES, state)
+    CantileverFrame().place_ends(NO_MESH, Corotational.Beam(0.05, 1e4), ANGLES, state)
     np.testing.assert_allclose(state[:3], [0.0, 0.0, -0.05 * 0.3])
     assert (state[3:] == 9.0).all()

@@ -8,10 +8,10 @@ from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.contact.base import Ground
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.none import LooseNodes
+from snapjump.discretization.parts.loose_nodes import LooseNodes
 from snapjump.engine.assemble import Motion
 from snapjump.engine.model import Model
-from snapjump.frame.none import NoFrame
+from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.friction.implicit import ImplicitFriction
 from snapjump.load.inclined import InclinedGravity
 
@@ -21,9 +21,9 @@ MODEL = Model(
     LooseNodes(),
     NoFrame(),
     ConstantRate(0.0, 1.0, 1.0, 0.0),
-    LogBarrier(4e3, 0.025, 0.0),
-    ImplicitFriction(0.4, 0.25),
-    NoDamping(),
+    LogBarrier.Law(4e3, 0.025, 0.0),
+    ImplicitFriction.Law(0.4, 0.25),
+    NoDamping.Law(),
     InclinedGravity(20.0, 6.0),
     Ground(7.0, 1.5, 0.025),
 )

@@ -13,11 +13,14 @@ from snapjump.contact.none import NoContact
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.mass_proportional import MassProportional
 from snapjump.damping.none import NoDamping
+from snapjump.discretization.corotational import Corotational
+from snapjump.discretization.der import DiscreteElasticRod
+from snapjump.discretization.geometrically_exact import GeometricallyExact
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.model import Model
 from snapjump.engine.powers import powers
-from snapjump.engine.work import NO_MESH
+from snapjump.frame.base import NO_MESH
 from snapjump.frame.base import STILL as NOT_TURNING
 from snapjump.frame.rigid import RigidFrame
 from snapjump.friction.implicit import ImplicitFriction
@@ -25,16 +28,11 @@ from snapjump.friction.lagged import LaggedFriction
 from snapjump.friction.none import NoFriction
 from snapjump.load.gravity import Gravity
 from snapjump.load.none import NoLoad
-from snapjump.options.discretization import (
-    CorotationalOptions,
-    DiscreteElasticRodOptions,
-    GeometricallyExactOptions,
-)
 from snapjump.parameters.robot import Robot
 
 ELEMENTS = 9
-FRAME = RigidFrame(0.4, -0.15, -0.25, 0.25, 15.0, 1.3)
-BARRIER = LogBarrier(4e3, 0.025, 0.0)
+FRAME = RigidFrame.Body(0.4, -0.15, -0.25, 0.25, 15.0, 1.3)
+BARRIER = LogBarrier.Law(4e3, 0.025, 0.0)
 GROUND = Ground(7.0, 1.5, 0.025)
 CLAMP = ConstantRate(0.35, 1.5, 0.6, 0.1)
 HELD = ConstantRate(0.35, 1.5, 0.0, 0.1)
@@ -42,13 +40,18 @@ STILL = Motion(0.0, 0.0, 0.0, 0.0)
 MOVING = Motion(0.2, 50.0, 50.0, 0.0)
 DOFS = 3
 
-NO_CONTACT, NO_FRICTION, NO_DAMPING, NO_LOAD = NoContact(), NoFriction(), NoDamping(), NoLoad()
+NO_CONTACT, NO_FRICTION, NO_DAMPING, NO_LOAD = (
+    NoContact.Law(),
+    NoFriction.Law(),
+    NoDamping.Law(),
+    NoLoad(),
+)
 
 RODS = {
-    "half_element": DiscreteElasticRodOptions(ELEMENTS, "half_element"),
-    "two_nodes": DiscreteElasticRodOptions(ELEMENTS, "two_nodes"),
-    "corotational": CorotationalOptions(ELEMENTS),
-    "geometrically_exact": GeometricallyExactOptions(ELEMENTS),
+    "half_element": DiscreteElasticRod(ELEMENTS, "half_element"),
+    "two_nodes": DiscreteElasticRod(ELEMENTS, "two_nodes"),
+    "corotational": Corotational(ELEMENTS),
+    "geometrically_exact": GeometricallyExact(ELEMENTS),
 }
 
 clamps = pytest.mark.parametrize("clamp", RODS)
@@ -63,7 +66,7 @@ def make_model(
     programme: ConstantRate = CLAMP,
     stretching: float | None = None,
 ) -> Model:
-    rod = RODS[clamp].member(Robot())
+    rod = RODS[clamp].beam(Robot())
     if stretching is not None:
         rod = rod._replace(stretching_stiffness=stretching)
     return Model(rod, FRAME, programme, contact, friction, damping, load, GROUND)
@@ -167,7 +170,7 @@ def test_residual_is_the_gradient_of_the_whole_energy(clamp):
 
 @clamps
 def test_tangent_of_beam_and_frame_in_motion(clamp):
-    model = make_model(clamp, damping=MassProportional(3.0), load=Gravity(20.0))
+    model = make_model(clamp, damping=MassProportional.Law(3.0), load=Gravity(20.0))
     free = arch(model)
     origin = full_state(model, free + 1e-4 * np.cos(np.arange(len(free))), angles_at(model))
     check_tangent(model, MOVING, free, origin)
@@ -175,7 +178,7 @@ def test_tangent_of_beam_and_frame_in_motion(clamp):
 
 @clamps
 def test_tangent_with_material_damping_about_rest(clamp):
-    model = make_model(clamp, damping=KelvinVoigt(1e-2), programme=HELD)
+    model = make_model(clamp, damping=KelvinVoigt.Law(1e-2), programme=HELD)
     check_tangent(model, MOVING, arch(model))
 
 
@@ -190,7 +193,7 @@ def test_tangent_with_corners_and_nodes_in_the_barrier(clamp):
 @pytest.mark.parametrize("slip", [0.02, 0.2, 3.0], ids=["stick", "edge", "slide"])
 def test_tangent_of_friction_at_the_corners(slip):
     """The frame's own block is unsymmetric, and exact (soft beam, lest it hide friction)."""
-    model = make_model(contact=BARRIER, friction=ImplicitFriction(0.4, 0.25), stretching=10.0)
+    model = make_model(contact=BARRIER, friction=ImplicitFriction.Law(0.4, 0.25), stretching=10.0)
     free = arch(model, height=0.268, turn=0.01)
     origin = full_state(model, free, angles_at(model))
     origin[0] -= slip / MOVING.rate_factor
@@ -208,7 +211,7 @@ def test_tangent_of_friction_at_the_corners(slip):
 
 
 def test_friction_opposes_sliding_at_the_feet():
-    model = make_model(contact=BARRIER, friction=ImplicitFriction(0.4, 0.25))
+    model = make_model(contact=BARRIER, friction=ImplicitFriction.Law(0.4, 0.25))
     state = full_state(model, arch(model, height=0.27, turn=0.0), angles_at(model))
     frictionless = make_model(contact=BARRIER)
     masses = masses_of(model)
@@ -231,7 +234,7 @@ def test_friction_opposes_sliding_at_the_feet():
 
 @pytest.mark.parametrize("height", [0.27, 0.30])  # within the barrier's reach, and lifted off
 def test_lagged_friction_takes_force_and_velocity_of_the_step_s_beginning(height):
-    model = make_model(contact=BARRIER, friction=LaggedFriction(0.4, 0.25))
+    model = make_model(contact=BARRIER, friction=LaggedFriction.Law(0.4, 0.25))
     plain = make_model(contact=BARRIER)
     masses = masses_of(model)
     begun = full_state(model, arch(model, height=0.26, turn=0.0), angles_at(model))
@@ -250,7 +253,7 @@ def test_lagged_friction_takes_force_and_velocity_of_the_step_s_beginning(height
 
 
 @clamps
-@pytest.mark.parametrize("damping", [NoDamping(), KelvinVoigt(1e-2)])
+@pytest.mark.parametrize("damping", [NoDamping.Law(), KelvinVoigt.Law(1e-2)])
 def test_internal_forces_have_no_resultant(clamp, damping):
     model = make_model(clamp, damping=damping)
     angles = angles_at(model, MOVING.time)

@@ -9,7 +9,7 @@ from snapjump.friction.lagged import LaggedFriction
 from snapjump.friction.none import NoFriction
 
 MU, THRESHOLD = 0.3, 0.02
-LAW = ImplicitFriction(MU, THRESHOLD)
+LAW = ImplicitFriction.Law(MU, THRESHOLD)
 speeds = np.linspace(-3.0 * THRESHOLD, 3.0 * THRESHOLD, 301)
 
 
@@ -61,14 +61,14 @@ def test_implicit_law_has_the_slope_at_rest_after_a_change_of_sign():
 
 
 def test_lagged_law_has_the_same_force_and_no_derivative():
-    lagged = LaggedFriction(MU, THRESHOLD)
+    lagged = LaggedFriction.Law(MU, THRESHOLD)
     for v in speeds:
         assert lagged.ratio(v) == LAW.ratio(v)
         assert lagged.slope(v, -v) == 0.0
 
 
 def test_what_the_laws_declare():
-    laws = [LAW, LaggedFriction(MU, THRESHOLD), NoFriction()]
+    laws = [LAW, LaggedFriction.Law(MU, THRESHOLD), NoFriction.Law()]
     assert [law.exists() for law in laws] == [True, True, False]
     assert [law.is_lagged() for law in laws] == [False, True, False]
-    assert NoFriction().ratio(1.0) == NoFriction().slope(1.0, 1.0) == 0.0
+    assert NoFriction.Law().ratio(1.0) == NoFriction.Law().slope(1.0, 1.0) == 0.0

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from families import FAMILIES
 from plain_python import plain_work
 from scipy.integrate import solve_ivp
 
@@ -15,14 +16,13 @@ from snapjump.contact.logbarrier import LogBarrier
 from snapjump.contact.none import NoContact
 from snapjump.damping.mass_proportional import MassProportional
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.none import LooseNodes
+from snapjump.discretization.parts.loose_nodes import LooseNodes
 from snapjump.engine.clock import LAST_STEP, STABLE_STEP, STAGE, STEP, TIME
 from snapjump.engine.explicit import evaluate_forces
 from snapjump.engine.model import Model
 from snapjump.engine.newton import newton_iteration
 from snapjump.engine.stage import begin_stage, commit_step, keep_stage, reach_end, stage_motion
-from snapjump.families import FAMILIES
-from snapjump.frame.none import NoFrame
+from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.inclined import InclinedGravity
 
@@ -39,7 +39,7 @@ MASSES = np.array([0.7])
 
 def model_of(contact, damping, load) -> Model:
     clamp = ConstantRate(0.0, 1.0, 1.0, 0.0)
-    return Model(LooseNodes(), NoFrame(), clamp, contact, NoFriction(), damping, load)
+    return Model(LooseNodes(), NoFrame(), clamp, contact, NoFriction.Law(), damping, load)
 
 
 class Integration:
@@ -95,7 +95,7 @@ def test_what_is_declared_fits_the_scheme(name):
 
 
 # A mass that oscillates in the barrier under a slope's gravity: smooth, nonlinear, damped.
-MODEL = model_of(LogBarrier(40.0, 1.0, 0.0), MassProportional(0.3), InclinedGravity(10, 1))
+MODEL = model_of(LogBarrier.Law(40.0, 1.0, 0.0), MassProportional.Law(0.3), InclinedGravity(10, 1))
 DURATION = 0.3
 BEGIN = np.array([0.0, 0.75, 0.2, 0.3])
 
@@ -201,7 +201,7 @@ def amplification(name, omega_h):
     """
     stiffness = omega_h**2
     size = 1e-3 / (1.0 + stiffness)  # no guess may be farther off than Newton's method goes
-    spring = model_of(Spring(MASSES[0] * stiffness), NoDamping(), InclinedGravity(0.0, 0.0))
+    spring = model_of(Spring(MASSES[0] * stiffness), NoDamping.Law(), InclinedGravity(0.0, 0.0))
 
     def parts(run):
         work = run.work
@@ -296,7 +296,7 @@ PENDULUM_ERRORS = {
 
 @pytest.mark.parametrize("name", sorted(PENDULUM_ERRORS))
 def test_errors_of_a_pendulum(name):
-    model = model_of(Pendulum(MASSES[0]), NoDamping(), InclinedGravity(0.0, 0.0))
+    model = model_of(Pendulum(MASSES[0]), NoDamping.Law(), InclinedGravity(0.0, 0.0))
     for steps, error in zip((50, 200), PENDULUM_ERRORS[name], strict=True):
         run = Integration(name, model, (0.0, 2.0), (0.0, 0.0), (0.0, -math.sin(2.0)))
         for _ in range(steps):
@@ -309,7 +309,7 @@ def test_no_contact_is_free_flight():
     for name in sorted(VARIANTS.keys() - {"bdf2"}):  # its first step is implicit Euler's
         run = Integration(
             name,
-            model_of(NoContact(), NoDamping(), InclinedGravity(10.0, 0.0)),
+            model_of(NoContact.Law(), NoDamping.Law(), InclinedGravity(10.0, 0.0)),
             (0.0, 2.0),
             (1.0, 3.0),
             (0.0, -10.0),

@@ -7,10 +7,10 @@ import pytest
 import torch
 from forward_models import RESNET
 
+from snapjump.declare.members import make_member
 from snapjump.learning import keeper
 from snapjump.learning.data import JumpData
 from snapjump.learning.fit import STATE, Fitted, descend
-from snapjump.members import make_member
 from snapjump.surrogate.base import Surrogate
 
 Data = Callable[..., JumpData]

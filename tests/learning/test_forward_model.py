@@ -10,9 +10,9 @@ from small_datasets import CONFIG
 
 from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
+from snapjump.damping.kelvin_voigt import KelvinVoigt
+from snapjump.integrator.bdf2 import Bdf2
 from snapjump.learning.forward_model import ForwardModel
-from snapjump.options.damping import KelvinVoigtOptions
-from snapjump.options.integrator import Bdf2Options
 from snapjump.parameters.robot import Robot
 from snapjump.simulation import build
 from snapjump.surrogate.resnet import Resnet
@@ -87,14 +87,14 @@ def test_the_same_physical_model_at_other_numerics(model: ForwardModel) -> None:
     same = build(CONFIG)
     model.check_model(same)
     finer = replace(same, discretization=replace(same.discretization, elements=96))
-    model.check_model(replace(finer, integrator=Bdf2Options(), accuracy="reference"))
+    model.check_model(replace(finer, integrator=Bdf2(), accuracy="reference"))
 
 
 @pytest.mark.parametrize(
     ("part", "key"),
     [
         ({"robot": Robot(width_m=0.02)}, "robot.width_m"),
-        ({"damping": KelvinVoigtOptions(1e-6)}, "damping.relaxation_time_s"),
+        ({"damping": KelvinVoigt(1e-6)}, "damping.relaxation_time_s"),
         ({"contact": with_tier("draft").contact}, "contact.distance_m"),
         ({"friction": with_tier("paper").friction}, "friction.name"),
     ],

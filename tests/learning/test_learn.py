@@ -11,11 +11,11 @@ from small_datasets import CONFIG, small, smooth_dataset
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.read import open_dataset
+from snapjump.declare.members import make_member, member_class
 from snapjump.learning.data import JumpData
 from snapjump.learning.forward_model import open_forward_model
 from snapjump.learning.learn import CURVES, FORWARD_MODEL, check_slopes, learn
 from snapjump.learning.training import Training
-from snapjump.members import make_member, member_class
 
 Data = Callable[..., JumpData]
 OPTIONS = make_member("surrogate", RESNET)

@@ -15,12 +15,12 @@ def test_every_load_pulls_where_it_says():
 
 
 def test_a_slope_turns_gravity():
-    from snapjump.options.sim import SlideScene
     from snapjump.scenes.mass import mass_model
+    from snapjump.sim.slide import Slide
     from snapjump.simulation import build
 
     simulation = build({"sim": {"name": "slide"}, "frame": {"name": "fixed"}})
-    assert isinstance(simulation.sim, SlideScene)
+    assert isinstance(simulation.sim, Slide)
     load = mass_model(simulation, 10.0, 0.75).load
     scale = simulation.robot.scales.acceleration_m_s2
     assert math.hypot(load.normal, load.tangential) * scale == 10.0

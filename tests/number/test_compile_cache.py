@@ -48,11 +48,11 @@ def test_folder_follows_the_environment(monkeypatch, tmp_path):
 
 # The smallest kernel that is kept, compiled by the package in the current folder.
 COMPILE = """
-from snapjump.contact.resting import resting_gap
+from snapjump.statics.resting_gap import resting_gap
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.number import compile_cache
 assert str(compile_cache.PACKAGE.parent) == {root!r}, compile_cache.PACKAGE
-resting_gap(LogBarrier(1.0, 1.0, 1.0), 1.0, 1.0)
+resting_gap(LogBarrier.Law(1.0, 1.0, 1.0), 1.0, 1.0)
 print(sum(resting_gap.stats.cache_hits.values()), sum(resting_gap.stats.cache_misses.values()))
 """
 

@@ -7,11 +7,11 @@ import sys
 COMPILE = """
 import sys
 from snapjump.contact.logbarrier import LogBarrier
-from snapjump.contact.resting import resting_gap
+from snapjump.statics.resting_gap import resting_gap
 from snapjump.number.announcement import load
 print("ready", flush=True)
 sys.stdin.read()
-load(resting_gap, LogBarrier(1.0, 1.0, 1.0), 1.0, 1.0)
+load(resting_gap, LogBarrier.Law(1.0, 1.0, 1.0), 1.0, 1.0)
 print(sum(resting_gap.stats.cache_hits.values()), sum(resting_gap.stats.cache_misses.values()))
 """
 
@@ -42,8 +42,8 @@ def test_the_lock_is_free_after_a_failure(tmp_path, monkeypatch):
     import numba
     import pytest
 
-    from snapjump.contact.resting import resting_gap
     from snapjump.number.once import one_process_compiles
+    from snapjump.statics.resting_gap import resting_gap
 
     monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
     for _ in range(2):

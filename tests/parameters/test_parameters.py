@@ -9,7 +9,7 @@ from snapjump.engine.model import Model, numbers_of
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.parameters.robot import Robot
-from snapjump.scenes.frame_body import rigid_frame
+from snapjump.scenes.frame_body import frame_model
 from snapjump.units import Scales
 
 WRONG_TYPES = [float("nan"), float("inf"), -float("inf"), "1", None, True, [1.0]]
@@ -149,35 +149,36 @@ def test_environments_out_of_range(field, value):
 
 def dimensionless(robot, **contact):
     """All numbers of a jump's model but its clamps' start, which statics determines."""
-    from snapjump.options.contact import LogBarrierOptions, ground
-    from snapjump.options.damping import KelvinVoigtOptions
-    from snapjump.options.friction import ImplicitFrictionOptions
+
+    from snapjump.contact.logbarrier import LogBarrier
+    from snapjump.damping.kelvin_voigt import KelvinVoigt
+    from snapjump.friction.implicit import ImplicitFriction
 
     scales = robot.scales
     base = Robot().scales
     simulation = with_tier(
         "draft",
         robot=robot,
-        contact=LogBarrierOptions(
+        contact=LogBarrier(
             1e4 * scales.stiffness_N_m / base.stiffness_N_m,
             5e-4 * scales.length_m / base.length_m,
         ),
-        damping=KelvinVoigtOptions(1e-5 * scales.time_s / base.time_s),
-        friction=ImplicitFrictionOptions(1e-4 * scales.velocity_m_s / base.velocity_m_s),
+        damping=KelvinVoigt(1e-5 * scales.time_s / base.time_s),
+        friction=ImplicitFriction(1e-4 * scales.velocity_m_s / base.velocity_m_s),
     )
     from snapjump.clamp.constant_rate import ConstantRate
     from snapjump.load.gravity import Gravity
 
-    law = simulation.contact.member(scales)
+    law = simulation.contact.law(scales)
     model = Model(
-        simulation.discretization.member(robot),
-        rigid_frame(simulation, 0.08),
+        simulation.discretization.beam(robot),
+        frame_model(simulation, 0.08),
         ConstantRate(0.8, 1.5, robot.rotation_rate_rad_s * scales.time_s, 0.1),
         law,
-        simulation.friction.member(scales, 0.3),
-        simulation.damping.member(scales),
+        simulation.friction.law(scales, 0.3),
+        simulation.damping.law(scales),
         Gravity(robot.gravity_m_s2 / scales.acceleration_m_s2),
-        ground(simulation.contact, law, scales, simulation.discretization),
+        simulation.contact.ground(scales, simulation.discretization.elements),
     )
     return numbers_of(model)
 
@@ -208,7 +209,7 @@ def test_frame_is_leg_top_leg_with_the_clamped_ends():
     import numpy as np
 
     simulation = with_tier("draft", design=Design(0.2, 0.1))
-    frame = rigid_frame(simulation, 0.09)
+    frame = frame_model(simulation, 0.09)
     robot = simulation.robot
     height, width = robot.frame_height_m / robot.length_m, 0.8
     s = (np.arange(2000) + 0.5) / 2000

@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from families import FAMILIES
 
 from snapjump.composition import Simulation, with_tier
-from snapjump.families import FAMILIES
+from snapjump.declare.members import member_class
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.parameters.robot import Robot
@@ -102,16 +103,16 @@ def beam() -> Callable[..., Simulation]:
         **scene: float,
     ) -> Simulation:
         return Simulation(
-            sim=FAMILIES["sim"]["snap"](**scene),
+            sim=member_class("sim", "snap")(**scene),
             robot=robot or Robot(),
             design=design or Design(),
             discretization=discretized(name, elements),
-            frame=FAMILIES["frame"]["fixed"](),
-            contact=FAMILIES["contact"]["none"](),
-            friction=FAMILIES["friction"]["none"](),
-            damping=FAMILIES["damping"]["none"](),
-            integrator=FAMILIES["integrator"][integrator](),
-            stepping=FAMILIES["stepping"]["fixed"](step_s=step_s),
+            frame=member_class("frame", "fixed")(),
+            contact=member_class("contact", "none")(),
+            friction=member_class("friction", "none")(),
+            damping=member_class("damping", "none")(),
+            integrator=member_class("integrator", integrator)(),
+            stepping=member_class("stepping", "fixed")(step_s=step_s),
         )
 
     return compose
@@ -125,11 +126,11 @@ def single_mass() -> Callable[..., Simulation]:
         scene: str, step_s: float, integrator: str = "tr_bdf2", mu: float = 0.3, **numbers: float
     ) -> Simulation:
         return Simulation(
-            sim=FAMILIES["sim"][scene](**numbers),
+            sim=member_class("sim", scene)(**numbers),
             environment=Environment(mu=mu),
-            frame=FAMILIES["frame"]["fixed"](),
-            integrator=FAMILIES["integrator"][integrator](),
-            stepping=FAMILIES["stepping"]["fixed"](step_s=step_s),
+            frame=member_class("frame", "fixed")(),
+            integrator=member_class("integrator", integrator)(),
+            stepping=member_class("stepping", "fixed")(step_s=step_s),
         )
 
     return compose
@@ -156,7 +157,7 @@ def jump() -> Callable[..., Result]:
     def simulate_once(allowed: tuple[str, ...] = ("ok",), **parts: Any) -> Result:
         cheap = {
             "discretization": DER(elements=40),
-            "stepping": FAMILIES["stepping"]["adaptive"](tolerance=1e-6),
+            "stepping": member_class("stepping", "adaptive")(tolerance=1e-6),
         }
         simulation = with_tier("standard", **(cheap | parts))
         key = repr(simulation)

@@ -9,8 +9,8 @@ import pytest
 from scipy.interpolate import CubicHermiteSpline
 
 from snapjump.contact.base import at_rest
-from snapjump.contact.resting import resting_gap
 from snapjump.scenes.mass import march_mass, mass_model
+from snapjump.statics.resting_gap import resting_gap
 
 STIFFNESS_N_M = 1e4
 REACH_M = 5e-4

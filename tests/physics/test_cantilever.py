@@ -11,8 +11,8 @@ from snapjump.scenes.cantilever import bend_cantilever
 # EA L^2/EI of a beam as good as inextensible.
 STIFF = 1e9
 TURNING = {
-    "corotational": lambda n: Corotational(1.0 / n, STIFF),
-    "geometrically_exact": lambda n: GeometricallyExact(1.0 / n, STIFF, 0.32 * STIFF),
+    "corotational": lambda n: Corotational.Beam(1.0 / n, STIFF),
+    "geometrically_exact": lambda n: GeometricallyExact.Beam(1.0 / n, STIFF, 0.32 * STIFF),
 }
 FIGURES = ("tip_angle", "delta_y", "one_minus_x", "E", "kappa_root")
 
@@ -20,7 +20,7 @@ FIGURES = ("tip_angle", "delta_y", "one_minus_x", "E", "kappa_root")
 def bent(load: float, elements: int) -> np.ndarray:
     """The reference's figures, of a chain of N elements."""
     length = 1.0 / elements
-    rod = DiscreteElasticRod(length, STIFF, 0.5 * length, 0.0)
+    rod = DiscreteElasticRod.Beam(length, STIFF, 0.5 * length, 0.0)
     nodes, energy, negative = bend_cantilever(rod, elements, 0.0, load, 0.0)
     assert negative == 0
     first, last = nodes[1] - nodes[0], nodes[-1] - nodes[-2]

@@ -7,10 +7,10 @@ import pytest
 
 from snapjump.batch import simulate_batch, variants
 from snapjump.composition import Simulation, with_tier
-from snapjump.families import FAMILIES
-from snapjump.options.discretization import DiscreteElasticRodOptions
-from snapjump.options.frame import ElasticFrameOptions
-from snapjump.options.stepping import AdaptiveStepOptions
+from snapjump.declare.members import member_class
+from snapjump.discretization.der import DiscreteElasticRod
+from snapjump.frame.elastic import ElasticFrame
+from snapjump.stepping.adaptive import AdaptiveStep
 
 pytestmark = pytest.mark.compiles
 # delta_alpha, epsilon, m_bar, mu
@@ -26,13 +26,13 @@ RATIOS = (1e3, 1e4, 1e5)
 def coarse() -> Simulation:
     return with_tier(
         "draft",
-        discretization=DiscreteElasticRodOptions(32),
-        stepping=AdaptiveStepOptions(1e-7, 1.0),
+        discretization=DiscreteElasticRod(32),
+        stepping=AdaptiveStep(1e-7, 1.0),
     )
 
 
 def elastic(ratio: float, **changes: object) -> Simulation:
-    frame = ElasticFrameOptions(ratio, ratio, 12, 16, contact="corners")
+    frame = ElasticFrame(ratio, ratio, 12, 16, contact="corners")
     return replace(coarse(), frame=frame, **changes)
 
 
@@ -58,7 +58,7 @@ def test_differences_vanish_with_the_frame_s_compliance(rigid):
 
 
 def test_another_integrator_gives_the_same_jumps(rigid):
-    sdirk2 = elastic(1e5, integrator=FAMILIES["integrator"]["sdirk2"]())
+    sdirk2 = elastic(1e5, integrator=member_class("integrator", "sdirk2")())
     x, y = apart(sdirk2, rigid)
     assert x < 0.02
     assert y < 0.005

@@ -21,7 +21,7 @@ from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.work import make_work
-from snapjump.frame.cantilever import CantileverFrame
+from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.tip import TipLoad
 
@@ -77,12 +77,12 @@ def cantilever(elements: int) -> float:
     """Critical load of the beam with one clamp and a free end."""
     length = 1.0 / elements
     model = Model(
-        DiscreteElasticRod(length, SOFT, 0.5 * length, 0.0),
+        DiscreteElasticRod.Beam(length, SOFT, 0.5 * length, 0.0),
         CantileverFrame(),
         ConstantRate(0.0, 1.0, 1.0, 0.0),
-        NoContact(),
-        NoFriction(),
-        NoDamping(),
+        NoContact.Law(),
+        NoFriction.Law(),
+        NoDamping.Law(),
         TipLoad(0.0, 0.0, 0.0),
     )
     masses = np.zeros(elements + 1)

@@ -2,18 +2,19 @@
 
 import numpy as np
 import pytest
+from families import FAMILIES
 from scipy.linalg import eigh
 
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
+from snapjump.declare.members import member_class
 from snapjump.discretization.base import TURN_INERTIA
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.work import make_work
-from snapjump.families import FAMILIES
-from snapjump.frame.cantilever import CantileverFrame
+from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.tip import TipLoad
 from snapjump.parameters.robot import Robot
@@ -63,15 +64,15 @@ def straight_tangent(arch, elements: int, name: str, ratio: float = PAPER_RATIO)
 
 def cantilever_tangent(elements: int, name: str, ratio: float) -> tuple[np.ndarray, np.ndarray]:
     length = 1.0 / elements
-    rod = FAMILIES["discretization"][name](elements).member(Robot(thickness_m=0.02 * ratio))
+    rod = member_class("discretization", name)(elements).beam(Robot(thickness_m=0.02 * ratio))
     dofs = rod.node_dofs()
     model = Model(
         rod,
         CantileverFrame(),
         ConstantRate(0.0, 1.0, 1.0, 0.0),
-        NoContact(),
-        NoFriction(),
-        NoDamping(),
+        NoContact.Law(),
+        NoFriction.Law(),
+        NoDamping.Law(),
         TipLoad(0.0, 0.0, 0.0),
     )
     memory = make_work(elements + 1, 0, 2, ROWS, len(numbers_of(model)), 1, dofs)

@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
+from families import FAMILIES
 
-from snapjump.families import FAMILIES
+from snapjump.declare.members import member_class
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.parameters.robot import Robot
@@ -78,7 +79,7 @@ def test_beam_out_of_reach_of_the_ground(jump):
 def test_where_the_motion_starts_matters_little(fraction, jump):
     """Measured with 64 elements at a tolerance of 1e-9, four designs: at most 0.1 %."""
     scene = FAMILIES["sim"]["jump"]
-    tight = FAMILIES["stepping"]["adaptive"](tolerance=1e-8, contact_steps=0.5)
+    tight = member_class("stepping", "adaptive")(tolerance=1e-8, contact_steps=0.5)
     near = jump(sim=scene(start_fraction=0.85), stepping=tight)
     far = jump(sim=scene(start_fraction=fraction), stepping=tight)
     assert far.x_bar == pytest.approx(near.x_bar, rel=5e-3)
@@ -95,7 +96,7 @@ def test_baseline_is_pinned():
 def test_lanes_give_the_same_jump(jump):
     """backend=lanes: the program for batches, outcomes only."""
     alone = jump()
-    wide = jump(backend=FAMILIES["backend"]["lanes"]())
+    wide = jump(backend=member_class("backend", "lanes")())
     assert wide.x_bar == pytest.approx(alone.x_bar, rel=1e-13)
     assert wide.y_bar == pytest.approx(alone.y_bar, rel=1e-13)
     assert not wide.arrays and "max_residual" not in wide.summary
@@ -118,7 +119,7 @@ def test_elements_with_rotations_jump_like_discrete_rods(name):
     wide = simulate_jump(
         accuracy="draft",
         discretization=members[name](elements=104),
-        backend=FAMILIES["backend"]["lanes"](),
+        backend=member_class("backend", "lanes")(),
     )
     assert (wide.x_bar, wide.y_bar) == (alone.x_bar, alone.y_bar)
     assert wide.summary["newton_iterations"] == alone.summary["newton_iterations"]

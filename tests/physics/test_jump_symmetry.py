@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from snapjump.families import FAMILIES
+from snapjump.declare.members import member_class
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.parameters.robot import Robot
@@ -25,8 +25,8 @@ def test_mirrored_mismatch_mirrors_the_jump(jump):
     steps raise that to a share of their tolerance.
     """
     lag = 0.1
-    robot, scene = Robot(), FAMILIES["sim"]["jump"]()
-    tight = FAMILIES["stepping"]["adaptive"](tolerance=1e-8, contact_steps=0.5)
+    robot, scene = Robot(), member_class("sim", "jump")()
+    tight = member_class("stepping", "adaptive")(tolerance=1e-8, contact_steps=0.5)
     right = jump(design=Design(0.2, lag), stepping=tight)
     angle = start_angle_rad(right.simulation)
     left = jump(

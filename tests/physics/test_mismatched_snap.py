@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.parameters.robot import Robot
 from snapjump.statics.branch import Branch
 from snapjump.statics.critical import LONGEST_STEP, find_snap, start_point
@@ -96,7 +96,7 @@ def test_fold(name, epsilon, lag, lam, snap, reference):
 
 def test_shallow_arches_snap_at_the_shallow_limit():
     """S6: alpha / sqrt(epsilon) -> 2; the whole branch is then shorter than one long step."""
-    thin = DiscreteElasticRodOptions(elements=112)
+    thin = DiscreteElasticRod(elements=112)
     for epsilon in (2e-4, 1e-3):
         alpha = find_snap(Robot(thickness_m=5e-6), thin, epsilon, 0.0).alpha_rad
         assert alpha / np.sqrt(epsilon) == pytest.approx(2.0, rel=5e-3)

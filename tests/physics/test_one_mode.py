@@ -55,11 +55,11 @@ def marched(straight, beam, integrator, mode, place, speed, step, steps) -> tupl
         models=[
             Model(
                 straight.beam.rod,
-                FixedFrame(0.5, 0.0),
+                FixedFrame.Body(0.5, 0.0),
                 still,
-                NoContact(),
-                NoFriction(),
-                NoDamping(),
+                NoContact.Law(),
+                NoFriction.Law(),
+                NoDamping.Law(),
                 NoLoad(),
             )
         ],
@@ -70,7 +70,7 @@ def marched(straight, beam, integrator, mode, place, speed, step, steps) -> tupl
         recorder=make_recorder(len(state), step * steps, step * steps),
         velocities=velocity[None, :],
     )
-    march.stepping = FixedStep(step, 1e-6 * AMPLITUDE)
+    march.stepping = FixedStep.Control(step, 1e-6 * AMPLITUDE)
     # The march derives accelerations itself, except for the first one.
     march.queue.acceleration[0, 3:-2:2] = -(omega**2) * AMPLITUDE * place * shape
     march.run()

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from snapjump.families import FAMILIES
+from snapjump.declare.members import member_class
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.simulation import simulate_jump
@@ -38,9 +38,9 @@ def distance(one: np.ndarray, other: np.ndarray) -> np.ndarray:
 @pytest.mark.slow
 @pytest.mark.parametrize("design", DESIGNS)
 def test_two_integrators_agree(design):
-    tight = FAMILIES["stepping"]["adaptive"](tolerance=1e-9, contact_steps=0.15)
+    tight = member_class("stepping", "adaptive")(tolerance=1e-9, contact_steps=0.15)
     first, second = (
-        apex(design, integrator=FAMILIES["integrator"][name](), stepping=tight)
+        apex(design, integrator=member_class("integrator", name)(), stepping=tight)
         for name in ("tr_bdf2", "sdirk2")
     )
     assert (distance(second, first) < BOUND).all()

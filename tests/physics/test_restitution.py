@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
+from families import FAMILIES
 from scipy.optimize import brentq
 
 from snapjump.composition import Simulation
-from snapjump.families import FAMILIES
+from snapjump.declare.members import member_class
 from snapjump.scenes.mass import march_mass, mass_model
 
 pytestmark = pytest.mark.compiles
@@ -17,11 +18,11 @@ HEIGHT_M = 2e-4  # above the reach of any law
 def fall(law, speed_m_s, step_s, duration_s, integrator="tr_bdf2"):
     """A mass that falls without gravity: height (m) and velocity (m/s) at the end, least gap."""
     simulation = Simulation(
-        sim=FAMILIES["sim"]["bounce"](duration_s=duration_s, sample_interval_s=duration_s),
-        frame=FAMILIES["frame"]["fixed"](),
+        sim=member_class("sim", "bounce")(duration_s=duration_s, sample_interval_s=duration_s),
+        frame=member_class("frame", "fixed")(),
         contact=law,
-        integrator=FAMILIES["integrator"][integrator](),
-        stepping=FAMILIES["stepping"]["fixed"](step_s=step_s),
+        integrator=member_class("integrator", integrator)(),
+        stepping=member_class("stepping", "fixed")(step_s=step_s),
     )
     scales = simulation.robot.scales
     model = mass_model(simulation, 0.0, 0.0)
@@ -51,7 +52,7 @@ def test_conservative_laws_give_back_all(law):
 def test_hunt_crossley_rebounds_as_told(restitution):
     """At the speed that the restitution is given for, and at others by the exact relation."""
     law = CONTACT["hunt_crossley"](restitution=restitution, impact_speed_m_s=2.0)
-    number = law.member(_scales()).damping * 2.0 / _scales().velocity_m_s
+    number = law.law(_scales()).damping * 2.0 / _scales().velocity_m_s
     for speed in (2.0, 0.5, 4.0):
         u = number * speed / 2.0
         expected = brentq(

@@ -17,7 +17,7 @@ STRETCHING = 1e5
 def rolled(elements: int) -> tuple[np.ndarray, np.ndarray]:
     """Nodes, and the directions of the edges without jumps of 2 pi."""
     length = 1.0 / elements
-    rod = DiscreteElasticRod(length, STRETCHING, 0.5 * length, 0.0)
+    rod = DiscreteElasticRod.Beam(length, STRETCHING, 0.5 * length, 0.0)
     nodes, _, _ = bend_cantilever(rod, elements, 0.0, 0.0, MOMENT)
     edges = np.diff(nodes, axis=0)
     return nodes, np.unwrap(np.arctan2(edges[:, 1], edges[:, 0]))
@@ -46,7 +46,7 @@ def test_second_order_towards_the_circle():
 
 
 @pytest.mark.parametrize(
-    "beam", [Corotational(0.05, STRETCHING), GeometricallyExact(0.05, STRETCHING, 3e4)]
+    "beam", [Corotational.Beam(0.05, STRETCHING), GeometricallyExact.Beam(0.05, STRETCHING, 3e4)]
 )
 def test_elements_with_rotations_close_at_once(beam):
     """Bending is constant, which both represent exactly: a regular polygon, whole turn and all."""

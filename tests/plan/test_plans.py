@@ -6,7 +6,6 @@ import warnings
 import numpy as np
 import pytest
 
-from snapjump.families import DATASET_FAMILIES
 from snapjump.options.plan import GridPlanOptions, LatinHypercubePlanOptions, SobolPlanOptions
 
 PLANS = {
@@ -22,10 +21,6 @@ PINNED_SOBOL = [0.18434677712619305, 0.29145151991397145, 0.7917853730730713, 0.
 def unit(options, designs):
     low, high = np.array(options.ranges).T
     return (designs - low) / (high - low)
-
-
-def test_every_plan_is_here():
-    assert set(PLANS) == set(DATASET_FAMILIES["plan"])
 
 
 @pytest.mark.parametrize("name", PLANS)

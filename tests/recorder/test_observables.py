@@ -2,18 +2,19 @@
 
 import numpy as np
 import pytest
+from families import FAMILIES
 
 from snapjump.composition import with_tier
-from snapjump.families import FAMILIES
-from snapjump.options.sim import JumpScene
+from snapjump.declare.members import member_class
 from snapjump.scenes.observed import crossing, observe_jump, peak
+from snapjump.sim.jump import Jump
 from snapjump.simulation import simulate
 
 ROD = FAMILIES["discretization"]["der"]
 
 
 def tiny(**parts):
-    adaptive = FAMILIES["stepping"]["adaptive"](tolerance=1e-5)
+    adaptive = member_class("stepping", "adaptive")(tolerance=1e-5)
     return with_tier("draft", stepping=adaptive, **parts)
 
 
@@ -22,7 +23,7 @@ def tiny(**parts):
 def test_observables_are_those_of_the_trajectory(clamp):
     simulation = tiny(
         discretization=ROD(elements=17, clamp=clamp),
-        sim=JumpScene(sample_interval_s=2.0e-7, time_limit_s=0.03),
+        sim=Jump(sample_interval_s=2.0e-7, time_limit_s=0.03),
     )
     seen, jump = observe_jump(simulation), simulate(simulation)
     assert seen["x_bar"] == jump.x_bar and seen["y_bar"] == jump.y_bar

@@ -7,20 +7,22 @@ from plain_python import plain_work
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.none import LooseNodes
+from snapjump.declare.members import member_class
+from snapjump.discretization.parts.loose_nodes import LooseNodes
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import LARGEST_RESIDUAL, STAGE, STEP, TIME
 from snapjump.engine.model import Model
-from snapjump.families import FAMILIES
-from snapjump.frame.none import NoFrame
+from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.none import NoLoad
 from snapjump.recorder import trajectory
 from snapjump.recorder.none import NoRecorder
 
-TABLEAU = FAMILIES["integrator"]["tr_bdf2"]().scheme()
+TABLEAU = member_class("integrator", "tr_bdf2")().scheme()
 CLAMP = ConstantRate(0.0, 1.0, 1.0, 0.0)
-MODEL = Model(LooseNodes(), NoFrame(), CLAMP, NoContact(), NoFriction(), NoDamping(), NoLoad())
+MODEL = Model(
+    LooseNodes(), NoFrame(), CLAMP, NoContact.Law(), NoFriction.Law(), NoDamping.Law(), NoLoad()
+)
 MASSES = np.array([2.0])
 
 

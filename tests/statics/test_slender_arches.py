@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from experiments.slender import WAYS, slender_arches
-from snapjump.options.discretization import DiscreteElasticRodOptions
+from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.parameters.robot import Robot
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.rounding import LARGEST_ANGLE_ERROR_RAD, LostToRoundingError
@@ -22,7 +22,7 @@ def test_both_ways_to_the_angle_agree_within_what_they_state(arch):
 @pytest.mark.parametrize("clamp", ["two_nodes", "half_element"])
 def test_a_state_that_rounding_shakes_is_an_equilibrium(clamp):
     """Corrections of 1e-10 L, the test for other beams, are about what rounding leaves here."""
-    arch = StaticArch(Robot(thickness_m=2e-6), DiscreteElasticRodOptions(160, clamp), 0.1)
+    arch = StaticArch(Robot(thickness_m=2e-6), DiscreteElasticRod(160, clamp), 0.1)
     for seed in range(6):
         noise = np.random.default_rng(seed).uniform(-1e-15, 1e-15, arch.size)
         state = arch.settle(arch.guess() * (1.0 + noise), 0.0, 0.0)
@@ -33,11 +33,11 @@ def test_a_state_that_rounding_shakes_is_an_equilibrium(clamp):
 
 def test_a_state_that_is_none_is_none():
     """Rounding is no excuse for an arch that has no equilibrium nearby."""
-    arch = StaticArch(Robot(thickness_m=2e-6), DiscreteElasticRodOptions(160), 0.1)
+    arch = StaticArch(Robot(thickness_m=2e-6), DiscreteElasticRod(160), 0.1)
     with pytest.raises(ArithmeticError, match="no equilibrium found at clamp angles 1.5, 1.5 rad"):
         arch.settle(arch.guess(), 1.5, 1.5)
 
 
 def test_an_angle_that_rounding_spoils_is_refused_by_name():
     with pytest.raises(LostToRoundingError, match="elements = 640 is not allowed: a coarser mesh"):
-        symmetric_threshold(Robot(thickness_m=4e-7), DiscreteElasticRodOptions(640), 0.2)
+        symmetric_threshold(Robot(thickness_m=4e-7), DiscreteElasticRod(640), 0.2)

@@ -4,14 +4,15 @@ import numpy as np
 import pytest
 
 from snapjump.checks import ParameterError
-from snapjump.options.discretization import CorotationalOptions, DiscreteElasticRodOptions
+from snapjump.discretization.corotational import Corotational
+from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.parameters.robot import Robot
 from snapjump.statics.threshold_curve import ThresholdCurve, direct
 
 MESHES = (
-    DiscreteElasticRodOptions(elements=104),
-    DiscreteElasticRodOptions(elements=66, clamp="two_nodes"),
-    CorotationalOptions(elements=64),
+    DiscreteElasticRod(elements=104),
+    DiscreteElasticRod(elements=66, clamp="two_nodes"),
+    Corotational(elements=64),
 )
 
 

@@ -1,13 +1,12 @@
 import pytest
 
-from snapjump.options.stepping import AdaptiveStepOptions, FixedStepOptions
 from snapjump.parameters.robot import Robot
 from snapjump.stepping.adaptive import GROWTH, OVERSHOOT, SAFETY, SHRINKAGE, AdaptiveStep
 from snapjump.stepping.fixed import FixedStep
 
 TOLERANCE = 1e-6
-ADAPTIVE = AdaptiveStep(TOLERANCE, 2.0, 1e-3, 1e-9, 0.2, 0.1)
-FIXED = FixedStep(1e-3, 1e-8)
+ADAPTIVE = AdaptiveStep.Control(TOLERANCE, 2.0, 1e-3, 1e-9, 0.2, 0.1)
+FIXED = FixedStep.Control(1e-3, 1e-8)
 ORDER = 3.0
 FREE = 0.0  # contact rate of a robot in the air
 
@@ -73,8 +72,8 @@ def test_bounds_and_tolerances():
 
 def test_options_are_in_seconds_and_shares_of_the_length():
     scales = Robot().scales
-    fixed = FixedStepOptions(1e-5).member(scales)
+    fixed = FixedStep(1e-5).control(scales)
     assert fixed.step * scales.time_s == pytest.approx(1e-5)
-    adaptive = AdaptiveStepOptions(1e-5, 0.7).member(scales)
+    adaptive = AdaptiveStep(1e-5, 0.7).control(scales)
     assert (adaptive.tolerance, adaptive.contact_steps) == (1e-5, 0.7)
     assert adaptive.smallest < adaptive.first < adaptive.largest

@@ -8,7 +8,7 @@ import pytest
 from experiments.designs import spread_designs
 from snapjump.batch import simulate_batch, variants
 from snapjump.composition import with_tier
-from snapjump.families import FAMILIES
+from snapjump.declare.members import member_class
 
 TOLERANCES = (1e-5, 1e-6, 1e-7, 1e-8)
 
@@ -16,7 +16,7 @@ TOLERANCES = (1e-5, 1e-6, 1e-7, 1e-8)
 @pytest.mark.parametrize("name", ["tr_bdf2", pytest.param("esdirk3", marks=pytest.mark.slow)])
 def test_errors_fall_with_the_tolerance(name):
     """Median over sixteen designs against a far smaller tolerance, on one mesh."""
-    base = with_tier("draft", integrator=FAMILIES["integrator"][name]())
+    base = with_tier("draft", integrator=member_class("integrator", name)())
     designs = spread_designs(16)
 
     def jumps(tolerance):

@@ -6,7 +6,7 @@ import numpy as np
 import torch
 from small_datasets import small
 
-from snapjump.members import make_member
+from snapjump.declare.members import make_member
 from snapjump.surrogate.base import Rows, Surrogate
 
 RANGES = [[0.01, 0.19], [0.1, 0.3], [0.3, 2.0], [0.1, 0.6]]

@@ -29,9 +29,9 @@ def filled(template: Model, numbers: Any) -> Model:
 
 def without_compiling(monkeypatch: Any) -> None:
     """Let marches run as the Python that they are written in."""
-    from snapjump.contact.resting import resting_gap
     from snapjump.engine import march
     from snapjump.scenes import resting, runner
+    from snapjump.statics.resting_gap import resting_gap
 
     monkeypatch.setattr(march, "view_work", view)
     monkeypatch.setattr(march, "with_numbers", filled)

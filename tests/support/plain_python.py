@@ -8,7 +8,8 @@ import numpy as np
 from snapjump.discretization.base import HALF_BANDWIDTH
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.clock import ROWS
-from snapjump.engine.work import NO_MESH, Work, make_work
+from snapjump.engine.work import Work, make_work
+from snapjump.frame.base import NO_MESH
 
 STEP = 1e-30
 

@@ -6,17 +6,17 @@ import numpy as np
 
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation, with_tier
+from snapjump.contact.logbarrier import LogBarrier
+from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.ending.flight import FlightEnding
 from snapjump.engine.model import Model
 from snapjump.load.gravity import Gravity
-from snapjump.options.contact import LogBarrierOptions, ground
-from snapjump.options.discretization import DiscreteElasticRodOptions
-from snapjump.options.stepping import AdaptiveStepOptions
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
-from snapjump.scenes.frame_body import rigid_frame
+from snapjump.scenes.frame_body import frame_model
 from snapjump.scenes.resting import resting_guess
 from snapjump.scenes.runner import March
+from snapjump.stepping.adaptive import AdaptiveStep
 
 # epsilon: critical angle (rad) and depth of the lowest point there (L), S5 of physics.json
 CRITICAL = {0.1: (0.6385, 0.0543), 0.2: (0.9117, 0.0736), 0.3: (1.127, 0.0860)}
@@ -42,9 +42,9 @@ def small_simulation(epsilon: float, delta_alpha: float, mu: float, mass_bar: fl
         "draft",
         design=Design(epsilon, delta_alpha),
         environment=Environment(mu, mass_bar),
-        discretization=DiscreteElasticRodOptions(24),
-        stepping=AdaptiveStepOptions(1e-5, 2.0),
-        contact=LogBarrierOptions(distance_m=1e-3),
+        discretization=DiscreteElasticRod(24),
+        stepping=AdaptiveStep(1e-5, 2.0),
+        contact=LogBarrier(distance_m=1e-3),
     )
 
 
@@ -53,10 +53,10 @@ def small_robot(design: tuple[float, ...]) -> tuple[Model, Any]:
     simulation = small_simulation(*design)
     robot, scales = simulation.robot, simulation.robot.scales
     angle, depth = CRITICAL[simulation.design.epsilon]
-    law = simulation.contact.member(scales)
+    law = simulation.contact.law(scales)
     model = Model(
-        simulation.discretization.member(robot),
-        rigid_frame(simulation, 1.05 * depth),
+        simulation.discretization.beam(robot),
+        frame_model(simulation, 1.05 * depth),
         ConstantRate(
             0.85 * angle,
             robot.rotation_end_rad,
@@ -64,10 +64,10 @@ def small_robot(design: tuple[float, ...]) -> tuple[Model, Any]:
             simulation.design.delta_alpha,
         ),
         law,
-        simulation.friction.member(scales, simulation.environment.mu),
-        simulation.damping.member(scales),
+        simulation.friction.law(scales, simulation.environment.mu),
+        simulation.damping.law(scales),
         Gravity(robot.gravity_m_s2 / scales.acceleration_m_s2),
-        ground(simulation.contact, law, scales, simulation.discretization),
+        simulation.contact.ground(scales, simulation.discretization.elements),
     )
     return model, resting_guess(simulation, model)
 

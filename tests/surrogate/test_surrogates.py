@@ -7,7 +7,7 @@ import torch
 from forward_models import jumps
 
 from snapjump.checks import ParameterError
-from snapjump.members import make_member, member_class, member_names
+from snapjump.declare.members import make_member, member_class, member_names
 from snapjump.surrogate.base import MassScaled, Rows, Standardisation, Surrogate
 
 SMALL = {

@@ -8,9 +8,9 @@ import pytest
 from made_up_maps import MadeUpModel
 
 from snapjump.checks import ParameterError
+from snapjump.declare.fields import construct
 from snapjump.inverse.bayesian import BayesianOptions
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
-from snapjump.members import make_options
 from snapjump.targets.request import (
     SHIPPED,
     checked_target,
@@ -42,7 +42,7 @@ def test_bad_targets(value: Any) -> None:
 
 
 def test_tolerances() -> None:
-    assert make_options("tolerance", Tolerance, TOLERANCE) == Tolerance()
+    assert construct("tolerance", Tolerance, TOLERANCE) == Tolerance()
 
 
 @pytest.mark.parametrize(
@@ -57,7 +57,7 @@ def test_tolerances() -> None:
 )
 def test_bad_tolerances(group: Any, key: str) -> None:
     with pytest.raises(ParameterError) as caught:
-        make_options("tolerance", Tolerance, group)
+        construct("tolerance", Tolerance, group)
     assert caught.value.key == key
 
 

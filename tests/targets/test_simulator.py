@@ -9,8 +9,8 @@ from robots import small_simulation
 from snapjump.batch import simulate_designs, variant
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
-from snapjump.families import FAMILIES
-from snapjump.options.friction import ImplicitFrictionOptions
+from snapjump.declare.members import member_class
+from snapjump.friction.implicit import ImplicitFriction
 from snapjump.simulation import simulate
 from snapjump.statics.threshold_curve import ThresholdCurve
 from snapjump.targets.simulator import JumpSimulator
@@ -46,7 +46,7 @@ def test_slopes_are_those_with_a_wider_stick_zone() -> None:
     """Of a mesh that is fine enough for them not to depend on the last digits of a threshold."""
     base = with_tier("standard")
     simulator = JumpSimulator(base)
-    wider = replace(base, friction=ImplicitFrictionOptions(velocity_threshold_m_s=0.01))
+    wider = replace(base, friction=ImplicitFriction(velocity_threshold_m_s=0.01))
     curve = ThresholdCurve.through(base.robot, base.discretization, 0.1, 0.3)
     batch = simulate_designs(
         wider, DESIGNS[:2], curve=curve, threads=1, lanes=8, sensitivities=True
@@ -65,24 +65,24 @@ def test_what_does_not_jump_has_no_slopes() -> None:
 
 @pytest.mark.parametrize("backend", ["scalar", "lanes"])
 def test_every_backend_of_the_processor(backend: str) -> None:
-    base = replace(BASE, backend=FAMILIES["backend"][backend]())
+    base = replace(BASE, backend=member_class("backend", backend)())
     np.testing.assert_array_equal(
         JumpSimulator(base).apexes(DESIGNS[:1]), JumpSimulator(BASE).apexes(DESIGNS[:1])
     )
 
 
 def test_modules_without_derivatives_are_refused() -> None:
-    elastic = replace(BASE, frame=FAMILIES["frame"]["elastic"]())
+    elastic = replace(BASE, frame=member_class("frame", "elastic")())
     with pytest.raises(ParameterError, match="frame"):
         JumpSimulator(elastic).slopes(DESIGNS[:1])
 
 
 def test_other_scenes_are_refused() -> None:
     scene = Simulation(
-        sim=FAMILIES["sim"]["snap"](),
-        frame=FAMILIES["frame"]["fixed"](),
-        contact=FAMILIES["contact"]["none"](),
-        friction=FAMILIES["friction"]["none"](),
+        sim=member_class("sim", "snap")(),
+        frame=member_class("frame", "fixed")(),
+        contact=member_class("contact", "none")(),
+        friction=member_class("friction", "none")(),
     )
     with pytest.raises(ParameterError, match="sim = 'snap'"):
         JumpSimulator(scene)

@@ -7,7 +7,6 @@ from experiments.compositions import composed
 from experiments.paper.jumps import jump_rows
 from snapjump.batch import variants
 from snapjump.ending.flight import FlightEnding
-from snapjump.scenes.frame_body import frame_mesh
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.resting import resting_guesses
 from snapjump.scenes.runner import March
@@ -28,7 +27,7 @@ def rows_of(inputs: Mapping[str, Any]) -> list[Row]:
 def start_row(simulation: Any) -> Row:
     """The equilibrium that the motion starts from: the clear span between the beam's ends (L)."""
     model = jump_model(simulation)
-    mesh = frame_mesh(simulation, model.frame)
+    mesh = simulation.frame.mesh(model.frame)
     march = March(
         models=[model],
         masses=simulation.discretization.masses(),

@@ -19,7 +19,8 @@ def generated(inputs: Mapping[str, Any]) -> tuple[Dataset, Any]:
     """The dataset, made or found where ``task=dataset`` keeps it, and how its making went."""
     from snapjump.dataset.folder import DatasetFolder, default_path
     from snapjump.dataset.generate import generate
-    from snapjump.dataset.specification import dataset_member, specify
+    from snapjump.dataset.specification import specify
+    from snapjump.executor.local import LocalExecutor
 
     groups = changed(inputs["groups"], {"backend": {"name": "lanes"}})
     specification = specify({**groups, "plan": inputs["plan"]}, inputs["shard_size"])
@@ -27,8 +28,7 @@ def generated(inputs: Mapping[str, Any]) -> tuple[Dataset, Any]:
     folder.check(specification)
     locks = folder.claim(1, 1)
     try:
-        executor = dataset_member("executor", {"name": "local"}).member()
-        went = generate(folder, specification, executor, groups["backend"], _silent)
+        went = generate(folder, specification, LocalExecutor(), groups["backend"], _silent)
     finally:
         for lock in locks:
             lock.release()
@@ -54,10 +54,10 @@ def dataset_rows(inputs: Mapping[str, Any]) -> list[Row]:
 
 def trained(inputs: Mapping[str, Any]) -> tuple[Any, Any]:
     """The network of the paper's size, trained or found, and the data it was trained on."""
+    from snapjump.declare.members import make_member
     from snapjump.learning.data import JumpData
     from snapjump.learning.learn import learn
     from snapjump.learning.training import Training
-    from snapjump.members import make_member
 
     dataset, _ = generated(inputs)
     data = JumpData(dataset, Training(**inputs["training"]), inputs["seed"])

@@ -13,8 +13,8 @@ from experiments.paper.forward_model.methods import (
     PAPER_THREADS,
 )
 from experiments.paper.statement import Statement, verdict
-from snapjump.accuracy import TIERS
 from snapjump.studies.base import Row
+from snapjump.tiers import TIERS
 
 COMMAND = "task=paper figure=forward_model"
 WITHIN = 2.0  # this factor of a number of the paper's, a statement holds within a limit

@@ -26,9 +26,9 @@ from experiments.paper.forward_model.judge import (
 from experiments.paper.forward_model.methods import METHODS, NETWORK
 from experiments.paper.learned import shipped_inputs
 from experiments.paper.unfinished import unfinished
-from snapjump.families import DATASET_FAMILIES
+from snapjump.declare.members import member_class, member_group
 from snapjump.learning.training import Training
-from snapjump.members import member_class, member_group
+from snapjump.options.plan import PLANS
 from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
 
 DATASET, NETWORK_CELL = "dataset", "forward model"
@@ -56,7 +56,7 @@ class ForwardModels(Part):
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
         """The dataset, the network, then each method on its targets, ten at a time."""
-        options = DATASET_FAMILIES["plan"][PLAN["name"]]()
+        options = PLANS[PLAN["name"]]()
         data = {
             "groups": groups,
             "plan": {**PLAN, **asdict(options)},
@@ -66,13 +66,13 @@ class ForwardModels(Part):
         learned = {
             **data,
             "training": asdict(Training()),
-            "surrogate": dict(member_group("surrogate", member_class("surrogate", NETWORK)())),
+            "surrogate": member_group(member_class("surrogate", NETWORK)()),
         }
         cells = [Cell(DATASET, data), Cell(NETWORK_CELL, learned)]
         for name, method in METHODS.items():
             shipped = {} if method.network else {"surrogate": None, **shipped_inputs(groups)}
             asked = {**learned, **shipped}
-            inverse = dict(member_group("inverse", completed(method.inverse)))
+            inverse = member_group(completed(method.inverse))
             cells += [
                 Cell(
                     f"{name}: targets {first} to {last - 1}",

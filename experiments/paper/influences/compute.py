@@ -45,7 +45,7 @@ def mounted(base: Simulation, height_bar: float) -> Simulation:
     """The robot with its clamps at another height (in L), turning from flat: a beam that reaches
     below low mounts would start in the ground."""
     robot = replace(base.robot, mount_height=height_bar * base.robot.length_m)
-    return replace(base, robot=robot, sim=replace(base.sim, start_fraction=FROM_FLAT))
+    return replace(base, robot=robot, sim=base.sim.changed(start_fraction=FROM_FLAT))
 
 
 def statics_row(base: Simulation) -> Row:

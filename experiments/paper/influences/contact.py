@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from snapjump.composition import Simulation
-from snapjump.families import FAMILIES
+from snapjump.declare.members import member_class
 from snapjump.results import Result
 from snapjump.simulation import simulate
 from snapjump.studies.base import Row
@@ -18,8 +18,8 @@ SLIDING = 0.99
 
 def followed(simulation: Simulation, interval_s: float) -> Result:
     """The jump with its trajectory."""
-    scene = replace(simulation.sim, sample_interval_s=interval_s)
-    scalar = FAMILIES["backend"]["scalar"]()
+    scene = simulation.sim.changed(sample_interval_s=interval_s)
+    scalar = member_class("backend", "scalar")()
     return simulate(replace(simulation, sim=scene, backend=scalar))
 
 

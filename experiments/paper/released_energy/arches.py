@@ -7,14 +7,14 @@ from experiments.compositions import Groups, changed
 from experiments.paper import exact
 from experiments.paper.released_energy.fits import LOW
 from experiments.paper.tiers import groups_at
-from snapjump.accuracy import TIERS
+from snapjump.tiers import TIERS
 
 FINE = tuple(round(0.01 * k, 2) for k in range(1, 31))  # epsilon
 COARSE = (*FINE[:6], *FINE[7::2])
 OWN = tuple(round(LOW + 0.02 * k, 2) for k in range(11))  # epsilon, on the program's mesh
 MISMATCHES_RAD = (0.1, 0.19)
 SMALL_RAD = 0.05  # a mismatch that h2 is compared with
-OWN_ELEMENTS = TIERS["paper"].elements
+OWN_ELEMENTS = int(TIERS["paper"].numbers["discretization.elements"])
 STATIC_ELEMENTS = 99  # of the paper's static studies, which have 100 nodes
 # Names of cells.
 ALIKE, SMALL, REFERENCE = "clamps alike", "small mismatch", "reference"

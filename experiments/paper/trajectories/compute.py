@@ -8,8 +8,8 @@ import numpy as np
 
 from experiments.compositions import composed
 from experiments.paper.jumps import jump_rows
+from snapjump.backend.scalar import ScalarBackend
 from snapjump.batch import variant
-from snapjump.families import FAMILIES
 from snapjump.simulation import simulate
 from snapjump.studies.base import Row
 
@@ -28,8 +28,8 @@ def path_rows(groups: Mapping[str, Any], design: list[float]) -> list[Row]:
     base = composed(groups)
     one = replace(
         variant(base, design),
-        sim=replace(base.sim, sample_interval_s=INTERVAL_S),
-        backend=FAMILIES["backend"]["scalar"](),
+        sim=base.sim.changed(sample_interval_s=INTERVAL_S),
+        backend=ScalarBackend(),
     )
     result = simulate(one)
     length, kept = base.robot.length_m, result.arrays

@@ -1,0 +1,1 @@
+"""Backends: how many robots are simulated at once, and on what."""

@@ -1,0 +1,35 @@
+"""``backend=lanes``: robots side by side in the lanes of SIMD instructions, in several threads."""
+
+import os
+
+from snapjump.backend.base import MOST_THREADS, WIDTHS, BackendOptions
+from snapjump.checks import ParameterError, check_integer
+
+
+def available_cores() -> int:
+    """The cores that this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+class LanesBackend(BackendOptions):
+    """Robots side by side in the lanes of SIMD instructions: for batches, outcomes only.
+
+    ``width`` robots in each of ``threads``; None: as many threads as there are cores to use.
+    """
+
+    width: int = 8
+    threads: int | None = None
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if type(self.width) is not int or self.width not in WIDTHS:
+            raise ParameterError("backend.width", self.width, "one of 2, 4, 8, 16")
+        if self.threads is not None:
+            check_integer("backend.threads", self.threads, 1, MOST_THREADS)
+
+    @property
+    def thread_count(self) -> int:
+        """Threads that a batch is simulated with."""
+        return available_cores() if self.threads is None else self.threads

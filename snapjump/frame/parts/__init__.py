@@ -1,0 +1,1 @@
+"""What frames are made of, and frames that only a scene has."""

@@ -1,0 +1,169 @@
+"""Elasticity of the frame: the elements of the beam's discrete elastic rods, with free ends.
+
+Corners are hinges whose natural angle is right; all others are straight. Bending: kappa =
+2 tan(phi/2)/d, energy B (kappa - kappa_0)^2 d / 2, with d the node's length; the natural
+tan(phi/2) of both corners is -1 (the chain turns clockwise). There kappa changes twice as fast with
+phi as in a straight hinge, so that a corner is four times as stiff as its length of beam: an error
+of first order in the mesh, of a few percent of the bending of a frame that hardly bends.
+"""
+
+from typing import Any
+
+from snapjump.discretization.parts.der_elements import (
+    Block,
+    Coupling,
+    edge_at,
+    edge_block,
+    hinge_block,
+    hinge_coupling,
+    put_columns,
+)
+from snapjump.discretization.parts.edge import half_angle_tangent, make_edge
+from snapjump.frame.parts.elastic_mesh import (
+    LEFT_CORNER,
+    RIGHT_CORNER,
+    edge_length,
+    node_count,
+    node_length,
+)
+from snapjump.number.dispatch import kernel, routine
+from snapjump.number.functions import absolute, fma, maximum
+
+
+@kernel
+def natural_tangent(mesh: Any, node: Any) -> float:
+    """tan(phi/2) of a hinge without moment."""
+    return -1.0 if node == mesh[LEFT_CORNER] or node == mesh[RIGHT_CORNER] else 0.0
+
+
+@kernel
+def hinge(
+    frame: Any, mesh: Any, damping: Any, node: Any, before: Any, after: Any, rate_factor: Any
+) -> Any:
+    """dE/dphi of the hinge at a node between two edges, and its derivative."""
+    t = half_angle_tangent(before.cx, before.cy, after.cx, after.cy)
+    growth = fma(t, t, 1.0)  # d(2 t)/dphi
+    density = frame.bending / node_length(frame, mesh, node)
+    rate = growth * (after.turn_rate - before.turn_rate)
+    bent = 2.0 * (t - natural_tangent(mesh, node))
+    curvature = damping.viscous_strain(bent, rate) * density
+    elastic = growth * damping.stiffening(rate_factor) * density
+    return curvature * growth, growth * fma(curvature, t, elastic)
+
+
+@routine
+def add_chain_forces(
+    frame: Any,
+    mesh: Any,
+    damping: Any,
+    state: Any,
+    origin: Any,
+    rate_factor: Any,
+    residual: Any,
+    band: Any,
+) -> Any:
+    """Add gradient and tangent of the frame's elastic (and viscous) energy.
+
+    Rows of residual and band hold masses on the band's diagonal and in the residual; the rest is
+    written. Returns the largest element force.
+    """
+    zero = 0.0 * rate_factor
+    largest = zero
+    nodes = node_count(mesh)
+    edge = edge_at(0, state, origin, rate_factor)
+    moment = zero
+    start = Block(zero, zero, zero)
+    coupling = Coupling(zero, zero, zero, zero)
+    before = Block(zero, zero, zero)
+    before_x = zero
+    before_y = zero
+    for node in range(nodes - 1):
+        after = edge
+        next_moment = zero
+        stiffness = zero
+        if node < nodes - 2:
+            after = edge_at(node + 1, state, origin, rate_factor)
+            next_moment, stiffness = hinge(frame, mesh, damping, node + 1, edge, after, rate_factor)
+        length = edge_length(frame, mesh, node)
+        stretching = frame.stretching / length
+        force = stretching * damping.viscous_strain(edge.length - length, edge.stretch_rate)
+        sideways = (moment - next_moment) * edge.over
+        fx = force * edge.cx - sideways * edge.cy
+        fy = force * edge.cy + sideways * edge.cx
+        own = edge_block(
+            stretching * damping.stiffening(rate_factor),
+            force * edge.over,
+            sideways * edge.over,
+            edge,
+            start,
+            hinge_block(stiffness, edge),
+        )
+        next_coupling = hinge_coupling(stiffness, edge, after)
+        put_columns(node, before, coupling, own, next_coupling, band)
+        residual[2 * node] += before_x - fx
+        residual[2 * node + 1] += before_y - fy
+        largest = maximum(largest, absolute(fx) + absolute(fy))
+        before = own
+        before_x = fx
+        before_y = fy
+        start = hinge_block(stiffness, after)
+        coupling = next_coupling
+        moment = next_moment
+        edge = after
+    last = 2 * (nodes - 1)
+    band[last, 0] += before.xx
+    band[last, 1] = before.xy
+    band[last + 1, 0] += before.yy
+    for k in range(2, 6):
+        band[last, k] = zero
+        band[last + 1, k - 1] = zero
+    residual[last] += before_x
+    residual[last + 1] += before_y
+    return largest
+
+
+@routine
+def chain_energy(frame: Any, mesh: Any, state: Any) -> Any:
+    """Elastic energy of the frame (EI/L)."""
+    energy = 0.0 * state[0]
+    edge = edge_at(0, state, state, 0.0)
+    for j in range(node_count(mesh) - 1):
+        if j > 0:
+            after = edge_at(j, state, state, 0.0)
+            t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
+            bent = t - natural_tangent(mesh, j)
+            energy = energy + 2.0 * frame.bending * bent * bent / node_length(frame, mesh, j)
+            edge = after
+        length = edge_length(frame, mesh, j)
+        strain = edge.length / length - 1.0
+        energy = energy + 0.5 * frame.stretching * length * strain * strain
+    return energy
+
+
+@routine
+def chain_dissipation(frame: Any, damping: Any, mesh: Any, state: Any, velocity: Any) -> Any:
+    """Power that material damping takes out of the frame (EI/(L T))."""
+    power = 0.0 * state[0]
+    zero = 0.0 * power
+    still = edge_at(0, state, state, zero)
+    edge = still
+    for j in range(node_count(mesh) - 1):
+        i = 2 * j
+        after = make_edge(
+            state[i + 2] - state[i],
+            state[i + 3] - state[i + 1],
+            velocity[i + 2] - velocity[i],
+            velocity[i + 3] - velocity[i + 1],
+        )
+        resting = edge_at(j, state, state, zero)
+        if j > 0:
+            moving, _ = hinge(frame, mesh, damping, j, edge, after, zero)
+            elastic, _ = hinge(frame, mesh, damping, j, still, resting, zero)
+            power = power + (moving - elastic) * (after.turn_rate - edge.turn_rate)
+        length = edge_length(frame, mesh, j)
+        strain = after.length - length
+        viscous = damping.viscous_strain(strain, after.stretch_rate) - strain
+        power = power + frame.stretching / length * viscous * after.stretch_rate
+        edge = after
+        still = resting
+    return power

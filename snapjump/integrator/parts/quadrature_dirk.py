@@ -1,0 +1,42 @@
+"""Runge-Kutta methods whose end is not a stage: the stages' velocities are added up once more.
+
+Contact guards the stages only, so that the end of every step is checked by itself.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.integrator.parts.dirk import DirkScheme
+from snapjump.number.functions import where
+
+
+@DirkScheme.member
+class QuadratureTableau(NamedTuple):
+    """A :class:`~snapjump.integrator.parts.dirk.Tableau` whose stage 0 has no weight.
+
+    ``error`` weighs accelerations times the step, that of stage 0 being the last one before.
+    """
+
+    gamma: float
+    matrix: NDArray[np.float64]
+    nodes: NDArray[np.float64]
+    weights: NDArray[np.float64]
+    error: tuple[float, ...]
+    error_order: float
+
+    def ends_in_a_stage(self) -> bool:
+        return False
+
+    def end_step(self, work: Any, step: Any, mask: Any) -> None:
+        last = len(self.error) - 1
+        for i in range(work.state.shape[0]):
+            position = work.start[i]
+            velocity = work.velocity[0, i]
+            for k in range(1, last + 1):
+                weight = step * self.weights[k]
+                position = position + weight * work.velocity[k, i]
+                velocity = velocity + weight * work.acceleration[k, i]
+            work.state[i] = where(mask, position, work.state[i])
+            work.velocity[last, i] = where(mask, velocity, work.velocity[last, i])

@@ -1,0 +1,1 @@
+"""Scenes: which bodies and terms exist, when a simulation ends, and what it reports."""

@@ -1,1 +1,0 @@
-"""Butcher tableaux as configurations: one YAML a method, found by the library and by Hydra."""
