@@ -13,6 +13,7 @@ from typing import Any
 import numba
 from numba.core.caching import UserProvidedCacheLocator
 
+from snapjump.number.old_kernels import remove_old, use
 from snapjump.sources import files
 from snapjump.sources.kept import cache_root
 
@@ -76,7 +77,15 @@ class KernelLocator(UserProvidedCacheLocator):
 
 
 def use_cache_folder() -> None:
-    """Point numba to :func:`cache_folder`; to be called before any kernel is decorated."""
-    numba.config.CACHE_DIR = str(cache_folder())
+    """Point numba to :func:`cache_folder`; to be called before any kernel is decorated.
+
+    A new folder takes the place of those that are no longer used.
+    """
+    folder = cache_folder()
+    is_new = not folder.exists()
+    use(folder)
+    if is_new:
+        remove_old(folder)
+    numba.config.CACHE_DIR = str(folder)
     others = os.environ.get("NUMBA_CACHE_LOCATOR_CLASSES") or NUMBA_LOCATORS
     numba.config.CACHE_LOCATOR_CLASSES = f"{__name__}.{KernelLocator.__name__},{others}"
