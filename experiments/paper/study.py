@@ -1,6 +1,5 @@
 """``python run.py task=paper``: every figure and every testable statement of the paper."""
 
-import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from datetime import datetime
@@ -14,6 +13,7 @@ from experiments.paper.texts import INTRODUCTION, TITLE, readme_block
 from snapjump.checks import ParameterError, check_choice
 from snapjump.composition import with_tier
 from snapjump.dataset.specification import first_difference
+from snapjump.sources.files import combined_hash
 from snapjump.studies.base import OK, Cell, Conclusion, Done, Row, Section, Table
 from snapjump.studies.fingerprint import sources
 from snapjump.studies.study import Study
@@ -137,7 +137,4 @@ def duration(done: Mapping[str, Done]) -> str:
 
 def source_digest(part: Part) -> str:
     """A hash of the modules that compute a part, and of those that they import."""
-    digest = hashlib.sha256()
-    for file in sources(part.sources):
-        digest.update(file.read_bytes())
-    return digest.hexdigest()[:16]
+    return combined_hash(sources(part.sources))[:16]

@@ -15,6 +15,8 @@ from snapjump.friction.none import NoFriction
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import negate, where
 
+FRICTIONLESS = NoFriction.Law  # a name that kernels can call
+
 CONTINUATION_STEPS = 16
 FIRST_TURN = 0.02  # of a step
 DIFFERENCE_RAD = 2e-3  # clamp angle between the equilibria that velocity is taken from
@@ -30,7 +32,7 @@ def with_angles(model: Any, left: Any, lag: Any) -> Any:
         model.frame,
         clamp,
         model.contact,
-        NoFriction.Law(),
+        FRICTIONLESS(),
         model.damping,
         model.load,
         model.ground,

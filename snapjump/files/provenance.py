@@ -1,6 +1,5 @@
 """Where a result comes from: code, versions, machine, seed and the command that repeats it."""
 
-import hashlib
 import os
 import platform
 import subprocess
@@ -9,6 +8,8 @@ from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
+
+from snapjump.sources.files import PACKAGE, combined_hash, package_files, plugin_files
 
 PACKAGES = (
     "snapjump",
@@ -24,9 +25,8 @@ PACKAGES = (
     "torch",
     "pytorch-lightning",
 )
-SOURCES = Path(__file__).resolve().parents[1]
 # Packages that only show, keep or ask for results: a change in them changes no number.
-NOT_PHYSICS = ("executor", "files", "plots", "studies", "tasks", "terminal", "tracking")
+NOT_PHYSICS = ("executor", "files", "plots", "sources", "studies", "tasks", "terminal", "tracking")
 # What is built on datasets, and changes none.
 BEYOND_DATASETS = ("inverse", "learning", "members.py", "surrogate", "targets")
 
@@ -68,26 +68,24 @@ def git_state() -> dict[str, Any]:
     }
 
 
-@cache
 def source_hash(without: tuple[str, ...] = ()) -> str:
     """A hash of the sources that results depend on; tells apart what git calls just dirty.
 
+    Plug-ins count, comments and docstrings do not.
+
     ``without``: parts of the package that those at hand do not depend on.
     """
-    digest = hashlib.sha256()
-    for path in sorted(SOURCES.rglob("*.py")):
-        name = path.relative_to(SOURCES)
-        if name.parts[0] in (*NOT_PHYSICS, *without):
-            continue
-        digest.update(str(name).encode())
-        digest.update(path.read_bytes())
-    return digest.hexdigest()
+    return combined_hash(
+        source
+        for source in (*package_files(), *plugin_files())
+        if source.part not in (*NOT_PHYSICS, *without)
+    )
 
 
 def _git(*arguments: str) -> str | None:
     try:
         answer = subprocess.run(
-            ["git", "-C", str(SOURCES), *arguments],
+            ["git", "-C", str(PACKAGE), *arguments],
             capture_output=True,
             text=True,
             timeout=10,

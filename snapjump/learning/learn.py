@@ -5,7 +5,6 @@ outputs/training/<surrogate>-<hash>/curves.json                and, once it has 
 outputs/training/<surrogate>-<hash>/forward_model.safetensors  what has come of it
 """
 
-import hashlib
 import time
 from collections.abc import Mapping
 from dataclasses import asdict
@@ -18,7 +17,7 @@ from snapjump.checks import ParameterError
 from snapjump.dataset.sealed import read_sealed, sha256_of, write_sealed
 from snapjump.declare.members import member_group
 from snapjump.files.lock import FileLock
-from snapjump.files.provenance import SOURCES, origin
+from snapjump.files.provenance import origin
 from snapjump.learning.checkpoint import Checkpoint, read_checkpoint, write_checkpoint
 from snapjump.learning.data import RULE, JumpData
 from snapjump.learning.fit import STATE, Fitted, descend
@@ -26,6 +25,7 @@ from snapjump.learning.keeper import Progress
 from snapjump.learning.measures import measures
 from snapjump.learning.threads import torch_threads
 from snapjump.plan.base import AXES
+from snapjump.sources.files import combined_hash, package_files, plugin_files
 from snapjump.surrogate.base import Surrogate, SurrogateOptions
 
 DEFAULT = Path("outputs/training")
@@ -158,7 +158,6 @@ def _finished(folder: Path) -> Learned | None:
 
 
 def _sources(surrogate: str) -> str:
-    digest = hashlib.sha256()
-    for name in (*DETERMINES, f"surrogate/{surrogate}.py"):
-        digest.update(name.encode() + (SOURCES / name).read_bytes())
-    return digest.hexdigest()
+    names = (*DETERMINES, f"surrogate/{surrogate}.py")
+    files = (*package_files(), *plugin_files())
+    return combined_hash(source for source in files if source.name in names)

@@ -1,9 +1,14 @@
 """How kernels are compiled: what Python calls, what only they call, and what is merged."""
 
+from collections.abc import Callable
+from typing import Any
+
 from numba import njit
 from numba.extending import register_jitable
 
+from snapjump.number.compile_cache import use_cache_folder
 from snapjump.number.linking import PartCompiler, ProgramCompiler
+from snapjump.sources import files
 
 # Plain Python functions that compiled code may call: small ones are merged into their callers
 # (lanes travel through memory across a call), large ones are compiled once a program.
@@ -12,8 +17,33 @@ COMPILED = {"no_cfunc_wrapper": True, "pipeline_class": PartCompiler}
 INLINED = {"forceinline": True, **COMPILED}
 kernel = register_jitable(**INLINED)
 routine = register_jitable(**COMPILED)
-# A function that Python calls, compiled for its arguments once and kept on disk; threads may call
-# one that is released.
+# A function that Python calls, compiled for its arguments once and kept on disk.
 PROGRAM = {"cache": True, "error_model": "numpy", "pipeline_class": ProgramCompiler}
-compiled = njit(**PROGRAM)
-released = njit(nogil=True, **PROGRAM)
+_programs: list[Any] = []
+
+
+def compiled(function: Callable[..., Any]) -> Any:
+    """A program: what Python calls."""
+    return _remembered(njit(**PROGRAM)(function))
+
+
+def released(function: Callable[..., Any]) -> Any:
+    """A program that several threads may call at the same time."""
+    return _remembered(njit(nogil=True, **PROGRAM)(function))
+
+
+def refresh() -> None:
+    """Keep programs in the folder of the sources with the plug-ins that there are now.
+
+    What has been compiled before stays in this process, and on disk where it was.
+    """
+    for folder in files.PLUGINS:
+        files.forget(folder)
+    use_cache_folder()
+    for program in _programs:
+        program.enable_caching()
+
+
+def _remembered(program: Any) -> Any:
+    _programs.append(program)
+    return program

@@ -1,7 +1,6 @@
 """Everything that determines the cells of a study, as one short name for their folder."""
 
 import ast
-import hashlib
 import json
 from collections.abc import Iterable, Mapping
 from importlib.util import find_spec
@@ -10,6 +9,7 @@ from typing import Any
 
 from snapjump.files.json_file import finite
 from snapjump.files.provenance import source_hash
+from snapjump.sources.files import Source, combined_hash
 
 # What is shown, where, and of which quality says nothing about what is computed.
 NOT_PHYSICS = ("tracking", "publish", "figures")
@@ -23,15 +23,12 @@ def fingerprint(config: Mapping[str, Any], roots: Iterable[str]) -> str:
     ``roots``: the modules, as in ``experiments.designs``, that cells are computed by.
     """
     physics, _ = finite({key: value for key, value in config.items() if key not in NOT_PHYSICS})
-    digest = hashlib.sha256(json.dumps(physics, sort_keys=True).encode())
-    digest.update(source_hash().encode())
-    for file in sources(roots):
-        digest.update(file.read_bytes())
-    return digest.hexdigest()[:DIGITS]
+    configuration = json.dumps(physics, sort_keys=True)
+    return combined_hash(sources(roots), configuration, source_hash())[:DIGITS]
 
 
-def sources(roots: Iterable[str]) -> list[Path]:
-    """The files of the modules and of everything of the experiments that these import."""
+def sources(roots: Iterable[str]) -> list[Source]:
+    """The modules and everything of the experiments that these import, by their modules' names."""
     found: dict[str, Path] = {}
     waiting = list(roots)
     while waiting:
@@ -41,7 +38,7 @@ def sources(roots: Iterable[str]) -> list[Path]:
             continue
         found[module] = origin
         waiting += [name for name in _imports(origin) if name.split(".")[0] == PACKAGE]
-    return [found[module] for module in sorted(found)]
+    return [Source(module, found[module]) for module in sorted(found)]
 
 
 def _imports(file: Path) -> Iterable[str]:

@@ -14,11 +14,16 @@ from snapjump.dataset.read import open_dataset
 from snapjump.declare.members import make_member, member_class
 from snapjump.learning.data import JumpData
 from snapjump.learning.forward_model import open_forward_model
-from snapjump.learning.learn import CURVES, FORWARD_MODEL, check_slopes, learn
+from snapjump.learning.learn import CURVES, DETERMINES, FORWARD_MODEL, check_slopes, learn
 from snapjump.learning.training import Training
+from snapjump.sources.files import package_files
 
 Data = Callable[..., JumpData]
 OPTIONS = make_member("surrogate", RESNET)
+
+
+def test_the_modules_that_determine_the_weights_exist() -> None:
+    assert set(DETERMINES) <= {source.name for source in package_files()}
 
 
 def silent(share: float, text: str) -> None:

@@ -7,14 +7,15 @@ import pytest
 from numba import njit
 
 from snapjump.number import compile_cache
+from snapjump.sources import files
 
 
 @pytest.fixture
 def copied(tmp_path, monkeypatch):
     """The package's sources in a folder of their own."""
     package = tmp_path / "snapjump"
-    shutil.copytree(compile_cache.PACKAGE, package, ignore=shutil.ignore_patterns("__pycache__"))
-    monkeypatch.setattr(compile_cache, "PACKAGE", package)
+    shutil.copytree(files.PACKAGE, package, ignore=shutil.ignore_patterns("__pycache__"))
+    monkeypatch.setattr(files, "PACKAGE", package)
     return package
 
 
@@ -29,12 +30,14 @@ def test_folder_changes_with_any_kernel_source(copied, package):
     before = compile_cache.cache_folder()
     with (copied / package / "base.py").open("a") as source:
         source.write("\nEDITED = True\n")
+    files.forget(copied)
     assert compile_cache.cache_folder() != before
 
 
 def test_folder_does_not_change_with_other_sources(copied):
     before = compile_cache.cache_folder()
     (copied / "plots" / "canvas.py").write_text("")
+    files.forget(copied)
     assert compile_cache.cache_folder() == before
 
 
@@ -48,20 +51,24 @@ def test_folder_follows_the_environment(monkeypatch, tmp_path):
 
 # The smallest kernel that is kept, compiled by the package in the current folder.
 COMPILE = """
+from pathlib import Path
 from snapjump.statics.resting_gap import resting_gap
 from snapjump.contact.logbarrier import LogBarrier
-from snapjump.number import compile_cache
-assert str(compile_cache.PACKAGE.parent) == {root!r}, compile_cache.PACKAGE
+from snapjump.number.dispatch import refresh
+from snapjump.sources.files import PACKAGE, PLUGINS
+assert str(PACKAGE.parent) == {root!r}, PACKAGE
+PLUGINS.extend(Path(place) for place in {plugins!r})
+refresh()
 resting_gap(LogBarrier.Law(1.0, 1.0, 1.0), 1.0, 1.0)
 print(sum(resting_gap.stats.cache_hits.values()), sum(resting_gap.stats.cache_misses.values()))
 """
 
 
-def compiled_in(root, cache):
+def compiled_in(root, cache, *plugins):
     """How often the kernel was found and not found by the package there."""
     environment = {**os.environ, "NUMBA_CACHE_DIR": str(cache), "PYTHONPATH": str(root)}
     done = subprocess.run(
-        [sys.executable, "-c", COMPILE.format(root=str(root))],
+        [sys.executable, "-c", COMPILE.format(root=str(root), plugins=plugins)],
         cwd=root,
         env=environment,
         capture_output=True,
@@ -76,14 +83,33 @@ def test_a_copy_finds_what_was_compiled_and_an_edited_one_does_not(copied, tmp_p
     shutil.copytree(copied, elsewhere / "snapjump")  # with other dates
     assert compiled_in(tmp_path, cache) == (0, 1)
     assert compiled_in(elsewhere, cache) == (1, 0)
+    # Words, and the kernel some lines below where it was.
+    kernel = elsewhere / "snapjump" / "contact" / "resting.py"
+    text = kernel.read_text().replace("By bisection", "By halving intervals")
+    kernel.write_text(text.replace("@compiled", "# A comment.\n\n@compiled"))
+    assert compiled_in(elsewhere, cache) == (1, 0)
     # A function that the kernel calls, in a file of its own.
     with (elsewhere / "snapjump" / "contact" / "logbarrier.py").open("a") as source:
         source.write("\nEDITED = True\n")
     assert compiled_in(elsewhere, cache) == (0, 1)
 
 
+def test_programs_follow_the_plugins(tmp_path):
+    plugin = tmp_path / "mine" / "contact"
+    plugin.mkdir(parents=True)
+    (plugin / "law.py").write_text("STIFFNESS = 1.0\n")
+    root, cache = files.PACKAGE.parent, tmp_path / "cache"
+    assert compiled_in(root, cache, str(plugin.parent)) == (0, 1)
+    assert compiled_in(root, cache) == (0, 1)
+    assert len(list(cache.glob("kernels-*"))) == 2
+
+
 def test_functions_of_others_are_left_to_numba():
     assert compile_cache.KernelLocator.from_function(compiled_in, __file__) is None
+    # They share a name, and only their lines tell them apart.
+    inner = (lambda: lambda: None)()
+    place = str(files.PACKAGE / "contact" / "resting.py")
+    assert compile_cache.KernelLocator.from_function(inner, place) is None
 
     @njit(cache=True)
     def other(x):

@@ -192,7 +192,8 @@ def test_the_folder_s_name_tells_what_determines_the_cells() -> None:
     assert fingerprint({**CONFIG, "tracking": {"name": "off"}, "publish": "x"}, roots) == name
     assert fingerprint({**CONFIG, "seed": 1}, roots) != name
     assert fingerprint(CONFIG, ["experiments.designs"]) != name
-    assert {file.name for file in sources(roots)} >= {"speed.py", "designs.py"}
+    names = {source.name for source in sources(roots)}
+    assert names >= {"experiments.speed", "experiments.designs"}
 
 
 def test_only_what_is_between_the_markers_is_replaced() -> None:

@@ -13,6 +13,8 @@ from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, maximum
 from snapjump.number.methods import required
 
+UNDAMPED = NoDamping.Law  # a name that kernels can call
+
 
 class BeamChain(NamedTuple):
     """What a sweep from left to right carries: the element before the node, and the largest
@@ -170,7 +172,7 @@ class BeamElements(Discretization):
             )
             bend = (position[i + 5] - position[i + 2]) * over
             element = element_of(self, damping, span, bend, bending * over, over)
-            elastic = element_of(self, NoDamping.Law(), span, bend, zero, over)
+            elastic = element_of(self, UNDAMPED(), span, bend, zero, over)
             power = power + (element.force_x - elastic.force_x) * vx
             power = power + (element.force_y - elastic.force_y) * vy
             power = power + (element.torque - elastic.torque) * turning
