@@ -1,6 +1,5 @@
 """The configurations and the library tell the same story, and every member composes and builds."""
 
-import dataclasses
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +11,7 @@ from hydra import compose, initialize_config_dir
 from omegaconf import OmegaConf
 
 from snapjump.dataset.specification import plan_of
+from snapjump.declare.fields import settings
 from snapjump.declare.members import files_of, make_member, member_class, member_names
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
@@ -67,7 +67,7 @@ def section(group: str, name: str) -> dict[str, Any]:
 def defaults(cls: Any) -> dict[str, Any]:
     """Field names and their defaults."""
     part = cls()
-    return {f.name: getattr(part, f.name) for f in dataclasses.fields(part) if f.name != "method"}
+    return {key: getattr(part, key) for key in settings(part)}
 
 
 @pytest.mark.parametrize("family", EVERY)

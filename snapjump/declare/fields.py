@@ -108,6 +108,11 @@ def flag(default: bool, doc: str = "") -> Any:
     return field(default=default, metadata={"allowed": Flag(), "doc": doc})
 
 
+def hidden(default: Any) -> Any:
+    """A field that is no setting of a user's."""
+    return field(default=default, metadata={"hidden": True})
+
+
 def required(function: Any) -> Any:
     """A method that every member must write."""
     function.is_required = True
@@ -180,13 +185,18 @@ class Part:
                 allowed.check(f"{self.group}.{declared.name}", getattr(self, declared.name))
 
 
+def settings(part: Any) -> list[str]:
+    """Names of the fields that a user sets, of a part or any dataclass."""
+    return [declared.name for declared in fields(part) if "hidden" not in declared.metadata]
+
+
 def construct(group: str, cls: Any, values: Any) -> Any:
     """A part, or any dataclass, from a group's values; what is left out has its default.
 
     Raises ParameterError for an unknown key, and for a missing one that has no default.
     """
     check_group(group, values)
-    declared = {f.name: f for f in fields(cls)}
+    declared = {f.name: f for f in fields(cls) if "hidden" not in f.metadata}
     for key, value in values.items():
         if key not in declared:
             allowed = ", ".join(declared) or "no keys at all"

@@ -7,7 +7,6 @@ Nothing is imported before it is asked for: a surrogate takes seconds to load.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import fields
 from functools import partial
 from importlib import import_module
 from pathlib import Path
@@ -16,7 +15,7 @@ from typing import Any
 import yaml
 
 from snapjump.checks import ParameterError, check_choice, check_group
-from snapjump.declare.fields import Part, construct
+from snapjump.declare.fields import Part, construct, settings
 
 BASE = "base"
 # Of a simulation, in the order in which they are told.
@@ -108,5 +107,4 @@ def make_member(family: str, group: Any) -> Any:
 
 def member_group(options: Any) -> dict[str, Any]:
     """The group that options came from, plain."""
-    own = {f.name: getattr(options, f.name) for f in fields(options) if f.name != "method"}
-    return {"name": options.name, **own}
+    return {"name": options.name, **{key: getattr(options, key) for key in settings(options)}}

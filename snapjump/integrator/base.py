@@ -112,4 +112,5 @@ def of_numbers(name: str, values: Mapping[str, Any]) -> IntegratorOptions:
     """A member that is a file of numbers alone: a Runge-Kutta method by its tableau."""
     from snapjump.integrator.parts.runge_kutta import RungeKutta
 
-    return construct("integrator", RungeKutta, {**values, "method": name})
+    method: IntegratorOptions = construct("integrator", RungeKutta, values).changed(method=name)
+    return method

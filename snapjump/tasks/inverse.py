@@ -57,7 +57,7 @@ class InverseDesign:
         if scene != "jump":
             raise ParameterError("sim", scene, "jump, which is what has an apex")
         self._base = build(config)
-        check_complete(config, self._base)
+        check_complete(config, self._base, inverse=self._method, tolerance=self._tolerance)
         check_scene(self._base)
         if self._method.needs_slopes:
             differentiable(self._base)

@@ -1,10 +1,11 @@
 """``task=simulate``: one simulation of one scene, with its trajectory and its figures."""
 
 from collections.abc import Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import is_dataclass
 from typing import TYPE_CHECKING, Any
 
 from snapjump.checks import ParameterError
+from snapjump.declare.fields import settings
 from snapjump.files.result_folder import ResultFolder
 from snapjump.tasks.base import NOT_FINITE, OK, Outcome, Progress
 
@@ -54,15 +55,16 @@ class Simulate:
         return scene_report(self._config, outcome.summary)
 
 
-def check_complete(config: Mapping[str, Any], simulation: object) -> None:
-    """Raise ParameterError for a key that was deleted: config.yaml tells everything."""
+def check_complete(config: Mapping[str, Any], simulation: object, **others: Any) -> None:
+    """Raise ParameterError for a key that was deleted: config.yaml tells everything.
+
+    ``others``: options beside the simulation's, by their groups.
+    """
     for group, values in config.items():
-        options = getattr(simulation, group, None)
-        for field in fields(options) if is_dataclass(options) else ():
-            if field.name not in values:
-                raise ParameterError(
-                    f"{group}.{field.name}", None, "a value, which cannot be left out"
-                )
+        options = others.get(group, getattr(simulation, group, None))
+        for key in settings(options) if is_dataclass(options) else ():
+            if key not in values:
+                raise ParameterError(f"{group}.{key}", None, "a value, which cannot be left out")
 
 
 def _draw(result: "Result", folder: ResultFolder, progress: Progress) -> None:

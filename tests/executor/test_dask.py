@@ -154,13 +154,13 @@ def test_no_scheduler_is_bad_input() -> None:
         unused.bind(("127.0.0.1", 0))
         address = f"tcp://127.0.0.1:{unused.getsockname()[1]}"
         with pytest.raises(ParameterError, match=r"executor\.scheduler"):
-            Dask(address).member().check()
+            Dask(address).executor().check()
 
 
 def test_without_the_package_it_says_what_to_install(monkeypatch) -> None:
     monkeypatch.setattr("snapjump.executor.dask.find_spec", lambda name: None)
     with pytest.raises(ParameterError, match=r"snapjump\[cluster\]"):
-        Dask().member().check()
+        Dask().executor().check()
 
 
 def test_workers_here_share_the_cores() -> None:

@@ -1,6 +1,5 @@
 """Every field of every option is checked: its key, the value and the range in one line."""
 
-import dataclasses
 import math
 
 import pytest
@@ -8,7 +7,7 @@ from families import EVERY
 
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
-from snapjump.declare.fields import Choice, Flag, Integer, Number
+from snapjump.declare.fields import Choice, Flag, Integer, Number, settings
 from snapjump.declare.members import member_class
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.integrator.parts.runge_kutta import RungeKutta
@@ -67,13 +66,14 @@ def cases():
     """(family, member, field, value) of every field of every member."""
     for family, members in EVERY.items():
         for member, cls in members.items():
-            for field in dataclasses.fields(cls()):
-                allowed = field.metadata.get("allowed")
-                values = FURTHER.get((family, member, field.name), tuple(outside(allowed)))
-                assert values or field.name == "method", (family, member, field.name)
-                for value in (*values, *WRONG) if values else ():
-                    if value is not None or field.name not in MAY_BE_NONE:
-                        yield family, member, field.name, value
+            part = cls()
+            for field in settings(part):
+                allowed = type(part).__dataclass_fields__[field].metadata.get("allowed")
+                values = FURTHER.get((family, member, field), tuple(outside(allowed)))
+                assert values, (family, member, field)
+                for value in (*values, *WRONG):
+                    if value is not None or field not in MAY_BE_NONE:
+                        yield family, member, field, value
 
 
 CASES = list(cases())

@@ -51,7 +51,6 @@ def test_tolerances() -> None:
         (None, "tolerance"),
         (0.1, "tolerance"),
         ({**TOLERANCE, "width_m": 0.1}, "tolerance.width_m"),
-        ({"epsilon": 0.1}, "tolerance.delta_alpha_rad"),
         ({**TOLERANCE, "mu": -1.0}, "tolerance.mu"),
     ],
 )

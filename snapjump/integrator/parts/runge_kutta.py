@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from snapjump.checks import ParameterError, check_integer, check_number
+from snapjump.declare.fields import hidden
 from snapjump.integrator.base import IntegratorOptions
 from snapjump.integrator.parts.dirk import Tableau
 from snapjump.integrator.parts.quadrature_dirk import QuadratureTableau
@@ -33,7 +34,7 @@ class RungeKutta(IntegratorOptions):
     rows: Rows
     weights: tuple[float, ...] | None = None
     embedded: tuple[float, ...] | None = None
-    method: str = "runge_kutta"
+    method: str = hidden("runge_kutta")
 
     @property
     def name(self) -> str:
