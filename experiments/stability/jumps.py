@@ -91,9 +91,9 @@ def batch_rows(simulations: Sequence[Simulation], most_iterations: float) -> lis
             "newton_iterations": batch.newton_iterations[k],
             "error_sum_bar": batch.error_sum_bar[k],
             "coarsest_contact_step": batch.coarsest_contact_step[k],
-            "x_estimate_percent": batch.estimate.x_percent[k],
-            "y_estimate_percent": batch.estimate.y_percent[k],
-            "within_tier": bool(batch.estimate.within_tier[k]),
+            "x_estimate_percent": batch.x_error_estimate_percent[k],
+            "y_estimate_percent": batch.y_error_estimate_percent[k],
+            "within_tier": bool(batch.within_tier[k]),
             "seconds": seconds,
         }
         for k in range(len(simulations))

@@ -38,9 +38,9 @@ def jump_rows(inputs: Mapping[str, Any]) -> list[Row]:
     base = composed(inputs["groups"])
     simulations = variants(base, designs)
     batches = [simulate_batch(simulations, inputs["lanes"])]
-    while len(batches) < REPEATS and batches[0].kernel_seconds < LONG:
+    while len(batches) < REPEATS and batches[0].march_seconds < LONG:
         batches.append(simulate_batch(simulations, inputs["lanes"]))
-    seconds = statistics.median(batch.kernel_seconds for batch in batches)
+    seconds = statistics.median(batch.march_seconds for batch in batches)
     batch = batches[0]
     total = max(float(np.sum(batch.newton_iterations)), 1.0)
     return [
