@@ -89,6 +89,8 @@ class Outputs:
             for each in self.declared()
         }
 
-    def figures(self) -> dict[str, Any]:
-        """Every output of a single simulation by name, as a plain number or word."""
-        return {name: values.tolist()[0] for name, values in self.columns().items()}
+    def rows(self, *names: str) -> list[dict[str, Any]]:
+        """Outputs of each simulation by name, as plain numbers and words: these, or all."""
+        columns = self.columns()
+        kept = {name: columns[name].tolist() for name in names or columns}
+        return [dict(zip(kept, values, strict=True)) for values in zip(*kept.values(), strict=True)]

@@ -37,6 +37,12 @@ class JumpOutputs(GroundOutputs):
         steps = np.where(np.isin(self.status, ENDED), self.outcome[:, c.ERROR_SUM], np.nan)
         return error_estimate(self.simulation, steps, 1.0 / self.model.frame.mass)
 
+    @cached_property
+    def apexes(self) -> Array:
+        """Both coordinates of the apex (R, 2), NaN unless the status is ok."""
+        flown = np.isin(self.status, FLOWN)[:, None]
+        return np.where(flown, np.column_stack([self.x_bar, self.y_bar]), np.nan)
+
     @output("L", of=ENDED, show="apex: x {}")
     def x_bar(self) -> Array:
         """Apex of the centre of mass, from where it started."""

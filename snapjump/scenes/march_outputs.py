@@ -62,7 +62,7 @@ class RunOutputs(Outputs):
 
     def result(self, arrays: dict[str, NDArray[Any]]) -> Result:
         """The simulation's result, with its trajectory or other arrays."""
-        figures = self.figures()
+        (figures,) = self.rows()
         return Result(figures["status"], self.message, figures, arrays, self.simulation)
 
 

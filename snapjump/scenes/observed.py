@@ -66,8 +66,8 @@ def observe_jump(simulation: Simulation) -> dict[str, Any]:
     outcome, recorder = march.run(), march.recorder
     count = min(int(recorder.filled[0]), MOST_STEPS)
     watched = (recorder.times[:count], recorder.heights[:count], recorder.forces[:count])
-    seconds = march.kernel_seconds
-    return ObservedJump(simulation, side_by_side([model]), outcome, seconds, *watched).figures()
+    side, seconds = side_by_side([model]), march.kernel_seconds
+    return ObservedJump(simulation, side, outcome, seconds, *watched).rows()[0]
 
 
 def crossing(times: Array, values: Array) -> float:

@@ -51,9 +51,10 @@ def test_figures_of_many_are_columns_with_nan_where_the_status_has_none():
     assert columns["number"].dtype == np.int64
     assert columns["status"].tolist() == ["ok", "lost"]
     assert throws.height_m is throws.height_m  # read once
+    assert throws.rows("number", "status")[1] == {"number": 1, "status": "lost"}
 
 
 def test_figures_of_one_are_plain():
-    figures = Spun(np.array([10.0]), ("ok",)).figures()
+    (figures,) = Spun(np.array([10.0]), ("ok",)).rows()
     assert figures == {"spin_rad_s": 2.5, "height_m": 5.0, "number": 0, "status": "ok"}
     assert [type(figures[key]) for key in ("spin_rad_s", "number", "status")] == [float, int, str]
