@@ -29,10 +29,10 @@ def costs(base: Simulation, count: int, lanes: int, repeats: int) -> tuple[Batch
     simulate_batch(simulations[:1], lanes)
     batches = sorted(
         (simulate_batch(simulations, lanes) for _ in range(repeats)),
-        key=lambda b: b.kernel_seconds,
+        key=lambda b: b.march_seconds,
     )
     batch = batches[len(batches) // 2]
-    return batch, 1e6 * batch.kernel_seconds / float(np.sum(batch.newton_iterations))
+    return batch, 1e6 * batch.march_seconds / float(np.sum(batch.newton_iterations))
 
 
 def tier_costs(name: str, count: int, repeats: int) -> dict[str, float]:
@@ -41,7 +41,7 @@ def tier_costs(name: str, count: int, repeats: int) -> dict[str, float]:
     iterations = float(np.median(batch.newton_iterations))
     return {
         "ms_per_jump_core": round(1e-3 * iterations * microseconds, 4),
-        "jumps_per_second_core": round(count / batch.kernel_seconds, 2),
+        "jumps_per_second_core": round(count / batch.march_seconds, 2),
         "newton_iterations": iterations,
         "us_per_newton_iteration": round(microseconds, 4),
         "failed": sum(s not in ("ok", "no_jump") for s in batch.status),

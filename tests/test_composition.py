@@ -181,7 +181,10 @@ def check(choice: Choice, batch: Batch) -> None:
     if undamped and choice["stepping"] == "fixed":
         # What these schemes make of contact that the step does not resolve is said by name, or by
         # an estimate of the error.
-        if batch.status[0] in UNRESOLVED or batch.estimate.y_percent[0] > 100.0 * APART / HEIGHT:
+        if (
+            batch.status[0] in UNRESOLVED
+            or batch.y_error_estimate_percent[0] > 100.0 * APART / HEIGHT
+        ):
             return
     assert set(batch.status) == {"ok"}, batch.status
     assert np.all(np.abs(batch.y_bar - HEIGHT) < APART), batch.y_bar

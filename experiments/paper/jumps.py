@@ -13,6 +13,7 @@ from snapjump.studies.base import Row
 # Results depend on neither: eight lanes are a tier's own program, and a second thread halves time.
 LANES, THREADS = 8, 2
 KEPT = (
+    "status",
     "x_bar",
     "y_bar",
     "liftoff_x_bar",
@@ -26,11 +27,7 @@ KEPT = (
 
 def batch_rows(batch: Batch) -> list[Row]:
     """A row for each jump: status, apex and lift-off of the centre of mass, smallest gap, cost."""
-    columns = [(key, getattr(batch, key)) for key in KEPT]
-    return [
-        {"status": status, **{key: float(values[k]) for key, values in columns}}
-        for k, status in enumerate(batch.status)
-    ]
+    return batch.rows(*KEPT)
 
 
 def jump_rows(simulation: Simulation, designs: Sequence[Any], lanes: int = LANES) -> list[Row]:

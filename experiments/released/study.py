@@ -19,6 +19,7 @@ from snapjump.studies.study import Study
 ALL, CONVERGED = "released settings", "converged"
 ALL_OF_THEM = "all quirks on, same rows"
 LANES = 8
+KEPT = ("status", "x_bar", "y_bar", "newton_iterations")
 
 
 class Released(Study):
@@ -114,15 +115,12 @@ def measure(groups: Mapping[str, Any], count: int) -> list[Row]:
     return [
         dict(zip(PARAMETERS, design, strict=True))
         | {
-            "status": batch.status[k],
-            "x_bar": batch.x_bar[k],
-            "y_bar": batch.y_bar[k],
+            **row,
             "x_released_bar": rows.x_bar[k],
             "y_released_bar": rows.y_bar[k],
             "x_difference_percent": x[k],
             "y_difference_percent": y[k],
-            "newton_iterations": batch.newton_iterations[k],
-            "ms": 1e3 * batch.kernel_seconds / len(rows.designs),
+            "ms": 1e3 * batch.march_seconds / len(rows.designs),
         }
-        for k, design in enumerate(rows.designs)
+        for k, (design, row) in enumerate(zip(rows.designs, batch.rows(*KEPT), strict=True))
     ]

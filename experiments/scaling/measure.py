@@ -47,7 +47,7 @@ def measure(
             batches[lanes, threads].append(batch)
     found = {}
     for setting in settings:
-        kernels = statistics.median(batch.kernel_seconds for batch in batches[setting])
+        kernels = statistics.median(batch.march_seconds for batch in batches[setting])
         one = batches[setting][0]
         iterations = float(one.newton_iterations.sum())
         passes = statistics.median(batch.lane_passes for batch in batches[setting])

@@ -25,6 +25,7 @@ from snapjump.simulation import simulate
 from snapjump.studies.base import Row
 
 LANES = 8
+KEPT = ("status", "x_bar", "y_bar", "newton_iterations")
 FLIGHT_LIMIT_S = 2.0
 FLOWN_HEIGHT = 1.0  # L: higher than any robot stands
 
@@ -45,13 +46,7 @@ def timed(full: Callable[[], list[Row]], scene: Callable[[], list[Row]], repeats
 
 def ballistic(simulation: Simulation, designs: Designs) -> list[Row]:
     """Jumps that end as soon as nothing can touch the ground any more: the scene as it is."""
-    batch = simulate_batch(variants(simulation, designs), LANES)
-    return [
-        {"status": s, "x_bar": float(x), "y_bar": float(y), "newton_iterations": float(n)}
-        for s, x, y, n in zip(
-            batch.status, batch.x_bar, batch.y_bar, batch.newton_iterations, strict=True
-        )
-    ]
+    return simulate_batch(variants(simulation, designs), LANES).rows(*KEPT)
 
 
 def flown(simulation: Simulation, designs: Designs) -> list[Row]:
@@ -86,9 +81,8 @@ def flown(simulation: Simulation, designs: Designs) -> list[Row]:
 
 def one_by_one(simulation: Simulation, designs: Designs) -> list[Row]:
     """Jumps of any composition, one after the other."""
-    keys = ("status", "x_bar", "y_bar", "newton_iterations")
     results = [simulate(one) for one in variants(simulation, designs)]
-    return [{key: result.summary[key] for key in keys} for result in results]
+    return [{key: result.summary[key] for key in KEPT} for result in results]
 
 
 def start_rows(groups: Mapping[str, Any], designs: Designs, repeats: int) -> list[Row]:

@@ -91,7 +91,7 @@ def cost(base: Simulation, count: int, repeats: int) -> dict[str, float]:
     for _ in range(repeats):
         for wanted, times in milliseconds.items():
             batch = simulate_designs(base, designs, curve=curve, threads=1, sensitivities=wanted)
-            times.append(1e3 * batch.kernel_seconds / count)
+            times.append(1e3 * batch.march_seconds / count)
     ratios = [b / a for a, b in zip(milliseconds[False], milliseconds[True], strict=True)]
     return {
         "plain_ms": round(statistics.median(milliseconds[False]), 3),

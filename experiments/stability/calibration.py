@@ -63,8 +63,8 @@ def coverage(true: Array, estimate: Array) -> float:
 def level_row(kind: str, level: str, rows: Sequence[Row]) -> Row:
     """True and estimated errors of a level."""
     x, y, ex, ey, total = columns(
-        rows, "true_x_percent", "true_y_percent", "x_estimate_percent", "y_estimate_percent",
-        "error_sum_bar",
+        rows, "true_x_percent", "true_y_percent", "x_error_estimate_percent",
+        "y_error_estimate_percent", "error_sum_bar",
     )  # fmt: skip
     if len(x) == 0:
         return {"composition": kind, "level": level, "jumps": len(rows), "known": 0}
@@ -75,10 +75,10 @@ def level_row(kind: str, level: str, rows: Sequence[Row]) -> Row:
         "known": len(x),
         "error_sum_bar": float(np.median(total)),
         "x_true_p95_percent": percentile(x, 95.0),
-        "x_estimate_percent": float(np.median(ex)),
+        "x_error_estimate_percent": float(np.median(ex)),
         "x_covered": coverage(x, ex),
         "y_true_p95_percent": percentile(y, 95.0),
-        "y_estimate_percent": float(np.median(ey)),
+        "y_error_estimate_percent": float(np.median(ey)),
         "y_covered": coverage(y, ey),
         "within_tier": float(np.mean([bool(r["within_tier"]) for r in rows])),
     }
@@ -88,7 +88,11 @@ def overall(by_level: Mapping[Any, Sequence[Row]]) -> dict[str, float]:
     """Of all levels together: coverage, correlation of logarithms, and how cautious it is."""
     rows = [row for some in by_level.values() for row in some]
     x, y, ex, ey = columns(
-        rows, "true_x_percent", "true_y_percent", "x_estimate_percent", "y_estimate_percent"
+        rows,
+        "true_x_percent",
+        "true_y_percent",
+        "x_error_estimate_percent",
+        "y_error_estimate_percent",
     )
     seen = x > 0.0
     return {

@@ -144,7 +144,7 @@ def draw_calibration(by_kind: Mapping[str, Sequence[Row]], path: Path) -> None:
             axes = figure.add_axes((0.06 + 0.365 * k, 0.12, 0.3, 0.74))
             for colour, (kind, rows) in zip(COLOURS, by_kind.items(), strict=False):
                 estimate, true = columns(
-                    rows, f"{coordinate}_estimate_percent", f"true_{coordinate}_percent"
+                    rows, f"{coordinate}_error_estimate_percent", f"true_{coordinate}_percent"
                 )
                 axes.plot(estimate, np.maximum(true, 1.2 * LIMITS[0]), ".", ms=3.5, color=colour,
                           alpha=0.55, mew=0, label=kind)  # fmt: skip

@@ -17,6 +17,18 @@ from snapjump.studies.base import Row
 LANES = 8
 REFUSED = "refused"
 KNOWN = ("ok", "no_jump")
+KEPT = (
+    "status",
+    "x_bar",
+    "y_bar",
+    "min_gap_m",
+    "newton_iterations",
+    "error_sum_bar",
+    "coarsest_contact_step",
+    "x_error_estimate_percent",
+    "y_error_estimate_percent",
+    "within_tier",
+)
 
 
 def jump_rows(
@@ -82,19 +94,4 @@ def batch_rows(simulations: Sequence[Simulation], most_iterations: float) -> lis
     begun = time.perf_counter()
     batch = simulate_batch(simulations, LANES, most_iterations)
     seconds = time.perf_counter() - begun
-    return [
-        {
-            "status": batch.status[k],
-            "x_bar": batch.x_bar[k],
-            "y_bar": batch.y_bar[k],
-            "min_gap_m": batch.min_gap_m[k],
-            "newton_iterations": batch.newton_iterations[k],
-            "error_sum_bar": batch.error_sum_bar[k],
-            "coarsest_contact_step": batch.coarsest_contact_step[k],
-            "x_estimate_percent": batch.estimate.x_percent[k],
-            "y_estimate_percent": batch.estimate.y_percent[k],
-            "within_tier": bool(batch.estimate.within_tier[k]),
-            "seconds": seconds,
-        }
-        for k in range(len(simulations))
-    ]
+    return [{**row, "seconds": seconds} for row in batch.rows(*KEPT)]

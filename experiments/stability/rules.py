@@ -62,7 +62,7 @@ def broken(row: Row, most_iterations: float, promise_percent: float, law: str) -
     if row["newton_iterations"] > most_iterations or row["seconds"] > LONGEST_S:
         found.append("hung")
     if row["status"] in KNOWN and not all(
-        is_number(row.get(k)) for k in ("x_bar", "y_bar", "x_estimate_percent")
+        is_number(row.get(k)) for k in ("x_bar", "y_bar", "x_error_estimate_percent")
     ):
         found.append("not_finite")
     if law in OPEN_LAWS and is_number(row.get("min_gap_m")) and row["min_gap_m"] < 0.0:

@@ -182,7 +182,7 @@ def law_of(name: str, row: Row) -> str:
 def shortened(row: Row) -> Row:
     """What a table of violations shows of a row."""
     keys = ("across", "up", "design", "status", "x_bar", "y_bar", "true_error_percent",
-            "x_estimate_percent", "min_gap_m", "newton_iterations", "seconds")  # fmt: skip
+            "x_error_estimate_percent", "min_gap_m", "newton_iterations", "seconds")  # fmt: skip
     return {key: row[key] for key in keys if key in row}
 
 

@@ -18,6 +18,7 @@ from snapjump.studies.base import Row
 
 LANES = 8
 REPEATS = 3
+KEPT = ("status", "x_bar", "y_bar", "newton_iterations", "steps")
 # Seconds of kernel time from which one measurement is enough.
 LONG = 1.0
 
@@ -38,9 +39,9 @@ def jump_rows(inputs: Mapping[str, Any]) -> list[Row]:
     base = composed(inputs["groups"])
     simulations = variants(base, designs)
     batches = [simulate_batch(simulations, inputs["lanes"])]
-    while len(batches) < REPEATS and batches[0].kernel_seconds < LONG:
+    while len(batches) < REPEATS and batches[0].march_seconds < LONG:
         batches.append(simulate_batch(simulations, inputs["lanes"]))
-    seconds = statistics.median(batch.kernel_seconds for batch in batches)
+    seconds = statistics.median(batch.march_seconds for batch in batches)
     batch = batches[0]
     total = max(float(np.sum(batch.newton_iterations)), 1.0)
     return [
@@ -50,21 +51,8 @@ def jump_rows(inputs: Mapping[str, Any]) -> list[Row]:
             "epsilon": design[1],
             "mass_bar": design[2],
             "mu": design[3],
-            "status": status,
-            "x_bar": x,
-            "y_bar": y,
-            "newton_iterations": iterations,
-            "steps": steps,
-            "ms": 1e3 * seconds * iterations / total,
+            **row,
+            "ms": 1e3 * seconds * row["newton_iterations"] / total,
         }
-        for kind, design, status, x, y, iterations, steps in zip(
-            kinds,
-            designs,
-            batch.status,
-            batch.x_bar,
-            batch.y_bar,
-            batch.newton_iterations,
-            batch.steps,
-            strict=True,
-        )
+        for kind, design, row in zip(kinds, designs, batch.rows(*KEPT), strict=True)
     ]

@@ -1,135 +1,61 @@
 """What becomes of many jumps, as arrays with one row a jump."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.batch.prepare import Prepared
 from snapjump.batch.sensitivities import Sensitivities, apex_sensitivities
 from snapjump.composition import Simulation
 from snapjump.engine import clock as c
-from snapjump.engine.model import Model
-from snapjump.engine.status import NAMES, NO_JUMP, OK
-from snapjump.error_estimate import ErrorEstimate, error_estimate
-from snapjump.scenes.flight import flight
 from snapjump.scenes.flight_check import checked_status
+from snapjump.scenes.jump_outputs import JumpOutputs
+from snapjump.scenes.jump_start import jump_model
+from snapjump.scenes.march_outputs import side_by_side
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Batch:
-    """Outcomes of R jumps; arrays are (R), and NaN only where the status says why.
+class Batch(JumpOutputs):
+    """Outputs of R jumps, arrays (R): :class:`snapjump.scenes.jump_outputs.JumpOutputs` has them.
 
-    status: names (see :mod:`snapjump.engine.status`).
-    x_bar, y_bar: apex in L, of ``ok`` and, where it has come to rest, of ``no_jump``.
-    apex_time_s, liftoff_*: of ``ok``, as :mod:`snapjump.scenes.flight` defines them; times count
-    from the beginning of the clamps' rotation.
-    mount_height_bar: of the clamps above the feet (L), NaN for designs that are refused.
-    steps, newton_iterations; kernel_seconds: of a core, for all jumps and in all threads together,
-    starts and idle lanes included; kernel_seconds_each: a jump's share of it by its iterations;
-    lane_passes: iterations that all lanes together had time for.
-    min_gap_m: smallest at the end of a step, NaN if none was done; error_sum_bar: estimates of all
-    steps added up, in L; coarsest_contact_step: largest step times contact frequency; estimate: of
-    the errors, NaN where there is no apex.
-    sensitivities: of the apex, or None where none were asked for.
+    Counts of designs that are refused are 0, all else of them is NaN. The time in kernels, of all
+    together, has starts and idle lanes in it. lane_passes: iterations that all lanes together had
+    time for. sensitivities: of the apex, or None where none were asked for.
     """
 
-    status: list[str]
-    x_bar: Array
-    y_bar: Array
-    apex_time_s: Array
-    liftoff_time_s: Array
-    liftoff_x_bar: Array
-    liftoff_y_bar: Array
-    liftoff_vx_m_s: Array
-    liftoff_vy_m_s: Array
-    mount_height_bar: Array
-    steps: Array
-    newton_iterations: Array
-    kernel_seconds: float
-    kernel_seconds_each: Array
     lane_passes: int
-    min_gap_m: Array
-    error_sum_bar: Array
-    coarsest_contact_step: Array
-    estimate: ErrorEstimate
     sensitivities: Sensitivities | None = None
 
 
-def batch_of(
-    base: Simulation,
-    models: Sequence[Model],
-    chosen: NDArray[np.int64],
-    refused: NDArray[np.int64],
-    marched: Array,
-    kernel_seconds: float,
-    lane_passes: int,
-    slopes: tuple[Array, Array] | None = None,
-) -> Batch:
-    """The batch of R designs, of which M were marched.
-
-    models (M), chosen (M): which designs these are; refused (R): status of those that are not
-    among them; marched (M, ROWS): outcomes; slopes: of their flights (M, 4, 4) and the distances of
-    grazes (M).
+class Marched(NamedTuple):
+    """What M marches ended with: outcomes (M, ROWS), seconds of a core in the kernels, iterations
+    that lanes had time for; if asked for slopes of the flights (M, 4, 4), distances of grazes (M).
     """
 
-    def spread(values: Sequence[float] | Array, otherwise: float = np.nan) -> Array:
-        """Values of the marched designs among those of all."""
-        everyone = np.full(len(refused), otherwise)
-        everyone[chosen] = values
-        return everyone
+    outcome: Array
+    kernel_seconds: float
+    lane_passes: int
+    slopes: tuple[Array, Array] | None
 
-    outcome = np.zeros((len(refused), c.ROWS))
-    outcome[chosen] = marched
-    beam_mass = float(base.discretization.masses().sum())
-    status = refused.copy()
-    status[chosen] = [checked_status(m, beam_mass, o) for m, o in zip(models, marched, strict=True)]
-    outcome[:, c.STATUS] = status
-    begun = spread([m.clamp.start / m.clamp.rate for m in models])
-    fall = spread([m.load.acceleration for m in models])
-    flown = flight(begun, fall, outcome)
-    known, flew = np.isin(status, (OK, NO_JUMP)), status == OK
-    estimate = error_estimate(
-        base, outcome[:, c.ERROR_SUM], spread([1.0 / m.frame.mass for m in models])
-    )
-    scales = base.robot.scales
-    iterations = outcome[:, c.ITERATIONS]
-    gap = outcome[:, c.SMALLEST_GAP] * scales.length_m
 
-    def of_flights(values: Array, unit: float = 1.0) -> Array:
-        return np.where(flew, values * unit, np.nan)
-
+def batch_of(base: Simulation, ready: Prepared, marched: Marched) -> Batch:
+    """The batch of R designs, of which M were marched."""
+    rows, chosen = len(ready.status), ready.chosen
+    # Where no design has a model, any gives the kinds of numbers that are not known.
+    models = ready.models or [jump_model(Simulation())]
+    model = side_by_side(models, chosen, rows)
+    outcome = np.zeros((rows, c.ROWS))
+    outcome[:, c.STATUS] = ready.status
+    outcome[chosen] = marched.outcome
+    outcome[:, c.STATUS] = checked_status(model, float(base.discretization.masses().sum()), outcome)
     sensitivities = None
-    if slopes is not None:
-        flights, grazes = np.zeros((len(refused), 4, 4)), spread(slopes[1])
-        flights[chosen] = slopes[0]
-        sensitivities = apex_sensitivities(outcome, fall, flights, grazes)
-
-    return Batch(
-        status=[NAMES[k] for k in status],
-        x_bar=np.where(known, flown.apex_x, np.nan),
-        y_bar=np.where(known, flown.apex_y, np.nan),
-        apex_time_s=of_flights(flown.apex_time, scales.time_s),
-        liftoff_time_s=of_flights(flown.liftoff_time, scales.time_s),
-        liftoff_x_bar=of_flights(flown.liftoff_x),
-        liftoff_y_bar=of_flights(flown.liftoff_y),
-        liftoff_vx_m_s=of_flights(flown.liftoff_vx, scales.velocity_m_s),
-        liftoff_vy_m_s=of_flights(flown.liftoff_vy, scales.velocity_m_s),
-        mount_height_bar=spread([m.frame.mount_y - m.frame.foot_y for m in models]),
-        steps=outcome[:, c.STEPS],
-        newton_iterations=iterations,
-        kernel_seconds=kernel_seconds,
-        kernel_seconds_each=kernel_seconds * iterations / max(float(iterations.sum()), 1.0),
-        lane_passes=lane_passes,
-        min_gap_m=np.where(outcome[:, c.STEPS] > 0.0, gap, np.nan),
-        error_sum_bar=outcome[:, c.ERROR_SUM],
-        coarsest_contact_step=outcome[:, c.COARSEST],
-        estimate=ErrorEstimate(
-            np.where(known, estimate.x_percent, np.nan),
-            np.where(known, estimate.y_percent, np.nan),
-            known & estimate.within_tier,
-        ),
-        sensitivities=sensitivities,
-    )
+    if marched.slopes is not None:
+        flights, grazes = np.zeros((rows, 4, 4)), np.full(rows, np.nan)
+        flights[chosen], grazes[chosen] = marched.slopes
+        sensitivities = apex_sensitivities(outcome, model.load.acceleration, flights, grazes)
+    passes = marched.lane_passes
+    return Batch(base, model, outcome, marched.kernel_seconds, passes, sensitivities)

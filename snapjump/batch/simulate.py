@@ -9,8 +9,8 @@ from snapjump.backend.base import MOST_THREADS, WIDTHS
 from snapjump.backend.lanes import LanesBackend
 from snapjump.batch.alike import check_alike
 from snapjump.batch.derivatives import model_derivatives
-from snapjump.batch.outcome import Batch, batch_of
-from snapjump.batch.prepare import prepare_designs
+from snapjump.batch.outcome import Batch, Marched, batch_of
+from snapjump.batch.prepare import Prepared, prepare_designs
 from snapjump.batch.progress import BatchProgress, Progress
 from snapjump.checks import ParameterError, check_integer
 from snapjump.composition import Simulation
@@ -66,12 +66,8 @@ def march_all(
     most_iterations: float,
     progress: Progress | None,
     numbers: Array | None = None,
-) -> tuple[Array, float, int, tuple[Array, Array] | None]:
-    """Outcomes (M, ROWS), the kernels' seconds, and the iterations that lanes had time for.
-
-    With slopes (M, P, 4) of the models' ``numbers`` also those of the flights (M, 4, 4), and the
-    distances of grazes (M).
-    """
+) -> Marched:
+    """March all; with slopes (M, P, 4) of the models' ``numbers`` those of the flights, too."""
     outcome = np.zeros((len(models), c.ROWS))
     slopes = None if numbers is None else (np.zeros((len(models), 4, 4)), np.zeros(len(models)))
     told = BatchProgress(len(models), progress or (lambda share, text: None))
@@ -87,7 +83,7 @@ def march_all(
         told.finish(len(members))
         kernel_seconds += march.kernel_seconds
         lane_passes += march.lanes * march.passes
-    return outcome, kernel_seconds, lane_passes, slopes
+    return Marched(outcome, kernel_seconds, lane_passes, slopes)
 
 
 def simulate_batch(
@@ -109,12 +105,9 @@ def simulate_batch(
     check_backend(simulations[0])
     check_alike(simulations)
     models = [jump_model(simulation) for simulation in simulations]
-    marched, seconds, passes, _ = march_all(
-        simulations, models, lanes, threads, most_iterations, progress
-    )
-    everyone = np.arange(len(models))
-    nobody = np.full(len(models), RUNNING)
-    return batch_of(simulations[0], models, everyone, nobody, marched, seconds, passes)
+    marched = march_all(simulations, models, lanes, threads, most_iterations, progress)
+    everyone = np.arange(len(models)), np.full(len(models), RUNNING)
+    return batch_of(simulations[0], Prepared(list(simulations), models, *everyone), marched)
 
 
 def simulate_designs(
@@ -160,7 +153,7 @@ def simulate_designs(
     numbers = None
     if sensitivities and curve is not None:
         numbers = model_derivatives(base, table[ready.chosen], curve)
-    marched, seconds, passes, slopes = march_all(
+    marched = march_all(
         ready.simulations,
         ready.models,
         width,
@@ -169,6 +162,4 @@ def simulate_designs(
         progress,
         numbers,
     )
-    return batch_of(
-        base, ready.models, ready.chosen, ready.status, marched, seconds, passes, slopes
-    )
+    return batch_of(base, ready, marched)

@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.batch import Batch
+from snapjump.declare.outputs import FLAG, INTEGER, NUMBER, WORD
+
 if TYPE_CHECKING:
     import pyarrow as pa
 
 # Arrays (R,) by column; a column that is left out has no values.
 Rows = Mapping[str, NDArray[Any]]
-NUMBER, INTEGER, FLAG, WORD = "number", "integer", "flag", "word"
 
 
 class Column(NamedTuple):
@@ -28,6 +30,7 @@ class Column(NamedTuple):
     timing: bool = False
 
 
+OUTPUTS = Batch.declared()
 INPUTS = {"delta_alpha": "rad", "epsilon": "", "mass_bar": "", "mu": ""}
 COLUMNS = (
     Column("index", "", "number of the design in the plan", INTEGER),
@@ -35,15 +38,7 @@ COLUMNS = (
     Column("epsilon", "1", "pre-compression"),
     Column("mass_bar", "1", "m g L^2/EI of the whole robot"),
     Column("mu", "1", "friction coefficient"),
-    Column("h_bar", "L", "height of the clamps above the feet"),
-    Column("x_bar", "L", "apex of the centre of mass, from where it started"),
-    Column("y_bar", "L", "apex of the centre of mass, above the ground"),
-    Column("apex_time_s", "s", "of the apex, since the clamps began to turn"),
-    Column("liftoff_time_s", "s", "of the last contact, since the clamps began to turn"),
-    Column("liftoff_x_bar", "L", "centre of mass at the last contact"),
-    Column("liftoff_y_bar", "L", "centre of mass at the last contact"),
-    Column("liftoff_vx_m_s", "m/s", "velocity of the centre of mass at the last contact"),
-    Column("liftoff_vy_m_s", "m/s", "velocity of the centre of mass at the last contact"),
+    *(Column(each.name, each.unit, each.meaning, each.kind, each.timing) for each in OUTPUTS),
     *(
         Column(f"d{apex}_d_{name}", f"L/{unit}" if unit else "L", f"derivative of {apex} by {name}")
         for apex in ("x_bar", "y_bar")
@@ -51,15 +46,9 @@ COLUMNS = (
     ),
     Column("graze_distance", "1", "change of a parameter that makes or breaks a contact"),
     Column("differentiable", "", "whether that is more than 1e-5: no contact is grazed", FLAG),
-    Column("status", "", "ok, no_jump, or the failure that explains what is missing", WORD),
-    Column("steps", "1", "time steps", INTEGER),
-    Column("newton_iterations", "1", "of all steps", INTEGER),
-    Column("kernel_seconds", "s", "of one core, by share of its batch's iterations", timing=True),
-    Column("x_error_estimate_percent", "%", "estimated error of x_bar, of max(|x|, 0.1 y)"),
-    Column("y_error_estimate_percent", "%", "estimated error of y_bar"),
-    Column("within_tier", "", "whether both are within what the accuracy tier promises", FLAG),
 )
 NAMES = tuple(column.name for column in COLUMNS)
+TIMINGS = {column.name for column in COLUMNS if column.timing}
 
 
 def schema() -> "pa.Schema":
@@ -100,25 +89,27 @@ def table_of(rows: Rows) -> "pa.Table":
 def content_sha256(table: "pa.Table") -> str:
     """A hash of every value but timings, whatever file and compression they lie in.
 
-    Each column counts with its name and its values as little-endian bytes: numbers as float64,
-    nulls as NaN; integers as int64, nulls as -1; flags as a byte, nulls as 2; words in UTF-8,
-    each ended by a newline.
+    Each column of the table counts with its name there and its values as little-endian bytes:
+    numbers as float64, nulls as NaN; integers as int64, nulls as -1; flags as a byte, nulls as 2;
+    words in UTF-8, each ended by a newline.
     """
     digest = hashlib.sha256()
-    for column in COLUMNS:
-        if column.timing:
+    for field in table.schema:
+        if field.name in TIMINGS:
             continue
-        digest.update(f"{column.name}:{len(table)}\n".encode())
-        digest.update(_canonical(column, table[column.name].combine_chunks()))
+        digest.update(f"{field.name}:{len(table)}\n".encode())
+        digest.update(_canonical(table[field.name].combine_chunks()))
     return digest.hexdigest()
 
 
-def _canonical(column: Column, values: Any) -> bytes:
-    if column.kind == WORD:
+def _canonical(values: "pa.Array") -> bytes:
+    import pyarrow as pa
+
+    if pa.types.is_dictionary(values.type):
         return "".join(f"{word}\n" for word in values.to_pylist()).encode()
-    if column.kind == FLAG:
+    if pa.types.is_boolean(values.type):
         return bytes({None: 2}.get(flag, int(bool(flag))) for flag in values.to_pylist())
-    if column.kind == INTEGER:
+    if pa.types.is_integer(values.type):
         return bytes(values.fill_null(-1).to_numpy().astype("<i8").tobytes())
     numbers = values.to_numpy(zero_copy_only=False).astype("<f8")
     numbers[np.isnan(numbers)] = np.nan

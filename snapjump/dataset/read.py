@@ -1,16 +1,17 @@
 """Reading a dataset that is complete: checked, then whole or shard by shard."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from snapjump.checks import ParameterError
-from snapjump.dataset.columns import NAMES
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.manifest import dataset_sha256
 from snapjump.dataset.sealed import read_sealed, sha256_of
 from snapjump.dataset.shard import read_entry
+from snapjump.files import former_names
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -28,15 +29,24 @@ class Dataset:
     specification: dict[str, Any]
     shard_count: int
 
+    @cached_property
+    def columns(self) -> dict[str, str]:
+        """The columns that its files have: names there, by names of today."""
+        import pyarrow.parquet as pq
+
+        names = pq.read_schema(self.folder.shard(0)).names
+        return {former_names.COLUMNS.get(name, name): name for name in names}
+
     def shards(self, columns: Sequence[str] | None = None) -> "Iterator[pa.Table]":
         """One shard's rows after the other, in the plan's order; memory is that of one."""
         import pyarrow.parquet as pq
 
-        chosen = checked_columns(columns)
+        chosen = checked_columns(columns, self.columns)
+        held = [self.columns[name] for name in chosen]
         for number in range(self.shard_count):
             yield pq.read_table(
-                self.folder.shard(number), columns=chosen, page_checksum_verification=True
-            )
+                self.folder.shard(number), columns=held, page_checksum_verification=True
+            ).rename_columns(chosen)
 
     def table(self, columns: Sequence[str] | None = None) -> "pa.Table":
         """All rows, null where there is no value; ``columns``: which, None for all."""
@@ -52,12 +62,12 @@ class Dataset:
         return self.table(columns).to_pandas()
 
 
-def checked_columns(columns: Sequence[str] | None) -> list[str]:
-    """Columns that there are. Raises ParameterError."""
-    chosen = list(NAMES if columns is None else columns)
+def checked_columns(columns: Sequence[str] | None, there: Collection[str]) -> list[str]:
+    """Those that are chosen of the columns that are there, None for all. Raises ParameterError."""
+    chosen = list(there if columns is None else columns)
     for name in chosen:
-        if name not in NAMES:
-            raise ParameterError("columns", name, "some of " + ", ".join(NAMES))
+        if name not in there:
+            raise ParameterError("columns", name, "some of " + ", ".join(there))
     return chosen
 
 

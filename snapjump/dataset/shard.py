@@ -4,7 +4,7 @@ import hashlib
 import json
 from collections import Counter
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from snapjump.dataset.columns import Rows, content_sha256, table_of
 from snapjump.dataset.folder import DatasetFolder
@@ -12,6 +12,9 @@ from snapjump.dataset.sealed import read_sealed, sha256_of, write_sealed
 from snapjump.dataset.specification import Specification
 from snapjump.files.atomic import atomic_file
 from snapjump.files.provenance import now, origin
+
+if TYPE_CHECKING:
+    import pyarrow as pa
 
 METADATA = b"snapjump"
 Entry = dict[str, Any]
@@ -21,10 +24,16 @@ def write_shard(
     folder: DatasetFolder, specification: Specification, number: int, rows: Rows
 ) -> Entry:
     """Write the rows of a shard, then its entry; returns the entry."""
+    return write_table(folder, specification, number, table_of(rows))
+
+
+def write_table(
+    folder: DatasetFolder, specification: Specification, number: int, table: "pa.Table"
+) -> Entry:
+    """The same of rows as a table."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    table = table_of(rows)
     content = content_sha256(table)
     about = {
         "specification": specification.plain,

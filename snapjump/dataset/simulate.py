@@ -40,7 +40,7 @@ class Simulator:
             sensitivities=self.specification.sensitivities,
         )
         inputs = dict(zip(AXES, designs.T, strict=True))
-        return {"index": np.arange(first, last), **inputs, **outcomes(batch)}
+        return {"index": np.arange(first, last), **inputs, **batch.columns(), **derivatives(batch)}
 
 
 def curve_over(base: Simulation, epsilons: Range) -> ThresholdCurve | None:
@@ -54,29 +54,6 @@ def curve_over(base: Simulation, epsilons: Range) -> ThresholdCurve | None:
         return ThresholdCurve.through(base.robot, base.discretization, low, high)
     except ParameterError:
         return None
-
-
-def outcomes(batch: Batch) -> dict[str, Any]:
-    """What became of the jumps, by column."""
-    return {
-        **derivatives(batch),
-        "h_bar": batch.mount_height_bar,
-        "x_bar": batch.x_bar,
-        "y_bar": batch.y_bar,
-        "apex_time_s": batch.apex_time_s,
-        "liftoff_time_s": batch.liftoff_time_s,
-        "liftoff_x_bar": batch.liftoff_x_bar,
-        "liftoff_y_bar": batch.liftoff_y_bar,
-        "liftoff_vx_m_s": batch.liftoff_vx_m_s,
-        "liftoff_vy_m_s": batch.liftoff_vy_m_s,
-        "status": np.array(batch.status, dtype=object),
-        "steps": batch.steps.astype(np.int64),
-        "newton_iterations": batch.newton_iterations.astype(np.int64),
-        "kernel_seconds": batch.kernel_seconds_each,
-        "x_error_estimate_percent": batch.estimate.x_percent,
-        "y_error_estimate_percent": batch.estimate.y_percent,
-        "within_tier": batch.estimate.within_tier,
-    }
 
 
 def derivatives(batch: Batch) -> dict[str, Any]:

@@ -17,7 +17,7 @@ from snapjump.plan.base import Plan
 from snapjump.scenes.sensitivities import check_differentiable
 from snapjump.simulation import build
 
-FORMAT = 1  # of the files; another number for other columns or another hash
+FORMAT = 1  # of the files; another number for another hash. Columns are told by each file
 LARGEST_SHARD = 1_000_000
 
 

@@ -9,6 +9,7 @@ import numpy as np
 import yaml
 
 from snapjump.files.atomic import atomic_file, flush, write_text
+from snapjump.files.former_names import with_present_names
 from snapjump.files.json_file import read_json, write_json
 
 # Where a run is recorded says nothing about what it computes.
@@ -60,8 +61,9 @@ class ResultFolder:
                 file.replace(self.path / file.name)
 
     def result(self) -> dict[str, Any] | None:
-        """The result, if there is one."""
-        return read_json(self.path / "result.json")
+        """The result, if there is one, under the names of today."""
+        found = read_json(self.path / "result.json")
+        return None if found is None else with_present_names(found, self.config)
 
     def provenance(self) -> dict[str, Any] | None:
         """Where the result comes from, if there is one."""

@@ -1,6 +1,7 @@
 """Verification: the cantilever under a dead force across its tip, against elliptic integrals."""
 
 import time
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
+from snapjump.declare.outputs import INTEGER, output
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import Model, numbers_of
@@ -19,6 +21,7 @@ from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.friction.none import NoFriction
 from snapjump.load.tip import TipLoad
 from snapjump.results import Result
+from snapjump.scenes.march_outputs import RunOutputs
 from snapjump.scenes.runner import Progress
 
 LOAD_STEP = 0.25  # EI/L^2 and EI/L
@@ -59,27 +62,51 @@ def bend_cantilever(
     return state.reshape(-1, dofs)[:, :2], energy, int(negative)
 
 
+@dataclass(frozen=True)
+class CantileverOutputs(RunOutputs):
+    """Of a bent cantilever; see :func:`bend_cantilever`."""
+
+    nodes: np.ndarray
+    energy: float
+    negative: int
+
+    @output("rad")
+    def tip_angle_rad(self) -> float:
+        """Angle of the last element at the tip."""
+        ahead = self.nodes[-1] - self.nodes[-2]
+        return float(np.arctan2(ahead[1], ahead[0]))
+
+    @output("L")
+    def tip_x_bar(self) -> float:
+        """Distance of the tip from the clamp, along the undeformed beam."""
+        return float(self.nodes[-1, 0])
+
+    @output("L")
+    def deflection_bar(self) -> float:
+        """Distance of the tip from the undeformed beam."""
+        return float(self.nodes[-1, 1])
+
+    @output("EI/L")
+    def energy_bar(self) -> float:
+        """Elastic energy."""
+        return self.energy
+
+    @output("1", kind=INTEGER)
+    def negative_pivots(self) -> int:
+        """Negative eigenvalues of the tangent stiffness: none of a stable equilibrium."""
+        return self.negative
+
+
 def simulate_cantilever_scene(simulation: Simulation, progress: Progress | None = None) -> Result:
     """Deflection, tip angle and energy of the bent cantilever."""
     begun = time.perf_counter()
     elements = simulation.discretization.moving_elements
     rod = simulation.discretization.beam(simulation.robot)
     load = simulation.sim.load_bar
-    nodes, energy, negative = bend_cantilever(rod, elements, 0.0, load, 0.0)
-    ahead = nodes[-1] - nodes[-2]
-    summary = {
-        "status": "ok",
-        "tip_angle_rad": float(np.arctan2(ahead[1], ahead[0])),
-        "tip_x_bar": float(nodes[-1, 0]),
-        "deflection_bar": float(nodes[-1, 1]),
-        "energy_bar": energy,
-        "negative_pivots": negative,
-        "accuracy": simulation.accuracy,
-        "wall_seconds": time.perf_counter() - begun,
-    }
+    bent = bend_cantilever(rod, elements, 0.0, load, 0.0)
     arrays: dict[str, Any] = {
-        "shapes_x_bar": nodes[None, :, 0],
-        "shapes_y_bar": nodes[None, :, 1],
+        "shapes_x_bar": bent[0][None, :, 0],
+        "shapes_y_bar": bent[0][None, :, 1],
         "shapes_label": np.array([f"tip force {load:g} EI/L^2"]),
     }
-    return Result("ok", "", summary, arrays, simulation)
+    return CantileverOutputs(simulation, begun, *bent).result(arrays)

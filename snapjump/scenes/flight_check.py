@@ -2,8 +2,13 @@
 
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from snapjump.engine import clock as c
 from snapjump.engine.status import ENERGY_GAINED, OK
+
+Array = NDArray[np.float64]
 
 # Elastic energy of the arch at its critical angle, over epsilon: 89 to 96 EI/L (S5 of the
 # references); three times that leaves room for what the clamps do afterwards.
@@ -12,24 +17,25 @@ ENERGY_PER_COMPRESSION = 3.0 * 96.0
 ENERGY_PER_RATE_SQUARED = 10.0
 
 
-def farthest_apex(model: Any, beam_mass: float) -> float:
-    """Bound on how far (L) a robot can rise, and come while it does, with its beam's energy."""
+def farthest_apex(model: Any, beam_mass: float) -> Any:
+    """Bound on how far (L) a robot can rise, and come while it does, with its beam's energy.
+
+    ``model``: one, or R of them side by side.
+    """
     frame = model.frame
     compression = 1.0 - 2.0 * frame.half_span + 2.0 * getattr(frame, "inset", 0.0)
     turning = ENERGY_PER_RATE_SQUARED * model.clamp.rate * model.clamp.rate
     energy = ENERGY_PER_COMPRESSION * compression + turning
-    return float(1.0 + energy / ((frame.mass + beam_mass) * model.load.acceleration))
+    return 1.0 + energy / ((frame.mass + beam_mass) * model.load.acceleration)
 
 
-def checked_status(model: Any, beam_mass: float, outcome: Any) -> int:
-    """The status of a jump, which is no success if the flight cannot be true."""
-    status = int(outcome[c.STATUS])
-    if status != OK:
-        return status
-    time = max(float(outcome[c.COM_VY]), 0.0) / model.load.acceleration
-    height = outcome[c.COM_Y] + 0.5 * outcome[c.COM_VY] * time
-    distance = abs(outcome[c.COM_X] + outcome[c.COM_VX] * time)
+def checked_status(model: Any, beam_mass: float, outcome: Array) -> Array:
+    """The statuses (R) of jumps that ended with outcomes (R, ROWS); a flight that cannot be true
+    is no success."""
+    time = np.maximum(outcome[:, c.COM_VY], 0.0) / model.load.acceleration
+    height = outcome[:, c.COM_Y] + 0.5 * outcome[:, c.COM_VY] * time
+    distance = np.abs(outcome[:, c.COM_X] + outcome[:, c.COM_VX] * time)
     # Thrown at the best angle, the apex is half as high as straight up, and as far as that.
-    if max(height, distance) > farthest_apex(model, beam_mass):
-        return ENERGY_GAINED
-    return status
+    gained = np.maximum(height, distance) > farthest_apex(model, beam_mass)
+    status = outcome[:, c.STATUS]
+    return np.where((status == OK) & gained, float(ENERGY_GAINED), status)

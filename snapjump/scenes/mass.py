@@ -2,6 +2,7 @@
 
 import math
 import time
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,14 +12,15 @@ from snapjump.composition import Simulation
 from snapjump.contact.base import Approach, force_if_acting
 from snapjump.damping.none import NoDamping
 from snapjump.discretization.parts.loose_nodes import LooseNodes
+from snapjump.declare.outputs import output
 from snapjump.ending.timed import TimedEnding
-from snapjump.engine import clock as c
 from snapjump.engine.model import Model
 from snapjump.engine.status import NAMES, OK, REASONS
 from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.load.inclined import InclinedGravity
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
+from snapjump.scenes.march_outputs import GroundOutputs, RecordedOutputs, side_by_side
 from snapjump.scenes.runner import March, Progress
 from snapjump.scenes.trajectory import trajectory_arrays
 from snapjump.statics.resting_gap import resting_gap
@@ -51,18 +53,60 @@ def beginning(
     return model.load.tangential - float(ratio) * normal, normal - model.load.normal
 
 
+@dataclass(frozen=True)
+class MassOutputs(GroundOutputs, RecordedOutputs):
+    """Of a mass on the ground. ``arrays``: its trajectory."""
+
+    arrays: dict[str, Any]
+
+
+class BounceOutputs(MassOutputs):
+    """Of a bounce."""
+
+    @output("m/s")
+    def rebound_speed_m_s(self) -> float:
+        """Velocity of the mass at the end, upwards."""
+        return self.arrays["node_vy_m_s"][-1, 0]
+
+    @output("1")
+    def restitution(self) -> float:
+        """Rebound speed over the speed of the fall."""
+        speed = self.simulation.sim.speed_m_s
+        return self.rebound_speed_m_s / speed if speed else math.nan
+
+
+class SlideOutputs(MassOutputs):
+    """Of a mass that slides."""
+
+    @output("m")
+    def distance_m(self) -> float:
+        """How far the mass has slid."""
+        return self.arrays["node_x_m"][-1, 0]
+
+    @output("m/s")
+    def final_speed_m_s(self) -> float:
+        """Velocity of the mass at the end, along the ground."""
+        return self.arrays["node_vx_m_s"][-1, 0]
+
+    @output("m")
+    def resting_gap_m(self) -> float:
+        """Distance from the ground at which the mass rests."""
+        return self.arrays["node_y_m"][0, 0]
+
+
 def march_mass(
     simulation: Simulation,
     model: Model,
-    mass_bar: float,
     state: tuple[float, float],
     velocity: tuple[float, float],
+    kind: type[MassOutputs],
     progress: Progress | None,
-) -> tuple[Result, dict[str, Any]]:
-    """Follow the mass for the scene's duration; returns the result and its arrays."""
+) -> Result:
+    """Follow the mass for the scene's duration."""
     begun = time.perf_counter()
     scene, scales = simulation.sim, simulation.robot.scales
     duration = scene.duration_s / scales.time_s
+    mass_bar = scene.mass_kg / scales.mass_kg
     march = March(
         models=[model],
         masses=np.array([mass_bar]),
@@ -73,46 +117,25 @@ def march_mass(
         ending=TimedEnding(duration),
         recorder=make_recorder(2, duration, scene.sample_interval_s / scales.time_s),
     )
-    outcome = march.run(progress)[0]
+    outcome = march.run(progress)
     arrays = trajectory_arrays(simulation, model, march)
-    status = int(outcome[c.STATUS])
-    summary: dict[str, Any] = {
-        "status": NAMES[status],
-        "min_gap_m": float(outcome[c.SMALLEST_GAP]) * scales.length_m,
-        "steps": int(outcome[c.STEPS]),
-        "newton_iterations": int(outcome[c.ITERATIONS]),
-        "max_residual": float(outcome[c.LARGEST_RESIDUAL]),
-        "accuracy": simulation.accuracy,
-        "kernel_seconds": march.kernel_seconds,
-        "wall_seconds": time.perf_counter() - begun,
-    }
-    message = "" if status == OK else REASONS[status]
-    return Result(NAMES[status], message, summary, arrays, simulation), arrays
+    side = side_by_side([model])
+    return kind(simulation, begun, side, outcome, march.kernel_seconds, arrays).result(arrays)
 
 
 def simulate_bounce_scene(simulation: Simulation, progress: Progress | None = None) -> Result:
     """Drop a mass into the barrier without gravity: a conservative bounce has restitution 1."""
-    scene, scales = simulation.sim, simulation.robot.scales
     model = mass_model(simulation, 0.0, 0.0)
-    mass = scene.mass_kg / scales.mass_kg
     start = (0.0, float(model.contact.reach()))
-    fall = (0.0, -scene.speed_m_s / scales.velocity_m_s)
-    result, arrays = march_mass(simulation, model, mass, start, fall, progress)
-    speed = arrays["node_vy_m_s"][-1, 0]
-    result.summary["rebound_speed_m_s"] = float(speed)
-    result.summary["restitution"] = float(speed / scene.speed_m_s) if scene.speed_m_s else math.nan
-    return result
+    fall = (0.0, -simulation.sim.speed_m_s / simulation.robot.scales.velocity_m_s)
+    return march_mass(simulation, model, start, fall, BounceOutputs, progress)
 
 
 def simulate_slide_scene(simulation: Simulation, progress: Progress | None = None) -> Result:
     """Let a mass slide from its resting gap; smoothed Coulomb friction brings it to a creep."""
     scene, scales = simulation.sim, simulation.robot.scales
     model = mass_model(simulation, simulation.robot.gravity_m_s2, scene.incline)
-    mass = scene.mass_kg / scales.mass_kg
-    start = (0.0, resting_gap(model.contact, mass * model.load.normal, 1.0))
+    weight = scene.mass_kg / scales.mass_kg * model.load.normal
+    start = (0.0, resting_gap(model.contact, weight, 1.0))
     velocity = (scene.speed_m_s / scales.velocity_m_s, 0.0)
-    result, arrays = march_mass(simulation, model, mass, start, velocity, progress)
-    result.summary["distance_m"] = float(arrays["node_x_m"][-1, 0])
-    result.summary["final_speed_m_s"] = float(arrays["node_vx_m_s"][-1, 0])
-    result.summary["resting_gap_m"] = start[1] * scales.length_m
-    return result
+    return march_mass(simulation, model, start, velocity, SlideOutputs, progress)

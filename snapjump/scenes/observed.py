@@ -1,15 +1,18 @@
 """One jump as the handful of numbers that convergence is judged by."""
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
+from snapjump.declare.outputs import output
 from snapjump.ending.flight import FlightEnding
 from snapjump.recorder.observables import make_observables
-from snapjump.scenes.jump import jump_summary
+from snapjump.scenes.jump_outputs import JumpOutputs
 from snapjump.scenes.jump_start import jump_model
+from snapjump.scenes.march_outputs import side_by_side
 from snapjump.scenes.resting import resting_guess
 from snapjump.scenes.runner import March
 
@@ -18,38 +21,52 @@ Array = NDArray[np.float64]
 MOST_STEPS = 4_000_000
 
 
-def observe_jump(simulation: Simulation) -> dict[str, Any]:
-    """Simulate a jump; its ``result.json`` figures and the observables.
+@dataclass(frozen=True)
+class ObservedJump(JumpOutputs):
+    """A jump whose steps have been watched. ``times``, ``heights``, ``forces``: of each step, its
+    end (T), the beam's middle above the line of its mounts (L), the ground's normal force
+    (EI/L^2)."""
 
-    ``snap_time_s``: when the beam's middle passes the line of its mounts, from the beginning of
-    the clamps' rotation; ``peak_force_N``: largest normal force of the ground on the robot;
-    ``liftoff_speed_m_s``: of the centre of mass. NaN where there is none.
-    """
-    scales = simulation.robot.scales
+    times: Array
+    heights: Array
+    forces: Array
+
+    @output("s")
+    def snap_time_s(self) -> Array:
+        """When the beam's middle passes the line of its mounts, since the clamps began to turn."""
+        begun = self.model.clamp.start / self.model.clamp.rate
+        return (crossing(self.times, self.heights) + begun) * self.simulation.robot.scales.time_s
+
+    @output("N")
+    def peak_force_N(self) -> float:  # noqa: N802
+        """Largest normal force of the ground on the robot."""
+        return peak(self.times, self.forces) * self.simulation.robot.scales.force_N
+
+    @output("m/s")
+    def liftoff_speed_m_s(self) -> Array:
+        """Speed of the centre of mass at the last contact."""
+        return np.hypot(self.liftoff_vx_m_s, self.liftoff_vy_m_s)
+
+
+def observe_jump(simulation: Simulation) -> dict[str, Any]:
+    """Simulate a jump; its figures by name, those of :class:`ObservedJump` among them, NaN where
+    there is none."""
     model = jump_model(simulation)
     march = March(
         models=[model],
         masses=simulation.discretization.masses(),
         states=resting_guess(simulation, model)[None, :],
         simulation=simulation,
-        ending=FlightEnding(simulation.sim.time_limit_s / scales.time_s),
+        ending=FlightEnding(simulation.sim.time_limit_s / simulation.robot.scales.time_s),
         recorder=make_observables(MOST_STEPS),
         mesh=simulation.frame.mesh(model.frame),
     )
     march.find_starts()
-    outcome = march.run()[0]
-    summary = jump_summary(simulation, model, outcome)
-    recorder = march.recorder
+    outcome, recorder = march.run(), march.recorder
     count = min(int(recorder.filled[0]), MOST_STEPS)
-    times, heights = recorder.times[:count], recorder.heights[:count]
-    begun = model.clamp.start / model.clamp.rate
-    return {
-        **summary,
-        "snap_time_s": (crossing(times, heights) + begun) * scales.time_s,
-        "peak_force_N": peak(times, recorder.forces[:count]) * scales.force_N,
-        "liftoff_speed_m_s": float(np.hypot(summary["liftoff_vx_m_s"], summary["liftoff_vy_m_s"])),
-        "kernel_seconds": march.kernel_seconds,
-    }
+    watched = (recorder.times[:count], recorder.heights[:count], recorder.forces[:count])
+    side, seconds = side_by_side([model]), march.kernel_seconds
+    return ObservedJump(simulation, side, outcome, seconds, *watched).rows()[0]
 
 
 def crossing(times: Array, values: Array) -> float:

@@ -2,23 +2,102 @@
 
 import math
 import time
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from snapjump.clamp.smooth_start import SmoothStart
 from snapjump.composition import Simulation
+from snapjump.declare.outputs import output
 from snapjump.ending.timed import TimedEnding
-from snapjump.engine import clock as c
 from snapjump.engine.model import Model
-from snapjump.engine.status import NAMES, OK, REASONS
 from snapjump.frame.fixed import FixedFrame
 from snapjump.load.none import NoLoad
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
+from snapjump.scenes.march_outputs import RecordedOutputs, side_by_side
 from snapjump.scenes.runner import March, Progress
 from snapjump.scenes.trajectory import trajectory_arrays
 from snapjump.statics.arch import StaticArch
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class SnapOutputs(RecordedOutputs):
+    """When and how the midpoint crosses the line of the clamps; NaN if it does not.
+
+    ``arrays``: the trajectory (S samples).
+    """
+
+    arrays: dict[str, Any]
+
+    @cached_property
+    def height(self) -> Array:
+        """Midpoint above the line of the clamps (S), in m."""
+        return middle(self.arrays["node_y_m"])
+
+    @cached_property
+    def crossed(self) -> int:
+        """The first sample below that line; 0 if it never gets there from above."""
+        return int(np.argmax(self.height < 0.0))
+
+    def at_crossing(self, values: Array) -> float:
+        """What values (S) are as the midpoint crosses the line."""
+        k, height = self.crossed, self.height
+        if k == 0:
+            return math.nan
+        share = height[k - 1] / (height[k - 1] - height[k])
+        return float(values[k - 1] + share * (values[k] - values[k - 1]))
+
+    @output("rad")
+    def alpha_snap_rad(self) -> float:
+        """Angle of the left clamp as the midpoint crosses the line of the clamps."""
+        return self.at_crossing(self.arrays["clamp_left_rad"])
+
+    @output("s")
+    def snap_time_s(self) -> float:
+        """When the midpoint crosses the line of the clamps, since they began to turn."""
+        return self.at_crossing(self.arrays["time_s"])
+
+    @output("m/s")
+    def midpoint_velocity_m_s(self) -> float:
+        """Vertical velocity of the midpoint as it crosses the line of the clamps."""
+        return self.at_crossing(middle(self.arrays["node_vy_m_s"]))
+
+    @output("s")
+    def snap_duration_s(self) -> float:
+        """From the crossing of half the initial height to the first extreme below the line."""
+        k, height, t = self.crossed, self.height, self.arrays["time_s"]
+        if k == 0:
+            return math.nan
+        rising = np.flatnonzero(np.diff(height[k:]) > 0.0)
+        turn = k + (int(rising[0]) if len(rising) else len(height) - 1 - k)
+        begin = int(np.flatnonzero(height[: k + 1] > 0.5 * height[0])[-1])
+        return float(t[turn] - t[begin])
+
+    @output("rad")
+    def theta_max_rad(self) -> float:
+        """Largest absolute tangent angle at the midpoint."""
+        x, y = self.arrays["node_x_m"], self.arrays["node_y_m"]
+        last = y.shape[1] - 1
+        before, after = (last + 1) // 2 - 1, last // 2 + 1
+        tangent = np.arctan2(y[:, after] - y[:, before], x[:, after] - x[:, before])
+        return float(np.abs(tangent).max())
+
+    @output("m")
+    def midpoint_min_m(self) -> float:
+        """Lowest height of the midpoint."""
+        return float(self.height.min())
+
+
+def middle(values: Array) -> Array:
+    """Of values (S, N + 1) at nodes those at the midpoint (S)."""
+    last = values.shape[1] - 1
+    return np.asarray(0.5 * (values[:, last // 2] + values[:, (last + 1) // 2]))
 
 
 def simulate_snap_scene(simulation: Simulation, progress: Progress | None = None) -> Result:
@@ -53,59 +132,7 @@ def simulate_snap_scene(simulation: Simulation, progress: Progress | None = None
         ending=TimedEnding(duration),
         recorder=make_recorder(len(state), duration, scene.sample_interval_s / scales.time_s),
     )
-    outcome = march.run(progress)[0]
+    outcome = march.run(progress)
     arrays = trajectory_arrays(simulation, model, march)
-    status = int(outcome[c.STATUS])
-    summary = {"status": NAMES[status], **snap_summary(arrays)}
-    summary |= {
-        "steps": int(outcome[c.STEPS]),
-        "rejected_steps": int(outcome[c.REJECTED]),
-        "newton_iterations": int(outcome[c.ITERATIONS]),
-        "max_residual": float(outcome[c.LARGEST_RESIDUAL]),
-        "accuracy": simulation.accuracy,
-        "kernel_seconds": march.kernel_seconds,
-        "wall_seconds": time.perf_counter() - begun,
-    }
-    when = f" ({1e3 * outcome[c.TIME] * scales.time_s:.4g} ms after the start)"
-    message = "" if status == OK else REASONS[status] + when
-    return Result(NAMES[status], message, summary, arrays, simulation)
-
-
-def snap_summary(arrays: dict[str, Any]) -> dict[str, Any]:
-    """When and how the midpoint crosses the line of the clamps; NaN if it does not.
-
-    ``snap_duration_s`` runs from the crossing of half the initial height to the first extreme
-    below; ``theta_max_rad`` is the largest absolute tangent angle at the midpoint.
-    """
-    x, y, t = arrays["node_x_m"], arrays["node_y_m"], arrays["time_s"]
-    last = y.shape[1] - 1
-    before, after = (last - 1) // 2, last // 2 + 1
-    if last % 2 == 0:
-        before, after = last // 2 - 1, last // 2 + 1
-    height = 0.5 * (y[:, last // 2] + y[:, (last + 1) // 2])
-    tangent = np.arctan2(y[:, after] - y[:, before], x[:, after] - x[:, before])
-    below = np.flatnonzero(height < 0.0)
-    summary = {
-        "alpha_snap_rad": math.nan,
-        "snap_time_s": math.nan,
-        "midpoint_velocity_m_s": math.nan,
-        "snap_duration_s": math.nan,
-        "theta_max_rad": float(np.abs(tangent).max()),
-        "midpoint_min_m": float(height.min()),
-    }
-    if len(below) == 0 or below[0] == 0:
-        return summary
-    k = int(below[0])
-    share = height[k - 1] / (height[k - 1] - height[k])
-    left = arrays["clamp_left_rad"]
-    rising = np.flatnonzero(np.diff(height[k:]) > 0.0)
-    turn = k + (int(rising[0]) if len(rising) else len(height) - 1 - k)
-    begin = int(np.flatnonzero(height[: k + 1] > 0.5 * height[0])[-1])
-    speeds = 0.5 * (arrays["node_vy_m_s"][:, last // 2] + arrays["node_vy_m_s"][:, (last + 1) // 2])
-    summary |= {
-        "alpha_snap_rad": float(left[k - 1] + share * (left[k] - left[k - 1])),
-        "snap_time_s": float(t[k - 1] + share * (t[k] - t[k - 1])),
-        "midpoint_velocity_m_s": float(speeds[k - 1] + share * (speeds[k] - speeds[k - 1])),
-        "snap_duration_s": float(t[turn] - t[begin]),
-    }
-    return summary
+    side, seconds = side_by_side([model]), march.kernel_seconds
+    return SnapOutputs(simulation, begun, side, outcome, seconds, arrays).result(arrays)

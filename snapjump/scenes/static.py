@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Iterator
+from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 
@@ -9,14 +10,68 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
+from snapjump.declare.outputs import output
 from snapjump.results import Result
+from snapjump.scenes.march_outputs import RunOutputs
 from snapjump.scenes.runner import Progress
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch, Point
-from snapjump.statics.critical import find_snap, start_point
+from snapjump.statics.critical import Snap, find_snap, start_point
 
 Array = NDArray[np.float64]
 LENGTH = 6.0  # of a branch, in the norm of its free coordinates and angle
+
+
+@dataclass(frozen=True)
+class StaticOutputs(RunOutputs):
+    """Of the equilibria before and after a slow snap."""
+
+    snap: Snap
+
+    @output("rad")
+    def alpha_critical_rad(self) -> float:
+        """Angle of the left clamp at which the arch loses its stability."""
+        return self.snap.alpha_rad
+
+    @output("rad")
+    def alpha_critical_error_rad(self) -> float:
+        """How well the critical angle is known: what rounding makes of it."""
+        return self.snap.alpha_error_rad
+
+    @output("L")
+    def h1_bar(self) -> float:
+        """Depth of the lowest point below the clamps as the arch snaps."""
+        return self.snap.h1_bar
+
+    @output("L")
+    def h2_bar(self) -> float:
+        """Depth of the snapped arch's midpoint below the clamps."""
+        return self.snap.h2_bar
+
+    @output("EI/L")
+    def energy_before_bar(self) -> float:
+        """Elastic energy as the arch snaps."""
+        return self.snap.before.energy
+
+    @output("EI/L")
+    def energy_after_bar(self) -> float:
+        """Elastic energy of the snapped arch."""
+        return self.snap.after.energy
+
+    @output("EI/L")
+    def energy_released_bar(self) -> float:
+        """Elastic energy that the snap releases."""
+        return self.snap.before.energy - self.snap.after.energy
+
+    @output("L")
+    def midpoint_before_bar(self) -> float:
+        """Height of the midpoint above the clamps as the arch snaps."""
+        return self.snap.before.midpoint
+
+    @output("L")
+    def midpoint_after_bar(self) -> float:
+        """Height of the snapped arch's midpoint above the clamps."""
+        return self.snap.after.midpoint
 
 
 def simulate_static_scene(simulation: Simulation, progress: Progress | None = None) -> Result:
@@ -45,21 +100,7 @@ def simulate_static_scene(simulation: Simulation, progress: Progress | None = No
     arrays["shapes_x_bar"] = np.array([s.x for s in shapes])
     arrays["shapes_y_bar"] = np.array([s.y for s in shapes])
     arrays["shapes_label"] = np.array(["flat clamps", "at the snap", "snapped"])
-    summary = {
-        "status": "ok",
-        "alpha_critical_rad": snap.alpha_rad,
-        "alpha_critical_error_rad": snap.alpha_error_rad,
-        "h1_bar": snap.h1_bar,
-        "h2_bar": snap.h2_bar,
-        "energy_before_bar": snap.before.energy,
-        "energy_after_bar": snap.after.energy,
-        "energy_released_bar": snap.before.energy - snap.after.energy,
-        "midpoint_before_bar": snap.before.midpoint,
-        "midpoint_after_bar": snap.after.midpoint,
-        "accuracy": simulation.accuracy,
-        "wall_seconds": time.perf_counter() - begun,
-    }
-    return Result("ok", "", summary, arrays, simulation)
+    return StaticOutputs(simulation, begun, snap).result(arrays)
 
 
 def _row(arch: StaticArch, branch: Branch, point: Point) -> tuple[float, float, float, float]:

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from snapjump.batch import simulate_designs
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
-from snapjump.engine.status import NAMES, OK
 from snapjump.scenes.sensitivities import SMALLEST_STICK_ZONE_M_S, check_differentiable
 from snapjump.statics.threshold_curve import ThresholdCurve
 
@@ -48,9 +47,7 @@ class JumpSimulator:
     def apexes(self, designs: Array) -> Array:
         """Apexes (N, 2) in L of designs (N, 4), NaN unless the status is ok."""
         self._own += len(designs)
-        batch = simulate_designs(self.base, designs, threads=1, lanes=LANES)
-        jumped = np.array(batch.status) == NAMES[OK]
-        return np.where(jumped[:, None], np.stack([batch.x_bar, batch.y_bar], axis=1), np.nan)
+        return simulate_designs(self.base, designs, threads=1, lanes=LANES).apexes
 
     def slopes(self, designs: Array) -> Array:
         """Derivatives (N, 2, 4) of the apexes, NaN unless the status is ok.
@@ -72,8 +69,7 @@ class JumpSimulator:
         )
         assert batch.sensitivities is not None
         found = np.stack([batch.sensitivities.dx_bar, batch.sensitivities.dy_bar], axis=1)
-        jumped = np.array(batch.status) == NAMES[OK]
-        return np.where(jumped[:, None, None], found, np.nan)
+        return np.where(np.isfinite(batch.apexes)[:, :, None], found, np.nan)
 
 
 # What a tier does not choose: the physical model, and where it is computed.

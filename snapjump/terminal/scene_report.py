@@ -1,36 +1,48 @@
 """The closing block of a simulation: what it was, what came out, how good it is, what it cost."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
+from snapjump.declare.outputs import Output
+from snapjump.scenes.registry import OUTPUTS
 from snapjump.terminal.block import number
 from snapjump.tiers import TIERS
-
-# Shown in lines of their own.
-ELSEWHERE = (
-    "status",
-    "accuracy",
-    "steps",
-    "newton_iterations",
-    "kernel_seconds",
-    "wall_seconds",
-)
 
 
 def scene_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list[tuple[str, str]]:
     """Lines of (heading, text); numbers that a scene does not have are left out."""
     scene = config["sim"]["name"]
-    if scene == "jump":
-        title, results = _jump_title(config), _jump_results(config, summary)
-    else:
-        title, results = _title(config), _results(summary)
+    lines = output_lines(OUTPUTS[scene].declared(), summary, 1e3 * config["robot"]["length_m"])
+    cost = lines.pop("cost", "")
     return [
-        (scene, title),
-        *results,
+        (scene, _jump_title(config) if scene == "jump" else _title(config)),
+        *lines.items(),
         ("accuracy", accuracy_line(config, summary)),
         ("warning", _warning(config, summary)),
-        ("cost", _cost(summary)),
+        ("cost", cost),
     ]
+
+
+def output_lines(
+    outputs: Sequence[Output[Any]], summary: Mapping[str, Any], length_mm: float
+) -> dict[str, str]:
+    """The texts of outputs by their headings, as they are declared to be shown."""
+    lines: dict[str, list[str]] = {}
+    for each in outputs:
+        value = summary.get(each.name)
+        if each.show and value is not None:
+            heading, text = each.show.split(": ", 1)
+            lines.setdefault(heading, []).append(text.format(quantity(value, each, length_mm)))
+    return {heading: ", ".join(texts) for heading, texts in lines.items()}
+
+
+def quantity(value: Any, declared: Output[Any], length_mm: float) -> str:
+    """A value with its unit: lengths of L in mm as well, short times in ms."""
+    if declared.unit == "L":
+        return f"{number(value)} L ({number(value * length_mm)} mm)"
+    if declared.unit == "s" and abs(value) < 1.0:
+        return f"{number(1e3 * value)} ms"
+    return f"{number(value)} {declared.unit}".removesuffix(" 1").rstrip()
 
 
 def accuracy_line(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
@@ -68,42 +80,8 @@ def _jump_title(config: Mapping[str, Any]) -> str:
     )
 
 
-def _jump_results(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list[tuple[str, str]]:
-    x, y = summary.get("x_bar"), summary.get("y_bar")
-    length_mm = 1e3 * config["robot"]["length_m"]
-    lines = []
-    if x is not None and y is not None:
-        text = f"x {x:.4g} L ({x * length_mm:.4g} mm), y {y:.4g} L ({y * length_mm:.4g} mm)"
-        lines.append(("apex", text + _at(summary.get("apex_time_s"))))
-    vx, vy = summary.get("liftoff_vx_m_s"), summary.get("liftoff_vy_m_s")
-    if vx is not None and vy is not None:
-        text = f"v_x {vx:.4g} m/s, v_y {vy:.4g} m/s"
-        lines.append(("lift-off", text + _at(summary.get("liftoff_time_s"))))
-    return lines
-
-
-def _at(time_s: float | None) -> str:
-    return "" if time_s is None else f", {1e3 * time_s:.4g} ms after the clamps begin to turn"
-
-
 def _title(config: Mapping[str, Any]) -> str:
     keys = {key: value for key, value in config["sim"].items() if key != "name"}
     if config["sim"]["name"] in ("static", "snap"):
         keys = {**config["design"], **keys}
     return ", ".join(f"{key} {number(value)}" for key, value in keys.items())
-
-
-def _results(summary: Mapping[str, Any]) -> list[tuple[str, str]]:
-    return [(key, number(value)) for key, value in summary.items() if key not in ELSEWHERE]
-
-
-def _cost(summary: Mapping[str, Any]) -> str:
-    texts = {
-        "steps": "{} steps",
-        "newton_iterations": "{} Newton iterations",
-        "kernel_seconds": "{:.3g} s in kernels",
-        "wall_seconds": "{:.3g} s wall",
-    }
-    return ", ".join(
-        text.format(summary[key]) for key, text in texts.items() if summary.get(key) is not None
-    )

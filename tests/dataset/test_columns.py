@@ -5,6 +5,7 @@ import pyarrow as pa
 import pytest
 from small_datasets import made_up_rows, small
 
+from snapjump.batch import Batch
 from snapjump.dataset.columns import COLUMNS, NAMES, content_sha256, schema, table_of
 
 SPECIFICATION = small()
@@ -27,6 +28,10 @@ def test_every_column_has_its_unit_and_meaning_in_the_schema():
         if name.endswith("_bar") and "_d_" not in name and name != "mass_bar":
             assert units[name] == "L", name
     assert units["dx_bar_d_delta_alpha"] == "L/rad" and units["dy_bar_d_mu"] == "L"
+
+
+def test_every_output_of_a_jump_is_a_column():
+    assert {output.name for output in Batch.declared()} < set(NAMES)
 
 
 def test_what_is_not_finite_or_left_out_is_null():

@@ -42,7 +42,7 @@ def test_rows_are_those_of_the_designs(whole):
     assert (frame["y_bar"][jumped] > 0.0).all()
     assert (frame["steps"] > 50).all() and (frame["newton_iterations"] > frame["steps"]).all()
     assert (frame["kernel_seconds"] > 0.0).all()
-    assert (frame["h_bar"].between(0.04, 0.1)).all()
+    assert (frame["mount_height_bar"].between(0.04, 0.1)).all()
     flown = frame[jumped]
     # Nothing is missing without a status that tells why; derivatives have a flag of their own.
     explained = [name for name in frame if "_d_" not in name]
@@ -85,7 +85,13 @@ def test_designs_that_cannot_be_are_rows_with_a_status(tmp_path):
     frame = open_dataset(tmp_path).frame()
     refused = frame["status"] == "no_threshold"
     assert frame.loc[refused, "epsilon"].max() < frame.loc[~refused, "epsilon"].min()
-    for name in ("h_bar", "x_bar", "y_bar", "liftoff_time_s", "x_error_estimate_percent"):
+    for name in (
+        "mount_height_bar",
+        "x_bar",
+        "y_bar",
+        "liftoff_time_s",
+        "x_error_estimate_percent",
+    ):
         assert (frame[name].isna() == refused).all()
     assert not frame.loc[refused, "within_tier"].any()
 

@@ -4,14 +4,16 @@ import tracemalloc
 
 import numpy as np
 import pyarrow as pa
+import pyarrow.parquet as pq
 import pytest
 from small_datasets import made_up, made_up_rows, small
 
 from snapjump.checks import ParameterError
-from snapjump.dataset.columns import NAMES
+from snapjump.dataset.columns import NAMES, content_sha256, table_of
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.manifest import write_manifest
 from snapjump.dataset.read import open_dataset
+from snapjump.dataset.shard import write_table
 from snapjump.dataset.statistics import PAIRS, gather
 from snapjump.plan.base import AXES
 
@@ -47,6 +49,29 @@ def test_some_columns_shard_by_shard(dataset):
     assert found.table(["mu"]).num_rows == 100
     with pytest.raises(ParameterError, match="columns = 'z_bar'"):
         found.table(["z_bar"])
+
+
+def test_a_dataset_of_before_has_its_columns_under_names_of_today(tmp_path):
+    specification = small(16, 8)
+    folder = DatasetFolder(tmp_path)
+    folder.open(specification)
+    kept = ["index", "mount_height_bar", "x_bar", "status", "kernel_seconds"]
+    former = ["index", "h_bar", "x_bar", "status", "kernel_seconds"]
+    hashes = {}
+    for number in range(specification.shards):
+        table = table_of(made_up_rows(specification, number)).select(kept).rename_columns(former)
+        hashes[number] = write_table(folder, specification, number, table)["content_sha256"]
+    write_manifest(folder, specification)
+    found = open_dataset(tmp_path)
+    heights = made_up_rows(specification, 1)["mount_height_bar"]
+    table = list(found.shards(["x_bar", "mount_height_bar"]))[1]
+    assert np.array_equal(table["mount_height_bar"].to_numpy(), heights)
+    assert list(found.frame().columns) == kept
+    with pytest.raises(ParameterError, match="columns = 'y_bar'"):
+        found.table(["y_bar"])
+    # Its hash is of the names in its files.
+    assert content_sha256(pq.read_table(folder.shard(1))) == hashes[1]
+    assert content_sha256(list(found.shards())[1]) != hashes[1]
 
 
 def test_a_dataset_that_is_not_complete_is_refused(tmp_path):

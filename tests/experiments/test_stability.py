@@ -25,8 +25,8 @@ GOOD = {
     "min_gap_m": 1e-4,
     "newton_iterations": 1000.0,
     "seconds": 0.1,
-    "x_estimate_percent": 1.0,
-    "y_estimate_percent": 0.1,
+    "x_error_estimate_percent": 1.0,
+    "y_error_estimate_percent": 0.1,
     "error_sum_bar": 1e-4,
     "within_tier": True,
 }
@@ -89,7 +89,7 @@ def test_coverage():
     rows = with_truth([GOOD, {**GOOD, "x_bar": 5.1}], [{**GOOD, "x_bar": 5.05}], own=True)
     assert level_row("a", "b", rows)["x_covered"] == 1.0
     assert level_row("a", "b", [])["known"] == 0
-    more = [{**row, "x_estimate_percent": 1.0 + k} for k, row in enumerate(rows)]
+    more = [{**row, "x_error_estimate_percent": 1.0 + k} for k, row in enumerate(rows)]
     assert overall({"a": more})["calibration_jumps"] == 2
 
 

@@ -51,3 +51,10 @@ def test_figures_appear_together_or_not_at_all(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
     ResultFolder(tmp_path).write_figures(lambda folder: (folder / "b.png").write_text("b"))
     assert [path.name for path in ResultFolder(tmp_path).files()] == ["b.png"]
+
+
+def test_a_result_of_before_is_read_under_the_names_of_today(tmp_path: Path) -> None:
+    folder = ResultFolder(tmp_path)
+    folder.write_config({"robot": {"length_m": 0.02}})
+    folder.write_result({"status": "ok", "mount_height_m": 0.0015})
+    assert folder.result() == {"status": "ok", "mount_height_bar": pytest.approx(0.075)}

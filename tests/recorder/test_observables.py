@@ -38,7 +38,9 @@ def test_observables_are_those_of_the_trajectory(clamp):
     nodes = jump.nodes_m()
     last = nodes.shape[1] - 1
     middle = 0.5 * (nodes[:, last // 2] + nodes[:, (last + 1) // 2])
-    heights = np.sum((middle - feet) * up, axis=1) - seen["mount_height_m"]
+    heights = (
+        np.sum((middle - feet) * up, axis=1) - seen["mount_height_bar"] * simulation.robot.length_m
+    )
     assert seen["snap_time_s"] == pytest.approx(crossing(arrays["time_s"], heights), rel=1e-9)
 
 

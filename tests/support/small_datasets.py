@@ -5,12 +5,13 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.dataset.columns import COLUMNS, FLAG, INPUTS, INTEGER, NUMBER, Rows
+from snapjump.dataset.columns import COLUMNS, INPUTS, Rows
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.generate import Generation, generate
 from snapjump.dataset.manifest import write_manifest
 from snapjump.dataset.shard import write_shard
 from snapjump.dataset.specification import Specification, specify
+from snapjump.declare.outputs import FLAG, INTEGER, NUMBER
 from snapjump.executor.local import LocalExecutor
 from snapjump.plan.base import AXES
 

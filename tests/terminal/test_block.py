@@ -43,3 +43,17 @@ def test_a_changed_tier_claims_no_error() -> None:
     }
     lines = dict(scene_report(config, {}))
     assert lines["accuracy"] == "draft, but for stepping.tolerance: its error is not known"
+
+
+def test_other_scenes_show_every_output_by_name_with_its_unit() -> None:
+    config = {
+        "sim": {"name": "static"},
+        "design": {"epsilon": 0.2},
+        "robot": {"length_m": 0.02},
+        "accuracy": {"name": "standard"},
+    }
+    summary = {"alpha_critical_rad": 0.9117, "h1_bar": 0.08, "wall_seconds": 2.5}
+    lines = dict(scene_report(config, summary))
+    assert lines["alpha_critical_rad"] == "0.9117 rad"
+    assert lines["h1_bar"] == "0.08 L (1.6 mm)"
+    assert lines["cost"] == "2.5 s wall"

@@ -18,6 +18,8 @@ from snapjump.targets.answer import answer
 from snapjump.targets.design import problem_of
 from snapjump.targets.warm_up import warm_up
 
+LIFT_OFF = ("liftoff_x_bar", "liftoff_y_bar", "liftoff_vx_m_s")
+
 
 def design_rows(inputs: Mapping[str, Any]) -> list[Row]:
     """A row for each case: its design, what the forward model and each tier say of it (misses in
@@ -53,17 +55,12 @@ def design_rows(inputs: Mapping[str, Any]) -> list[Row]:
     length_mm = 1e3 * base.robot.length_m
     for tier in inputs["tiers"]:
         batch = simulate_designs(simulation_at(inputs["groups"], tier), designs, threads=2, lanes=8)
-        jumped = np.array(batch.status) == NAMES[OK]
-        apexes = np.where(jumped[:, None], np.stack([batch.x_bar, batch.y_bar], axis=1), np.nan)
-        add_places(rows, tier, apexes)
-        for row, miss in zip(rows, np.hypot(*(apexes - targets).T), strict=True):
+        add_places(rows, tier, batch.apexes)
+        for row, miss in zip(rows, np.hypot(*(batch.apexes - targets).T), strict=True):
             row[f"miss_{tier}_mm"] = float(length_mm * miss)
         if tier == inputs["tiers"][0]:
-            for row, x, y, speed in zip(
-                rows, batch.liftoff_x_bar, batch.liftoff_y_bar, batch.liftoff_vx_m_s, strict=True
-            ):
-                row |= {"liftoff_x_bar": float(x), "liftoff_y_bar": float(y),
-                        "liftoff_vx_m_s": float(speed)}  # fmt: skip
+            for row, left in zip(rows, batch.rows(*LIFT_OFF), strict=True):
+                row |= left
     return rows
 
 

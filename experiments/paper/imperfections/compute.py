@@ -9,7 +9,6 @@ from scipy.stats.qmc import Sobol
 from experiments.compositions import composed
 from experiments.paper.baseline import BASELINE, NAMES, RANGES
 from snapjump.batch import simulate_designs
-from snapjump.engine import status
 from snapjump.plan.base import stretched
 from snapjump.studies.base import Row
 from snapjump.targets.simulator import JumpSimulator, differentiable
@@ -23,9 +22,7 @@ def imperfection_rows(inputs: Mapping[str, Any]) -> list[Row]:
 
 def apexes_of(groups: Mapping[str, Any], designs: Any) -> Any:
     """Apexes (R, 2), NaN where the robot does not jump."""
-    batch = simulate_designs(composed(groups), designs, threads=2, lanes=8)
-    jumped = np.array(batch.status) == status.NAMES[status.OK]
-    return np.where(jumped[:, None], np.stack([batch.x_bar, batch.y_bar], axis=1), np.nan)
+    return simulate_designs(composed(groups), designs, threads=2, lanes=8).apexes
 
 
 def curves(inputs: Mapping[str, Any]) -> list[Row]:

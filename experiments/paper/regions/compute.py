@@ -9,7 +9,6 @@ from experiments.compositions import composed
 from experiments.paper.baseline import RANGES
 from experiments.paper.learned import shipped_forward
 from snapjump.batch import simulate_designs
-from snapjump.engine.status import NAMES, OK
 from snapjump.studies.base import Row
 
 
@@ -28,12 +27,10 @@ def region_rows(inputs: Mapping[str, Any]) -> list[Row]:
         {
             "delta_alpha_rad": float(design[0]),
             "epsilon": float(design[1]),
-            "x_bar": float(x) if status == NAMES[OK] else None,
-            "y_bar": float(y) if status == NAMES[OK] else None,
+            "x_bar": float(x) if np.isfinite(x) else None,
+            "y_bar": float(y) if np.isfinite(y) else None,
             "predicted_x_bar": float(apex[0]),
             "predicted_y_bar": float(apex[1]),
         }
-        for design, status, x, y, apex in zip(
-            designs, batch.status, batch.x_bar, batch.y_bar, predicted, strict=True
-        )
+        for design, (x, y), apex in zip(designs, batch.apexes, predicted, strict=True)
     ]

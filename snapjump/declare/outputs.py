@@ -1,0 +1,96 @@
+"""Outputs of a scene: figures whose name, unit, meaning and reader are declared once.
+
+An output is a method of its scene's :class:`Outputs` that :func:`output` decorates. Its name is the
+output's name in every file, its docstring the meaning, and what it returns the figure. From there
+take it ``result.json``, ``Batch``, datasets, the closing block, MLflow and the table of the docs.
+"""
+
+from collections.abc import Callable
+from functools import cached_property, wraps
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+T = TypeVar("T")
+NUMBER, INTEGER, FLAG, WORD = "number", "integer", "flag", "word"
+TYPES: dict[str, Any] = {NUMBER: np.float64, INTEGER: np.int64, FLAG: np.bool_, WORD: object}
+
+
+class Output(cached_property[T]):
+    """A declared figure: read at first use, then kept as an attribute.
+
+    ``unit``: 1 without a dimension, empty for words and flags; ``kind``: NUMBER, INTEGER, FLAG or
+    WORD; ``of``: the statuses that have it, empty for all; ``timing``: differs from run to run;
+    ``show``: heading and text of its place in the closing block, empty to leave it out.
+    """
+
+    def __init__(
+        self,
+        read: Callable[[Any], T],
+        unit: str,
+        kind: str,
+        of: tuple[str, ...],
+        timing: bool,
+        show: str | None,
+    ):
+        super().__init__(known_of(of, read) if of else read)
+        self.name = read.__name__
+        self.meaning = " ".join((read.__doc__ or "").split()).rstrip(".")
+        self.unit, self.kind, self.of, self.timing = unit, kind, of, timing
+        self.show = f"{self.name}: {{}}" if show is None else show
+
+
+def output(
+    unit: str = "",
+    *,
+    kind: str = NUMBER,
+    of: tuple[str, ...] = (),
+    timing: bool = False,
+    show: str | None = None,
+) -> Callable[[Callable[[Any], T]], Output[T]]:
+    """Declare a method to be an output; without ``show`` its name is its heading."""
+    return lambda read: Output(read, unit, kind, of, timing, show)
+
+
+def known_of(statuses: tuple[str, ...], read: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """A reader that gives NaN for any other status."""
+
+    @wraps(read)
+    def masked(found: "Outputs") -> Any:
+        return np.where(np.isin(found.status, statuses), read(found), np.nan)
+
+    return masked
+
+
+class Outputs:
+    """What simulations of a scene came to; a figure has an item for each of them, or is one."""
+
+    def statuses(self) -> list[str]:
+        """How each of them ended."""
+        return ["ok"]
+
+    @output(kind=WORD, show="")
+    def status(self) -> list[str]:
+        """How it ended: ok, no_jump, or the failure that explains what is missing."""
+        return self.statuses()
+
+    @classmethod
+    def declared(cls) -> list[Output[Any]]:
+        """All outputs, the scene's own before those that it shares with others."""
+        names = dict.fromkeys(name for owner in cls.__mro__ for name in vars(owner))
+        found = (getattr(cls, name) for name in names)
+        return [each for each in found if isinstance(each, Output)]
+
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Every output by name, as an array (R,) of its kind."""
+        return {
+            each.name: np.atleast_1d(np.asarray(getattr(self, each.name), TYPES[each.kind]))
+            for each in self.declared()
+        }
+
+    def rows(self, *names: str) -> list[dict[str, Any]]:
+        """Outputs of each simulation by name, as plain numbers and words: these, or all."""
+        columns = self.columns()
+        kept = {name: columns[name].tolist() for name in names or columns}
+        return [dict(zip(kept, values, strict=True)) for values in zip(*kept.values(), strict=True)]

@@ -1,0 +1,134 @@
+"""Outputs of jumps: apex and lift-off, how the robot stood, how far off its apex may be."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.declare.outputs import FLAG, output
+from snapjump.engine import clock as c
+from snapjump.error_estimate import ErrorEstimate, error_estimate
+from snapjump.scenes.flight import Flight, flight
+from snapjump.scenes.march_outputs import GroundOutputs, RecordedOutputs, RunOutputs
+
+Array = NDArray[np.float64]
+FLOWN = ("ok",)
+ENDED = ("ok", "no_jump")  # which have an apex, though it be where the robot came to rest
+
+
+@dataclass(frozen=True)
+class JumpOutputs(GroundOutputs):
+    """R jumps; a figure is an array (R,), NaN only where the status says why.
+
+    Times count from the beginning of the clamps' rotation.
+    """
+
+    @cached_property
+    def flight(self) -> Flight:
+        """Apex and lift-off, dimensionless, whatever the status."""
+        model = self.model
+        begun = model.clamp.start / model.clamp.rate
+        return flight(begun, model.load.acceleration, self.outcome)
+
+    @cached_property
+    def estimate(self) -> ErrorEstimate:
+        """Estimated errors; NaN, and not within the tier, where there is no apex."""
+        steps = np.where(np.isin(self.status, ENDED), self.outcome[:, c.ERROR_SUM], np.nan)
+        return error_estimate(self.simulation, steps, 1.0 / self.model.frame.mass)
+
+    @cached_property
+    def apexes(self) -> Array:
+        """Both coordinates of the apex (R, 2), NaN unless the status is ok."""
+        flown = np.isin(self.status, FLOWN)[:, None]
+        return np.where(flown, np.column_stack([self.x_bar, self.y_bar]), np.nan)
+
+    @output("L", of=ENDED, show="apex: x {}")
+    def x_bar(self) -> Array:
+        """Apex of the centre of mass, from where it started."""
+        return self.flight.apex_x
+
+    @output("L", of=ENDED, show="apex: y {}")
+    def y_bar(self) -> Array:
+        """Apex of the centre of mass, above the ground."""
+        return self.flight.apex_y
+
+    @output("s", of=FLOWN, show="apex: {} after the clamps begin to turn")
+    def apex_time_s(self) -> Array:
+        """Time of the apex, since the clamps began to turn."""
+        return self.flight.apex_time * self.simulation.robot.scales.time_s
+
+    @output("m/s", of=FLOWN, show="lift-off: v_x {}")
+    def liftoff_vx_m_s(self) -> Array:
+        """Velocity of the centre of mass at the last contact, along the ground."""
+        return self.flight.liftoff_vx * self.simulation.robot.scales.velocity_m_s
+
+    @output("m/s", of=FLOWN, show="lift-off: v_y {}")
+    def liftoff_vy_m_s(self) -> Array:
+        """Velocity of the centre of mass at the last contact, upwards."""
+        return self.flight.liftoff_vy * self.simulation.robot.scales.velocity_m_s
+
+    @output("s", of=FLOWN, show="lift-off: {} after the clamps begin to turn")
+    def liftoff_time_s(self) -> Array:
+        """Time of the last contact, since the clamps began to turn."""
+        return self.flight.liftoff_time * self.simulation.robot.scales.time_s
+
+    @output("L", of=FLOWN, show="")
+    def liftoff_x_bar(self) -> Array:
+        """Centre of mass at the last contact, from where it started."""
+        return self.flight.liftoff_x
+
+    @output("L", of=FLOWN, show="")
+    def liftoff_y_bar(self) -> Array:
+        """Centre of mass at the last contact, above the ground."""
+        return self.flight.liftoff_y
+
+    @output("L", show="")
+    def mount_height_bar(self) -> Array:
+        """Height of the clamps above the feet."""
+        return self.model.frame.mount_y - self.model.frame.foot_y
+
+    @output("rad", show="")
+    def start_angle_rad(self) -> Array:
+        """Angle of the left clamp at which the motion starts."""
+        return self.model.clamp.start
+
+    @output("L", show="")
+    def error_sum_bar(self) -> Array:
+        """Error estimates of all steps, added up."""
+        return self.outcome[:, c.ERROR_SUM]
+
+    @output("1", show="")
+    def coarsest_contact_step(self) -> Array:
+        """Largest step, times the frequency of contact in it."""
+        return self.outcome[:, c.COARSEST]
+
+    @output("%", of=ENDED, show="")
+    def x_error_estimate_percent(self) -> Array:
+        """Estimated error of x_bar, of max(|x|, 0.1 y)."""
+        return self.estimate.x_percent
+
+    @output("%", of=ENDED, show="")
+    def y_error_estimate_percent(self) -> Array:
+        """Estimated error of y_bar."""
+        return self.estimate.y_percent
+
+    @output("%", of=ENDED, show="")
+    def error_estimate_percent(self) -> Array:
+        """The larger of both estimated errors."""
+        return self.estimate.percent
+
+    @output(kind=FLAG, show="")
+    def within_tier(self) -> NDArray[np.bool_]:
+        """Whether both are within what the accuracy tier promises."""
+        return self.estimate.within_tier
+
+
+@dataclass(frozen=True)
+class JumpRun(JumpOutputs, RunOutputs):
+    """One jump of which only the end is known."""
+
+
+@dataclass(frozen=True)
+class RecordedJump(JumpOutputs, RecordedOutputs):
+    """One jump with its trajectory."""
