@@ -11,9 +11,6 @@ from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.parameters.robot import Robot
 from snapjump.results import Result
-from snapjump.scenes.card_march import check_backend
-from snapjump.scenes.jump import simulate_jump_scene
-from snapjump.scenes.jump_start import jump_model
 from snapjump.tiers import TIERS
 
 Progress = Callable[[float, str], None]
@@ -41,14 +38,6 @@ def build(config: Mapping[str, Any]) -> Simulation:
     return Simulation(**parts, accuracy=accuracy)
 
 
-def check_scene(simulation: Simulation) -> None:
-    """What only the machine and the robot's statics tell. Raises ParameterError if the scene cannot
-    begin."""
-    check_backend(simulation)
-    if simulation.sim.name == "jump":
-        jump_model(simulation)
-
-
 def simulate(simulation: Simulation, progress: Progress | None = None) -> Result:
     """Run a simulation's scene. ``progress`` is called with a share in [0, 1] and a word."""
     result: Result = simulation.sim.simulate(simulation, progress)
@@ -74,4 +63,4 @@ def simulate_jump(
         environment=environment or Environment(),
         **parts,
     )
-    return simulate_jump_scene(simulation)
+    return simulate(simulation)

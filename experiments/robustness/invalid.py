@@ -10,7 +10,7 @@ from experiments.robustness.combinations import COMBINATIONS
 from experiments.robustness.fields import NOT_FINITE, Field, all_fields, outside, wrong_type
 from snapjump.checks import ParameterError
 from snapjump.declare.members import FAMILIES
-from snapjump.simulation import PLAIN, build, check_scene
+from snapjump.simulation import PLAIN, build
 
 REFUSED, ACCEPTED, CRASHED, UNCLEAR = "refused", "accepted", "crashed", "unclear"
 LONGEST_LINE = 400
@@ -112,7 +112,8 @@ def combination(listed: list[Field], random: np.random.Generator) -> Invalid:
 def refusal(invalid: Invalid) -> tuple[str, str]:
     """What becomes of it (one of the four words above), and the error."""
     try:
-        check_scene(build(invalid.config))
+        simulation = build(invalid.config)
+        simulation.sim.check_start(simulation)
     except ParameterError as error:
         text = str(error)
         clear = "\n" not in text and len(text) <= LONGEST_LINE and error.allowed

@@ -12,10 +12,8 @@ from snapjump.composition import Simulation
 from snapjump.contact.base import Approach, force_if_acting
 from snapjump.damping.none import NoDamping
 from snapjump.discretization.parts.loose_nodes import LooseNodes
-from snapjump.declare.outputs import output
 from snapjump.ending.timed import TimedEnding
 from snapjump.engine.model import Model
-from snapjump.engine.status import NAMES, OK, REASONS
 from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.load.inclined import InclinedGravity
 from snapjump.recorder.trajectory import make_recorder
@@ -23,7 +21,6 @@ from snapjump.results import Result
 from snapjump.scenes.march_outputs import GroundOutputs, RecordedOutputs, side_by_side
 from snapjump.scenes.runner import March, Progress
 from snapjump.scenes.trajectory import trajectory_arrays
-from snapjump.statics.resting_gap import resting_gap
 
 
 def mass_model(simulation: Simulation, gravity_m_s2: float, incline: float) -> Model:
@@ -60,40 +57,6 @@ class MassOutputs(GroundOutputs, RecordedOutputs):
     arrays: dict[str, Any]
 
 
-class BounceOutputs(MassOutputs):
-    """Of a bounce."""
-
-    @output("m/s")
-    def rebound_speed_m_s(self) -> float:
-        """Velocity of the mass at the end, upwards."""
-        return self.arrays["node_vy_m_s"][-1, 0]
-
-    @output("1")
-    def restitution(self) -> float:
-        """Rebound speed over the speed of the fall."""
-        speed = self.simulation.sim.speed_m_s
-        return self.rebound_speed_m_s / speed if speed else math.nan
-
-
-class SlideOutputs(MassOutputs):
-    """Of a mass that slides."""
-
-    @output("m")
-    def distance_m(self) -> float:
-        """How far the mass has slid."""
-        return self.arrays["node_x_m"][-1, 0]
-
-    @output("m/s")
-    def final_speed_m_s(self) -> float:
-        """Velocity of the mass at the end, along the ground."""
-        return self.arrays["node_vx_m_s"][-1, 0]
-
-    @output("m")
-    def resting_gap_m(self) -> float:
-        """Distance from the ground at which the mass rests."""
-        return self.arrays["node_y_m"][0, 0]
-
-
 def march_mass(
     simulation: Simulation,
     model: Model,
@@ -121,21 +84,3 @@ def march_mass(
     arrays = trajectory_arrays(simulation, model, march)
     side = side_by_side([model])
     return kind(simulation, begun, side, outcome, march.kernel_seconds, arrays).result(arrays)
-
-
-def simulate_bounce_scene(simulation: Simulation, progress: Progress | None = None) -> Result:
-    """Drop a mass into the barrier without gravity: a conservative bounce has restitution 1."""
-    model = mass_model(simulation, 0.0, 0.0)
-    start = (0.0, float(model.contact.reach()))
-    fall = (0.0, -simulation.sim.speed_m_s / simulation.robot.scales.velocity_m_s)
-    return march_mass(simulation, model, start, fall, BounceOutputs, progress)
-
-
-def simulate_slide_scene(simulation: Simulation, progress: Progress | None = None) -> Result:
-    """Let a mass slide from its resting gap; smoothed Coulomb friction brings it to a creep."""
-    scene, scales = simulation.sim, simulation.robot.scales
-    model = mass_model(simulation, simulation.robot.gravity_m_s2, scene.incline)
-    weight = scene.mass_kg / scales.mass_kg * model.load.normal
-    start = (0.0, resting_gap(model.contact, weight, 1.0))
-    velocity = (scene.speed_m_s / scales.velocity_m_s, 0.0)
-    return march_mass(simulation, model, start, velocity, SlideOutputs, progress)

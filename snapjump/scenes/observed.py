@@ -8,13 +8,10 @@ from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
 from snapjump.declare.outputs import output
-from snapjump.ending.flight import FlightEnding
 from snapjump.recorder.observables import make_observables
+from snapjump.scenes.jump_march import jump_march, jumped
 from snapjump.scenes.jump_outputs import JumpOutputs
 from snapjump.scenes.jump_start import jump_model
-from snapjump.scenes.march_outputs import side_by_side
-from snapjump.scenes.resting import resting_guess
-from snapjump.scenes.runner import March
 
 Array = NDArray[np.float64]
 # 150 bytes for each of them at most; untouched memory costs nothing.
@@ -52,21 +49,11 @@ def observe_jump(simulation: Simulation) -> dict[str, Any]:
     """Simulate a jump; its figures by name, those of :class:`ObservedJump` among them, NaN where
     there is none."""
     model = jump_model(simulation)
-    march = March(
-        models=[model],
-        masses=simulation.discretization.masses(),
-        states=resting_guess(simulation, model)[None, :],
-        simulation=simulation,
-        ending=FlightEnding(simulation.sim.time_limit_s / simulation.robot.scales.time_s),
-        recorder=make_observables(MOST_STEPS),
-        mesh=simulation.frame.mesh(model.frame),
-    )
-    march.find_starts()
-    outcome, recorder = march.run(), march.recorder
+    march = jump_march(simulation, model, lambda coordinates: make_observables(MOST_STEPS))
+    (side, outcome), recorder = jumped(march), march.recorder
     count = min(int(recorder.filled[0]), MOST_STEPS)
     watched = (recorder.times[:count], recorder.heights[:count], recorder.forces[:count])
-    side, seconds = side_by_side([model]), march.kernel_seconds
-    return ObservedJump(simulation, side, outcome, seconds, *watched).rows()[0]
+    return ObservedJump(simulation, side, outcome, march.kernel_seconds, *watched).rows()[0]
 
 
 def crossing(times: Array, values: Array) -> float:

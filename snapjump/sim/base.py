@@ -5,6 +5,7 @@ from typing import Any, ClassVar
 
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import Need, Part, required
+from snapjump.declare.outputs import Outputs
 
 Progress = Callable[[float, str], None]
 MOST_SAMPLES = 200_000
@@ -16,12 +17,20 @@ HELD = Need("frame", "held")
 class SceneOptions(Part):
     """A scene and its numbers.
 
-    ``chooses``: members that go with it unless others are asked for, by family.
+    ``outputs``: the class of what it reports. ``chooses``: members that go with it unless others
+    are asked for, by family. ``tells``: paths of the values in its reports' titles; by default all
+    of its own.
     """
 
     group = "sim"
+    outputs: ClassVar[type[Outputs]]
     chooses: ClassVar[Mapping[str, str]] = {}
+    tells: ClassVar[tuple[str, ...]] = ()
     moves_a_beam: ClassVar[bool] = False
+
+    def check_start(self, simulation: Any) -> None:
+        """What only the machine and the robot's statics tell. Raises ParameterError if the scene
+        cannot begin."""
 
     @required
     def simulate(self, simulation: Any, progress: Progress | None = None) -> Any:

@@ -1,21 +1,35 @@
 """``sim=bounce``: one mass falls onto the ground and bounces off, without gravity."""
 
-from typing import Any
+import math
 
+from snapjump.composition import Simulation
 from snapjump.declare.fields import Need, number
-from snapjump.sim.base import (
-    HELD,
-    ONE_AT_A_TIME,
-    Progress,
-    SceneOptions,
-    check_samples,
-)
+from snapjump.declare.outputs import output
+from snapjump.results import Result
+from snapjump.scenes.mass import MassOutputs, march_mass, mass_model
+from snapjump.sim.base import HELD, ONE_AT_A_TIME, Progress, SceneOptions, check_samples
+
+
+class BounceOutputs(MassOutputs):
+    """Of a bounce."""
+
+    @output("m/s")
+    def rebound_speed_m_s(self) -> float:
+        """Velocity of the mass at the end, upwards."""
+        return self.arrays["node_vy_m_s"][-1, 0]
+
+    @output("1")
+    def restitution(self) -> float:
+        """Rebound speed over the speed of the fall."""
+        speed = self.simulation.sim.speed_m_s
+        return self.rebound_speed_m_s / speed if speed else math.nan
 
 
 class Bounce(SceneOptions):
     """Verification: one mass falls onto the barrier at a given speed and bounces off."""
 
     chooses = {"frame": "fixed", "friction": "none", "damping": "none"}
+    outputs = BounceOutputs
     needs = (Need("contact", "pushes"), HELD, ONE_AT_A_TIME)
 
     mass_kg: float = number(7.6e-7, above=0.0, unit="kg")
@@ -27,7 +41,9 @@ class Bounce(SceneOptions):
         super().__post_init__()
         check_samples(self.duration_s, self.sample_interval_s)
 
-    def simulate(self, simulation: Any, progress: Progress | None = None) -> Any:
-        from snapjump.scenes.mass import simulate_bounce_scene
-
-        return simulate_bounce_scene(simulation, progress)
+    def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
+        """Drop a mass into the barrier without gravity: a conservative bounce has restitution 1."""
+        model = mass_model(simulation, 0.0, 0.0)
+        start = (0.0, float(model.contact.reach()))
+        fall = (0.0, -simulation.sim.speed_m_s / simulation.robot.scales.velocity_m_s)
+        return march_mass(simulation, model, start, fall, BounceOutputs, progress)

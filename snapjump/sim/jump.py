@@ -1,13 +1,19 @@
 """``sim=jump``: the whole jump: snap, strike, lift-off and ballistic apex."""
 
+import time
+from functools import partial
 from typing import Any
 
+from snapjump.composition import Simulation
 from snapjump.declare.fields import Need, number
-from snapjump.sim.base import (
-    Progress,
-    SceneOptions,
-    check_samples,
-)
+from snapjump.recorder.trajectory import TrajectoryRecorder, make_recorder
+from snapjump.results import Result
+from snapjump.scenes.card_march import check_backend
+from snapjump.scenes.jump_march import jump_march, jumped, no_recorder
+from snapjump.scenes.jump_outputs import JumpRun, RecordedJump
+from snapjump.scenes.jump_start import jump_model
+from snapjump.scenes.trajectory import trajectory_arrays
+from snapjump.sim.base import Progress, SceneOptions, check_samples
 
 
 class Jump(SceneOptions):
@@ -18,6 +24,13 @@ class Jump(SceneOptions):
     """
 
     moves_a_beam = True
+    tells = (
+        "design.epsilon",
+        "design.delta_alpha",
+        "environment.mu",
+        "environment.mass_bar",
+    )
+    outputs = RecordedJump
     needs = (Need("frame", "flies"), Need("contact", "pushes"))
 
     start_fraction: float = number(0.85, least=0.0, most=0.95)
@@ -31,7 +44,29 @@ class Jump(SceneOptions):
     def check_with(self, simulation: Any) -> None:
         simulation.environment.mass_kg(simulation.robot)
 
-    def simulate(self, simulation: Any, progress: Progress | None = None) -> Any:
-        from snapjump.scenes.jump import simulate_jump_scene
+    def check_start(self, simulation: Simulation) -> None:
+        check_backend(simulation)
+        jump_model(simulation)
 
-        return simulate_jump_scene(simulation, progress)
+    def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
+        """One jump with its whole trajectory and energy ledger.
+
+        With ``backend=lanes`` and ``backend=cuda`` the program for batches is used, which gives
+        outcomes only.
+        """
+        check_backend(simulation)
+        begun = time.perf_counter()
+        model, alone = jump_model(simulation), simulation.backend.one_at_a_time
+        recorder = partial(trajectory_recorder, simulation) if alone else no_recorder
+        march = jump_march(simulation, model, recorder, simulation.backend.width)
+        outcomes = jumped(march, progress)
+        kind = RecordedJump if alone else JumpRun
+        outputs = kind(simulation, begun, *outcomes, march.kernel_seconds)
+        recorded = alone and march.recorder.filled[0] > 0
+        return outputs.result(trajectory_arrays(simulation, model, march) if recorded else {})
+
+
+def trajectory_recorder(simulation: Simulation, coordinates: int) -> TrajectoryRecorder:
+    """What keeps the states of a jump."""
+    scene, time_s = simulation.sim, simulation.robot.scales.time_s
+    return make_recorder(coordinates, scene.time_limit_s / time_s, scene.sample_interval_s / time_s)

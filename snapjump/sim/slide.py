@@ -1,15 +1,31 @@
 """``sim=slide``: verification: one mass slides on the ground until friction stops it."""
 
-from typing import Any
-
+from snapjump.composition import Simulation
 from snapjump.declare.fields import Need, number
-from snapjump.sim.base import (
-    HELD,
-    ONE_AT_A_TIME,
-    Progress,
-    SceneOptions,
-    check_samples,
-)
+from snapjump.declare.outputs import output
+from snapjump.results import Result
+from snapjump.scenes.mass import MassOutputs, march_mass, mass_model
+from snapjump.sim.base import HELD, ONE_AT_A_TIME, Progress, SceneOptions, check_samples
+from snapjump.statics.resting_gap import resting_gap
+
+
+class SlideOutputs(MassOutputs):
+    """Of a mass that slides."""
+
+    @output("m")
+    def distance_m(self) -> float:
+        """How far the mass has slid."""
+        return self.arrays["node_x_m"][-1, 0]
+
+    @output("m/s")
+    def final_speed_m_s(self) -> float:
+        """Velocity of the mass at the end, along the ground."""
+        return self.arrays["node_vx_m_s"][-1, 0]
+
+    @output("m")
+    def resting_gap_m(self) -> float:
+        """Distance from the ground at which the mass rests."""
+        return self.arrays["node_y_m"][0, 0]
 
 
 class Slide(SceneOptions):
@@ -19,6 +35,7 @@ class Slide(SceneOptions):
     """
 
     chooses = {"frame": "fixed", "friction": "implicit", "damping": "none"}
+    outputs = SlideOutputs
     needs = (Need("contact", "pushes"), HELD, ONE_AT_A_TIME)
 
     mass_kg: float = number(4.0e-3, above=0.0, unit="kg")
@@ -31,7 +48,11 @@ class Slide(SceneOptions):
         super().__post_init__()
         check_samples(self.duration_s, self.sample_interval_s)
 
-    def simulate(self, simulation: Any, progress: Progress | None = None) -> Any:
-        from snapjump.scenes.mass import simulate_slide_scene
-
-        return simulate_slide_scene(simulation, progress)
+    def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
+        """Let a mass slide from its resting gap; smoothed Coulomb friction brings it to a creep."""
+        scene, scales = simulation.sim, simulation.robot.scales
+        model = mass_model(simulation, simulation.robot.gravity_m_s2, scene.incline)
+        weight = scene.mass_kg / scales.mass_kg * model.load.normal
+        start = (0.0, resting_gap(model.contact, weight, 1.0))
+        velocity = (scene.speed_m_s / scales.velocity_m_s, 0.0)
+        return march_mass(simulation, model, start, velocity, SlideOutputs, progress)

@@ -1,8 +1,27 @@
-"""``sim=snap``: the beam alone snaps in a frame that is held still, without gravity or ground."""
+"""The dynamic snap of the beam alone: a fixed frame, no gravity, no ground."""
 
+import math
+import time
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.clamp.smooth_start import SmoothStart
+from snapjump.composition import Simulation
 from snapjump.declare.fields import number
+from snapjump.declare.outputs import output
+from snapjump.ending.timed import TimedEnding
+from snapjump.engine.model import Model
+from snapjump.frame.fixed import FixedFrame
+from snapjump.load.none import NoLoad
+from snapjump.recorder.trajectory import make_recorder
+from snapjump.results import Result
+from snapjump.scenes.march_outputs import RecordedOutputs, side_by_side
+from snapjump.scenes.runner import March
+from snapjump.scenes.trajectory import trajectory_arrays
 from snapjump.sim.base import (
     HELD,
     NO_GROUND,
@@ -12,6 +31,83 @@ from snapjump.sim.base import (
     SceneOptions,
     check_samples,
 )
+from snapjump.statics.arch import StaticArch
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class SnapOutputs(RecordedOutputs):
+    """When and how the midpoint crosses the line of the clamps; NaN if it does not.
+
+    ``arrays``: the trajectory (S samples).
+    """
+
+    arrays: dict[str, Any]
+
+    @cached_property
+    def height(self) -> Array:
+        """Midpoint above the line of the clamps (S), in m."""
+        return middle(self.arrays["node_y_m"])
+
+    @cached_property
+    def crossed(self) -> int:
+        """The first sample below that line; 0 if it never gets there from above."""
+        return int(np.argmax(self.height < 0.0))
+
+    def at_crossing(self, values: Array) -> float:
+        """What values (S) are as the midpoint crosses the line."""
+        k, height = self.crossed, self.height
+        if k == 0:
+            return math.nan
+        share = height[k - 1] / (height[k - 1] - height[k])
+        return float(values[k - 1] + share * (values[k] - values[k - 1]))
+
+    @output("rad")
+    def alpha_snap_rad(self) -> float:
+        """Angle of the left clamp as the midpoint crosses the line of the clamps."""
+        return self.at_crossing(self.arrays["clamp_left_rad"])
+
+    @output("s")
+    def snap_time_s(self) -> float:
+        """When the midpoint crosses the line of the clamps, since they began to turn."""
+        return self.at_crossing(self.arrays["time_s"])
+
+    @output("m/s")
+    def midpoint_velocity_m_s(self) -> float:
+        """Vertical velocity of the midpoint as it crosses the line of the clamps."""
+        return self.at_crossing(middle(self.arrays["node_vy_m_s"]))
+
+    @output("s")
+    def snap_duration_s(self) -> float:
+        """From the crossing of half the initial height to the first extreme below the line."""
+        k, height, t = self.crossed, self.height, self.arrays["time_s"]
+        if k == 0:
+            return math.nan
+        rising = np.flatnonzero(np.diff(height[k:]) > 0.0)
+        turn = k + (int(rising[0]) if len(rising) else len(height) - 1 - k)
+        begin = int(np.flatnonzero(height[: k + 1] > 0.5 * height[0])[-1])
+        return float(t[turn] - t[begin])
+
+    @output("rad")
+    def theta_max_rad(self) -> float:
+        """Largest absolute tangent angle at the midpoint."""
+        x, y = self.arrays["node_x_m"], self.arrays["node_y_m"]
+        last = y.shape[1] - 1
+        before, after = (last + 1) // 2 - 1, last // 2 + 1
+        tangent = np.arctan2(y[:, after] - y[:, before], x[:, after] - x[:, before])
+        return float(np.abs(tangent).max())
+
+    @output("m")
+    def midpoint_min_m(self) -> float:
+        """Lowest height of the midpoint."""
+        return float(self.height.min())
+
+
+def middle(values: Array) -> Array:
+    """Of values (S, N + 1) at nodes those at the midpoint (S)."""
+    last = values.shape[1] - 1
+    return np.asarray(0.5 * (values[:, last // 2] + values[:, (last + 1) // 2]))
 
 
 class Snap(SceneOptions):
@@ -21,7 +117,9 @@ class Snap(SceneOptions):
     """
 
     moves_a_beam = True
+    tells = ("design.epsilon", "design.delta_alpha")
     chooses = WITHOUT_GROUND
+    outputs = SnapOutputs
     needs = (*NO_GROUND, HELD, ONE_AT_A_TIME)
 
     duration_s: float = number(0.06, above=0.0, unit="s")
@@ -32,7 +130,39 @@ class Snap(SceneOptions):
         super().__post_init__()
         check_samples(self.duration_s, self.sample_interval_s)
 
-    def simulate(self, simulation: Any, progress: Progress | None = None) -> Any:
-        from snapjump.scenes.snap import simulate_snap_scene
-
-        return simulate_snap_scene(simulation, progress)
+    def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
+        """Turn the clamps of the arch at rest from flat and follow it through the snap."""
+        begun = time.perf_counter()
+        robot, scene = simulation.robot, simulation.sim
+        scales = robot.scales
+        arch = StaticArch(robot, simulation.discretization, simulation.design.epsilon)
+        lag = simulation.design.delta_alpha
+        state = arch.flat(lag)
+        model = Model(
+            discretization=simulation.discretization.beam(robot),
+            frame=FixedFrame.Body(0.5 * (1.0 - simulation.design.epsilon), 0.0),
+            clamp=SmoothStart(
+                start=0.0,
+                end=robot.rotation_end_rad,
+                rate=robot.rotation_rate_rad_s * scales.time_s,
+                delta_alpha=lag,
+                rise_time=scene.rise_time_s / scales.time_s,
+            ),
+            contact=simulation.contact.law(scales),
+            friction=simulation.friction.law(scales, simulation.environment.mu),
+            damping=simulation.damping.law(scales),
+            load=NoLoad(),
+        )
+        duration = scene.duration_s / scales.time_s
+        march = March(
+            models=[model],
+            masses=simulation.discretization.masses(),
+            states=state[None, :],
+            simulation=simulation,
+            ending=TimedEnding(duration),
+            recorder=make_recorder(len(state), duration, scene.sample_interval_s / scales.time_s),
+        )
+        outcome = march.run(progress)
+        arrays = trajectory_arrays(simulation, model, march)
+        side, seconds = side_by_side([model]), march.kernel_seconds
+        return SnapOutputs(simulation, begun, side, outcome, seconds, arrays).result(arrays)

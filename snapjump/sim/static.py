@@ -1,8 +1,19 @@
-"""``sim=static``: slow loading: branches, stability, critical angle and snapped state."""
+"""Slow loading: branches of equilibria, their stability, and the snap between them."""
 
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import islice
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.composition import Simulation
 from snapjump.declare.fields import integer
+from snapjump.declare.outputs import output
+from snapjump.results import Result
+from snapjump.scenes.march_outputs import RunOutputs
 from snapjump.sim.base import (
     AT_REST,
     HELD,
@@ -11,6 +22,118 @@ from snapjump.sim.base import (
     Progress,
     SceneOptions,
 )
+from snapjump.statics.arch import StaticArch
+from snapjump.statics.branch import Branch, Point
+from snapjump.statics.critical import Snap, find_snap, start_point
+
+Array = NDArray[np.float64]
+LENGTH = 6.0  # of a branch, in the norm of its free coordinates and angle
+
+
+@dataclass(frozen=True)
+class StaticOutputs(RunOutputs):
+    """Of the equilibria before and after a slow snap."""
+
+    snap: Snap
+
+    @output("rad")
+    def alpha_critical_rad(self) -> float:
+        """Angle of the left clamp at which the arch loses its stability."""
+        return self.snap.alpha_rad
+
+    @output("rad")
+    def alpha_critical_error_rad(self) -> float:
+        """How well the critical angle is known: what rounding makes of it."""
+        return self.snap.alpha_error_rad
+
+    @output("L")
+    def h1_bar(self) -> float:
+        """Depth of the lowest point below the clamps as the arch snaps."""
+        return self.snap.h1_bar
+
+    @output("L")
+    def h2_bar(self) -> float:
+        """Depth of the snapped arch's midpoint below the clamps."""
+        return self.snap.h2_bar
+
+    @output("EI/L")
+    def energy_before_bar(self) -> float:
+        """Elastic energy as the arch snaps."""
+        return self.snap.before.energy
+
+    @output("EI/L")
+    def energy_after_bar(self) -> float:
+        """Elastic energy of the snapped arch."""
+        return self.snap.after.energy
+
+    @output("EI/L")
+    def energy_released_bar(self) -> float:
+        """Elastic energy that the snap releases."""
+        return self.snap.before.energy - self.snap.after.energy
+
+    @output("L")
+    def midpoint_before_bar(self) -> float:
+        """Height of the midpoint above the clamps as the arch snaps."""
+        return self.snap.before.midpoint
+
+    @output("L")
+    def midpoint_after_bar(self) -> float:
+        """Height of the snapped arch's midpoint above the clamps."""
+        return self.snap.after.midpoint
+
+
+def _row(arch: StaticArch, branch: Branch, point: Point) -> tuple[float, float, float, float]:
+    equilibrium = arch.equilibrium(point.state, point.left, point.left - branch.delta_alpha)
+    return (
+        point.left,
+        equilibrium.midpoint,
+        equilibrium.energy,
+        float(point.negative_eigenvalues),
+    )
+
+
+def _collect(
+    arch: StaticArch, branch: Branch, points: Iterator[Point], farthest: float
+) -> dict[str, Array]:
+    rows = []
+    for point in points:
+        if not 0.0 <= point.left <= farthest:
+            break
+        rows.append(_row(arch, branch, point))
+    table = np.array(rows).reshape(-1, 4)
+    names = ("alpha_rad", "midpoint_bar", "energy_bar", "negative_pivots")
+    return dict(zip(names, table.T, strict=True))
+
+
+def _table(
+    arch: StaticArch, branch: Branch, upward: bool, steps: int, farthest: float
+) -> dict[str, Any]:
+    """The branch that begins at flat clamps, buckled up or down, towards larger angles."""
+    first = start_point(branch, upward)
+    start = arch.equilibrium(first.state, 0.0, -branch.delta_alpha)
+    walk = branch.follow(first, LENGTH / steps)
+    collected = _collect(arch, branch, islice(walk, steps), farthest)
+    row = _row(arch, branch, first)
+    table: dict[str, Any] = {
+        name: np.concatenate([[value], collected[name]])
+        for name, value in zip(collected, row, strict=True)
+    }
+    table["start"] = start
+    return table
+
+
+def _asymmetric(arch: StaticArch, snap: Any, steps: int) -> dict[str, Array]:
+    """The branch of leaning arches that meets the symmetric one at the pitchfork.
+
+    It is entered along the critical mode: the tangent's null vector there.
+    """
+    branch = Branch(arch, 0.0, symmetric=False)
+    state = snap.before.state
+    arch.residual(state, snap.alpha_rad, snap.alpha_rad)
+    mode = np.append(arch.critical_mode(), 0.0)
+    seed = Point(state, snap.alpha_rad, 0.0, 0.0, 0, mode)
+    walk = branch.follow(seed, LENGTH / steps)
+    return _collect(arch, branch, islice(walk, steps), np.inf)
 
 
 class Static(SceneOptions):
@@ -19,12 +142,39 @@ class Static(SceneOptions):
     ``steps``: points along each branch.
     """
 
+    tells = ("design.epsilon", "design.delta_alpha")
     chooses = AT_REST
+    outputs = StaticOutputs
     needs = (*NO_GROUND, HELD, ONE_AT_A_TIME)
 
     steps: int = integer(120, least=10, most=100_000)
 
-    def simulate(self, simulation: Any, progress: Progress | None = None) -> Any:
-        from snapjump.scenes.static import simulate_static_scene
-
-        return simulate_static_scene(simulation, progress)
+    def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
+        """Critical angle and snapped state to 1e-8, and the branches around them."""
+        begun = time.perf_counter()
+        robot, discretization = simulation.robot, simulation.discretization
+        epsilon, lag = simulation.design.epsilon, simulation.design.delta_alpha
+        snap = find_snap(robot, discretization, epsilon, lag)
+        arch = StaticArch(robot, discretization, epsilon)
+        branch = Branch(arch, lag)
+        tables = []
+        for upward in (True, False):
+            tables.append(
+                _table(arch, branch, upward, simulation.sim.steps, robot.rotation_end_rad)
+            )
+            if progress is not None:
+                progress(0.5 * len(tables), "branches")
+        if lag == 0.0:
+            tables.append(_asymmetric(arch, snap, simulation.sim.steps))
+        shapes = [tables[0]["start"], snap.before, snap.after]
+        arrays: dict[str, NDArray[Any]] = {
+            f"branch_{key}": np.concatenate([t[key] for t in tables])
+            for key in ("alpha_rad", "midpoint_bar", "energy_bar", "negative_pivots")
+        }
+        arrays["branch_number"] = np.repeat(
+            np.arange(len(tables)), [len(t["alpha_rad"]) for t in tables]
+        )
+        arrays["shapes_x_bar"] = np.array([s.x for s in shapes])
+        arrays["shapes_y_bar"] = np.array([s.y for s in shapes])
+        arrays["shapes_label"] = np.array(["flat clamps", "at the snap", "snapped"])
+        return StaticOutputs(simulation, begun, snap).result(arrays)

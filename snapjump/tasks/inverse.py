@@ -43,7 +43,7 @@ class InverseDesign:
         from snapjump.declare.fields import construct
         from snapjump.declare.members import make_member
         from snapjump.learning.forward_model import open_forward_model
-        from snapjump.simulation import build, check_scene
+        from snapjump.simulation import build
         from snapjump.targets import request
         from snapjump.targets.robust import Tolerance
         from snapjump.targets.simulator import differentiable
@@ -58,7 +58,7 @@ class InverseDesign:
             raise ParameterError("sim", scene, "jump, which is what has an apex")
         self._base = build(config)
         check_complete(config, self._base, inverse=self._method, tolerance=self._tolerance)
-        check_scene(self._base)
+        self._base.sim.check_start(self._base)
         if self._method.needs_slopes:
             differentiable(self._base)
         self._trained = open_forward_model(path)

@@ -25,12 +25,12 @@ class Simulate:
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Build the simulation, which checks every value; then that none was left out."""
-        from snapjump.simulation import build, check_scene
+        from snapjump.simulation import build
 
         self._config = config
         self._simulation = build(config)
         check_complete(config, self._simulation)
-        check_scene(self._simulation)
+        self._simulation.sim.check_start(self._simulation)
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         """Simulate, and leave the trajectory and the figures."""

@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 
 from snapjump.batch import Batch
+from snapjump.declare.members import member_class, member_names
 from snapjump.declare.outputs import Outputs
-from snapjump.scenes.registry import OUTPUTS
 from snapjump.terminal.block import markdown_table
 
 HEADER = ("name", "unit", "what it is", "of", "only if")
@@ -12,7 +12,10 @@ HEADER = ("name", "unit", "what it is", "of", "only if")
 
 def output_table() -> str:
     """Markdown: a row for each output, and the scenes (and batches) that have it."""
-    owners: Mapping[str, type[Outputs]] = {**OUTPUTS, "batch": Batch}
+    owners: Mapping[str, type[Outputs]] = {
+        **{name: member_class("sim", name)().outputs for name in member_names("sim")},
+        "batch": Batch,
+    }
     found: dict[tuple[str, ...], list[str]] = {}
     for scene, kind in owners.items():
         for each in kind.declared():

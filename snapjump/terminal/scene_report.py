@@ -3,24 +3,36 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from snapjump.declare.fields import settings
+from snapjump.declare.members import member_class
 from snapjump.declare.outputs import Output
-from snapjump.scenes.registry import OUTPUTS
+from snapjump.sim.base import SceneOptions
 from snapjump.terminal.block import number
 from snapjump.tiers import TIERS
 
 
 def scene_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list[tuple[str, str]]:
     """Lines of (heading, text); numbers that a scene does not have are left out."""
-    scene = config["sim"]["name"]
-    lines = output_lines(OUTPUTS[scene].declared(), summary, 1e3 * config["robot"]["length_m"])
+    name = config["sim"]["name"]
+    scene = member_class("sim", name)()
+    lines = output_lines(scene.outputs.declared(), summary, 1e3 * config["robot"]["length_m"])
     cost = lines.pop("cost", "")
     return [
-        (scene, _jump_title(config) if scene == "jump" else _title(config)),
+        (name, title(config, scene)),
         *lines.items(),
         ("accuracy", accuracy_line(config, summary)),
         ("warning", _warning(config, summary)),
         ("cost", cost),
     ]
+
+
+def title(config: Mapping[str, Any], scene: SceneOptions) -> str:
+    """What was simulated: the values that the scene tells."""
+    told = []
+    for path in scene.tells or [f"sim.{key}" for key in settings(scene)]:
+        group, _, key = path.partition(".")
+        told.append(f"{key} {number(config[group][key])}")
+    return ", ".join(told)
 
 
 def output_lines(
@@ -50,7 +62,7 @@ def accuracy_line(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
     what the jump estimates itself."""
     accuracy = config["accuracy"]
     name = accuracy["name"]
-    if config["sim"]["name"] != "jump":
+    if "error_estimate_percent" not in summary:
         return str(name)
     changed = TIERS[name].departures(config)
     if changed:
@@ -70,18 +82,3 @@ def _warning(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
         f"estimated error {estimate:.2g} %, more than the {TIERS[name].promise_percent:g} % that "
         f"{name} stands for"
     )
-
-
-def _jump_title(config: Mapping[str, Any]) -> str:
-    design, environment = config["design"], config["environment"]
-    return (
-        f"epsilon {number(design['epsilon'])}, delta_alpha {number(design['delta_alpha'])} rad, "
-        f"mu {number(environment['mu'])}, m_bar {number(environment['mass_bar'])}"
-    )
-
-
-def _title(config: Mapping[str, Any]) -> str:
-    keys = {key: value for key, value in config["sim"].items() if key != "name"}
-    if config["sim"]["name"] in ("static", "snap"):
-        keys = {**config["design"], **keys}
-    return ", ".join(f"{key} {number(value)}" for key, value in keys.items())

@@ -6,17 +6,14 @@ import numpy as np
 import pytest
 
 from snapjump.backend.lanes import LanesBackend
-from snapjump.batch import simulate_batch, simulate_designs, variants
-from snapjump.checks import ParameterError
-from snapjump.composition import with_tier
-from snapjump.declare.members import member_class
-from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.batch import Batch, simulate_batch, simulate_designs, variants
 from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
+from snapjump.declare.members import member_class
 from snapjump.declare.outputs import NUMBER, WORD
+from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.parameters.robot import Robot
-from snapjump.scenes.jump import simulate_jump_scene
+from snapjump.simulation import simulate
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 # delta_alpha, epsilon, mass_bar, mu
@@ -75,7 +72,7 @@ def test_rows_are_those_of_the_batch_of_good_designs(base, batch):
 
 def test_rows_are_those_of_single_jumps(base, batch):
     for place, simulation in zip(PLACES, variants(base, GOOD), strict=True):
-        summary = simulate_jump_scene(simulation).summary
+        summary = simulate(simulation).summary
         for name, values in batch.columns().items():
             assert name in TIMING or values[place] == summary[name], name
 

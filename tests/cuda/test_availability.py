@@ -8,8 +8,7 @@ from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
 from snapjump.cuda import availability
 from snapjump.cuda.availability import check_card
-from snapjump.scenes.jump import simulate_jump_scene
-from snapjump.simulation import check_scene
+from snapjump.simulation import simulate
 
 
 def no_package(name):
@@ -47,7 +46,12 @@ def test_a_device_beyond_the_last_is_refused(monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "begin", [check_scene, simulate_jump_scene, lambda simulation: simulate_batch([simulation])]
+    "begin",
+    [
+        lambda simulation: simulation.sim.check_start(simulation),
+        simulate,
+        lambda simulation: simulate_batch([simulation]),
+    ],
 )
 def test_no_statics_are_solved_before(without_package, monkeypatch, begin):
     from snapjump.scenes import jump_start

@@ -6,7 +6,7 @@ import pytest
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.discretization.geometrically_exact import GeometricallyExact
-from snapjump.scenes.cantilever import bend_cantilever
+from snapjump.sim.cantilever import bend_cantilever
 
 # EA L^2/EI of a beam as good as inextensible.
 STIFF = 1e9

@@ -7,7 +7,7 @@ from scipy.optimize import brentq
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.discretization.geometrically_exact import GeometricallyExact
-from snapjump.scenes.cantilever import bend_cantilever
+from snapjump.sim.cantilever import bend_cantilever
 
 MOMENT = 2.0 * np.pi
 # Pure bending stretches nothing, so that a soft beam does as well, with less rounding.

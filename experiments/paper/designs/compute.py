@@ -12,7 +12,6 @@ from experiments.paper.learned import shipped_forward
 from experiments.paper.tiers import simulation_at
 from snapjump.batch import simulate_designs, variant
 from snapjump.declare.members import member_class
-from snapjump.engine.status import NAMES, OK
 from snapjump.studies.base import Row
 from snapjump.targets.answer import answer
 from snapjump.targets.design import problem_of
