@@ -1,7 +1,7 @@
 """Every value that a user can set, and values that it must not have: what invalid input is made of.
 
-The range of a number is read from the error that refuses NaN, so that a member that is added is
-covered as it is.
+The range of a number is what its field declares, so that a member that is added is covered as it
+is.
 """
 
 import math

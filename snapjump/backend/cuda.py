@@ -19,15 +19,13 @@ class CudaBackend(BackendOptions):
 
     device: int = integer(0, least=0, most=1023)
     memory_gib: float = number(4.0, above=0.0, most=1024.0, unit="GiB")
-    threads_per_block: int = 64
+    threads_per_block: int = integer(64, least=WARP, most=LARGEST_BLOCK)
 
     def __post_init__(self) -> None:
         super().__post_init__()
         block = self.threads_per_block
-        if type(block) is not int or block % WARP or not WARP <= block <= LARGEST_BLOCK:
-            raise ParameterError(
-                "backend.threads_per_block", block, f"a multiple of {WARP} up to {LARGEST_BLOCK}"
-            )
+        if block % WARP:
+            raise ParameterError("backend.threads_per_block", block, f"a multiple of {WARP}")
 
     @property
     def width(self) -> int:

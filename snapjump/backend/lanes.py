@@ -3,7 +3,7 @@
 import os
 
 from snapjump.backend.base import MOST_THREADS, WIDTHS, BackendOptions
-from snapjump.checks import ParameterError, check_integer
+from snapjump.declare.fields import choice, integer
 
 
 def available_cores() -> int:
@@ -19,15 +19,8 @@ class LanesBackend(BackendOptions):
     ``width`` robots in each of ``threads``; None: as many threads as there are cores to use.
     """
 
-    width: int = 8
-    threads: int | None = None
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        if type(self.width) is not int or self.width not in WIDTHS:
-            raise ParameterError("backend.width", self.width, "one of 2, 4, 8, 16")
-        if self.threads is not None:
-            check_integer("backend.threads", self.threads, 1, MOST_THREADS)
+    width: int = choice(8, WIDTHS)
+    threads: int | None = integer(None, least=1, most=MOST_THREADS)
 
     @property
     def thread_count(self) -> int:

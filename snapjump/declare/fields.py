@@ -18,7 +18,7 @@ from typing import (
     dataclass_transform,
 )
 
-from snapjump.checks import ParameterError, check_choice, check_group, check_integer, check_number
+from snapjump.checks import ParameterError, check_group, check_integer, check_number
 
 
 class Number(NamedTuple):
@@ -46,13 +46,14 @@ class Integer(NamedTuple):
 
 
 class Choice(NamedTuple):
-    """One of some words."""
+    """One of some words, or of some integers."""
 
-    words: tuple[str, ...]
+    words: tuple[str | int, ...]
 
     def check(self, key: str, value: Any) -> None:
         """Raises ParameterError."""
-        check_choice(key, value, self.words)
+        if type(value) is not type(self.words[0]) or value not in self.words:
+            raise ParameterError(key, value, "one of " + ", ".join(map(str, self.words)))
 
 
 class Flag(NamedTuple):
@@ -78,7 +79,7 @@ class About(TypedDict, total=False):
 
 
 def number(
-    default: float,
+    default: Any = MISSING,
     *,
     least: float = -math.inf,
     above: float | None = None,
@@ -93,13 +94,13 @@ def number(
     return field(default=default, metadata={"allowed": allowed, "doc": doc, "about": about})
 
 
-def integer(default: int, *, least: int, most: int, doc: str = "") -> Any:
-    """A field that holds an integer."""
+def integer(default: Any = MISSING, *, least: int, most: int, doc: str = "") -> Any:
+    """A field that holds an integer, or None if that is the default."""
     return field(default=default, metadata={"allowed": Integer(least, most), "doc": doc})
 
 
-def choice(default: str, words: Sequence[str], doc: str = "") -> Any:
-    """A field that holds one of some words."""
+def choice(default: str | int, words: Sequence[str | int], doc: str = "") -> Any:
+    """A field that holds one of some words or integers."""
     return field(default=default, metadata={"allowed": Choice(tuple(words)), "doc": doc})
 
 
@@ -180,9 +181,9 @@ class Part:
 
     def __post_init__(self) -> None:
         for declared in fields(self):  # type: ignore[arg-type]
-            allowed = declared.metadata.get("allowed")
-            if allowed is not None:
-                allowed.check(f"{self.group}.{declared.name}", getattr(self, declared.name))
+            value, allowed = getattr(self, declared.name), declared.metadata.get("allowed")
+            if allowed is not None and not (value is None and declared.default is None):
+                allowed.check(f"{self.group}.{declared.name}", value)
 
 
 def settings(part: Any) -> list[str]:

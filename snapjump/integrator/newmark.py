@@ -14,7 +14,7 @@ class Newmark(IntegratorOptions):
     Second order for ``gamma`` = 1/2; A-stable for 2 ``beta`` >= ``gamma`` >= 1/2.
     """
 
-    beta: float = 0.25
+    beta: float = number(0.25, least=0.25, most=1.0)
     gamma: float = number(0.5, least=0.5, most=1.0)
 
     def __post_init__(self) -> None:

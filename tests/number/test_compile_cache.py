@@ -84,7 +84,7 @@ def test_a_copy_finds_what_was_compiled_and_an_edited_one_does_not(copied, tmp_p
     assert compiled_in(tmp_path, cache) == (0, 1)
     assert compiled_in(elsewhere, cache) == (1, 0)
     # Words, and the kernel some lines below where it was.
-    kernel = elsewhere / "snapjump" / "contact" / "resting.py"
+    kernel = elsewhere / "snapjump" / "statics" / "resting_gap.py"
     text = kernel.read_text().replace("By bisection", "By halving intervals")
     kernel.write_text(text.replace("@compiled", "# A comment.\n\n@compiled"))
     assert compiled_in(elsewhere, cache) == (1, 0)
@@ -108,7 +108,7 @@ def test_functions_of_others_are_left_to_numba():
     assert compile_cache.KernelLocator.from_function(compiled_in, __file__) is None
     # They share a name, and only their lines tell them apart.
     inner = (lambda: lambda: None)()
-    place = str(files.PACKAGE / "contact" / "resting.py")
+    place = str(files.PACKAGE / "statics" / "resting_gap.py")
     assert compile_cache.KernelLocator.from_function(inner, place) is None
 
     @njit(cache=True)

@@ -10,6 +10,7 @@ from scipy.interpolate import CubicHermiteSpline
 
 from snapjump.contact.base import at_rest
 from snapjump.scenes.mass import march_mass, mass_model
+from snapjump.sim.bounce import BounceOutputs
 from snapjump.statics.resting_gap import resting_gap
 
 STIFFNESS_N_M = 1e4
@@ -83,13 +84,17 @@ def test_with_weight(single_mass, reference):
     exact = reference("C2b_with_gravity")
     step = exact["tc"] / STEPS
     simulation = single_mass(
-        "bounce", step, duration_s=1.1 * exact["tc"], sample_interval_s=0.5 * step
+        "bounce",
+        step,
+        mass_kg=4e-3,
+        duration_s=1.1 * exact["tc"],
+        sample_interval_s=0.5 * step,
     )
     scales = simulation.robot.scales
     model = mass_model(simulation, 10.0, 0.0)
     start = (0.0, REACH_M / scales.length_m)
     fall = (0.0, -1.0 / scales.velocity_m_s)
-    _, arrays = march_mass(simulation, model, 4e-3 / scales.mass_kg, start, fall, None)
+    arrays = march_mass(simulation, model, start, fall, BounceOutputs, None).arrays
     lowest, contact = flight(arrays)
     assert lowest == pytest.approx(exact["dmin"], rel=1e-4)
     assert contact == pytest.approx(exact["tc"], rel=1e-3)
@@ -140,6 +145,7 @@ def restitutions(single_mass, integrator, vhat, contacts, count) -> list[float]:
         "bounce",
         step,
         integrator,
+        mass_kg=mass,
         duration_s=4.0 * contact + 20.0 * step,
         sample_interval_s=contact,
     )
@@ -150,7 +156,7 @@ def restitutions(single_mass, integrator, vhat, contacts, count) -> list[float]:
         height = REACH_M + phase / 8.0 * step * speed
         start = (0.0, height / scales.length_m)
         fall = (0.0, -speed / scales.velocity_m_s)
-        result, arrays = march_mass(simulation, model, mass / scales.mass_kg, start, fall, None)
+        result = march_mass(simulation, model, start, fall, BounceOutputs, None)
         assert result.min_gap_m > 0.0
-        ratios.append(arrays["node_vy_m_s"][-1, 0] / speed)
+        ratios.append(result.arrays["node_vy_m_s"][-1, 0] / speed)
     return ratios

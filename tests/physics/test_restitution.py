@@ -8,6 +8,7 @@ from scipy.optimize import brentq
 from snapjump.composition import Simulation
 from snapjump.declare.members import member_class
 from snapjump.scenes.mass import march_mass, mass_model
+from snapjump.sim.bounce import Bounce, BounceOutputs
 
 pytestmark = pytest.mark.compiles
 CONTACT = FAMILIES["contact"]
@@ -18,7 +19,7 @@ HEIGHT_M = 2e-4  # above the reach of any law
 def fall(law, speed_m_s, step_s, duration_s, integrator="tr_bdf2"):
     """A mass that falls without gravity: height (m) and velocity (m/s) at the end, least gap."""
     simulation = Simulation(
-        sim=member_class("sim", "bounce")(duration_s=duration_s, sample_interval_s=duration_s),
+        sim=Bounce(mass_kg=MASS_KG, duration_s=duration_s, sample_interval_s=duration_s),
         frame=member_class("frame", "fixed")(),
         contact=law,
         integrator=member_class("integrator", integrator)(),
@@ -29,8 +30,9 @@ def fall(law, speed_m_s, step_s, duration_s, integrator="tr_bdf2"):
     reach = getattr(law, "distance_m", 0.0)
     start = (0.0, (reach + HEIGHT_M) / scales.length_m)
     velocity = (0.0, -speed_m_s / scales.velocity_m_s)
-    result, arrays = march_mass(simulation, model, MASS_KG / scales.mass_kg, start, velocity, None)
+    result = march_mass(simulation, model, start, velocity, BounceOutputs, None)
     assert result.status == "ok"
+    arrays = result.arrays
     return arrays["node_y_m"][-1, 0], arrays["node_vy_m_s"][-1, 0], result.min_gap_m
 
 

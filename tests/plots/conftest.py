@@ -112,7 +112,7 @@ def make_jump(nodes: int = 65, scene: str = "jump") -> Any:
         "apex_time_s": float(time[-1] + fall),
     }
     simulation = SimpleNamespace(
-        scene_name=scene, robot=robot, design=design, environment=Environment()
+        sim=SimpleNamespace(name=scene), robot=robot, design=design, environment=Environment()
     )
     return SimpleNamespace(status="ok", summary=summary, arrays=arrays, simulation=simulation)
 

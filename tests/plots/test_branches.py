@@ -1,6 +1,7 @@
 """Branches: solid where stable, dashed where not, parted where another begins."""
 
 import pathlib
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -34,7 +35,7 @@ def test_static_and_cantilever(jump: Any, tmp_path: pathlib.Path) -> None:
     arrays["shapes_label"] = np.array(["critical, 0.9117 rad", "snapped"])
     base = vars(jump.simulation)
     for scene, keep in (("static", ""), ("cantilever", "shapes"), ("static", "branch")):
-        simulation = type(jump.simulation)(**{**base, "scene_name": scene})
+        simulation = type(jump.simulation)(**{**base, "sim": SimpleNamespace(name=scene)})
         kept = {name: values for name, values in arrays.items() if name.startswith(keep)}
         summary = {"alpha_critical_rad": 0.911665}
         result = type(jump)(status="ok", summary=summary, arrays=kept, simulation=simulation)

@@ -100,8 +100,7 @@ def test_one_node_is_drawn_against_time(scene: str, jump: Any, tmp_path: pathlib
     arrays |= {"node_normal_N": 1.0 - column, "node_friction_N": 0.3 * column}
     arrays |= {"node_vx_m_s": 1.0 + 0.0 * column, "node_vy_m_s": column}
     arrays |= {"kinetic_J": column[:, 0], "contact_J": 1.0 - column[:, 0]}
-    simulation = SimpleNamespace(**vars(jump.simulation))
-    simulation.sim.name = scene
+    simulation = SimpleNamespace(**{**vars(jump.simulation), "sim": SimpleNamespace(name=scene)})
     result = SimpleNamespace(status="ok", summary={}, arrays=arrays, simulation=simulation)
     assert names(figures(result, tmp_path)) == {f"{scene}.png", "energy.png"}
 

@@ -54,17 +54,17 @@ def names() -> dict[str, str]:
 EDITS = {
     "snapjump/contact/logbarrier.py": (
         ('"""Logarithmic barrier', '# Why.\n"""The logarithmic barrier', set()),
-        ("def keeps_open", "# always\n\n    def keeps_open", set()),
+        ("def keeps_open", "# always\n\n        def keeps_open", set()),
         ("return True", "return False", ALL),
     ),
-    "snapjump/contact/resting.py": (("HALVINGS = 60", "HALVINGS = 61", ALL),),
+    "snapjump/statics/resting_gap.py": (("HALVINGS = 60", "HALVINGS = 61", ALL),),
     "snapjump/scenes/runner.py": (
         ('"""', '"""Yes: ', set()),
         ("MOST_ITERATIONS = ", "MOST_ITERATIONS = 1 + ", ALL - {"kernels"}),
     ),
     "snapjump/inverse/base.py": (("import", "import os\nimport", {"study"}),),
     "snapjump/plots/canvas.py": (("import", "import os\nimport", set()),),
-    "snapjump/tableaux/integrator/sdirk2.yaml": (
+    "snapjump/integrator/sdirk2.yaml": (
         ("# Second order", "# An order of two", set()),
         ("order: 2", "order: 3", ALL - {"kernels"}),
     ),

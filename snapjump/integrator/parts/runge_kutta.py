@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.checks import ParameterError, check_integer, check_number
-from snapjump.declare.fields import hidden
+from snapjump.checks import ParameterError, check_number
+from snapjump.declare.fields import hidden, integer, number
 from snapjump.integrator.base import IntegratorOptions
 from snapjump.integrator.parts.dirk import Tableau
 from snapjump.integrator.parts.quadrature_dirk import QuadratureTableau
@@ -29,9 +29,9 @@ class RungeKutta(IntegratorOptions):
     amplification of an infinitely fast oscillation) are what a test measures.
     """
 
-    order: int  # type: ignore[misc]
-    damping_at_infinity: float  # type: ignore[misc]
-    rows: Rows
+    order: int = integer(least=1, most=12)  # type: ignore[misc]
+    damping_at_infinity: float = number(least=0.0, most=1.0)  # type: ignore[misc]
+    rows: Rows  # type: ignore[misc]
     weights: tuple[float, ...] | None = None
     embedded: tuple[float, ...] | None = None
     method: str = hidden("runge_kutta")
@@ -41,8 +41,7 @@ class RungeKutta(IntegratorOptions):
         return self.method
 
     def __post_init__(self) -> None:
-        check_integer("integrator.order", self.order, 1, 12)
-        check_number("integrator.damping_at_infinity", self.damping_at_infinity, 0.0, 1.0)
+        super().__post_init__()
         rows = checked_rows(self.rows)
         object.__setattr__(self, "rows", rows)
         for key in ("weights", "embedded"):
