@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from snapjump.checks import ParameterError
+    from snapjump.declare.plugins import load_plugins
     from snapjump.parameters.design import Design
     from snapjump.parameters.environment import Environment
     from snapjump.parameters.robot import Robot
@@ -24,10 +25,19 @@ _HOMES = {
     "ParameterError": "snapjump.checks",
     "Result": "snapjump.results",
     "Robot": "snapjump.parameters.robot",
+    "load_plugins": "snapjump.declare.plugins",
     "simulate_jump": "snapjump.simulation",
 }
 
-__all__ = ["Design", "Environment", "ParameterError", "Result", "Robot", "simulate_jump"]
+__all__ = [
+    "Design",
+    "Environment",
+    "ParameterError",
+    "Result",
+    "Robot",
+    "load_plugins",
+    "simulate_jump",
+]
 
 
 def __getattr__(name: str) -> Any:

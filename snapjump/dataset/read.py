@@ -11,6 +11,7 @@ from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.manifest import dataset_sha256
 from snapjump.dataset.sealed import read_sealed, sha256_of
 from snapjump.dataset.shard import read_entry
+from snapjump.declare.members import check_known
 from snapjump.files import former_names
 
 if TYPE_CHECKING:
@@ -85,6 +86,10 @@ def open_dataset(path: str | Path) -> Dataset:
         have = f"{manifest['rows']} of {manifest['designs']} rows are there"
         raise _refused(folder, f"a dataset that is complete ({have})")
     specification = manifest["specification"]
+    try:
+        check_known(specification["configuration"])
+    except ParameterError as error:
+        raise _refused(folder, f"one of members that are known here ({error})") from error
     for number, listed in enumerate(manifest["shards"]):
         entry, reason = read_entry(folder, number, sha256_of(specification))
         if entry is None:

@@ -12,7 +12,9 @@ from snapjump.dataset.sealed import canonical
 from snapjump.dataset.shard import Entry, write_shard
 from snapjump.dataset.simulate import Simulator
 from snapjump.dataset.specification import Specification, restored
+from snapjump.declare.plugins import load_plugins
 from snapjump.executor.base import Progress
+from snapjump.sources.files import PLUGINS
 
 
 def job_of(
@@ -24,6 +26,7 @@ def job_of(
         "specification": dict(specification.plain),
         "backend": dict(backend),
         "shard": number,
+        "plugins": [str(folder) for folder in PLUGINS],
     }
 
 
@@ -32,6 +35,8 @@ def make_shard(job: Mapping[str, Any], progress: Progress | None) -> Entry:
 
     Raises ParameterError where the sources are not those of the process that asks.
     """
+    for plugins in job["plugins"]:
+        load_plugins(plugins)
     asked = job["specification"]
     simulator = prepared(canonical(asked), canonical(job["backend"]))
     own = simulator.specification.plain["source_sha256"]

@@ -14,8 +14,9 @@ from typing import Any
 
 import yaml
 
-from snapjump.checks import ParameterError, check_choice, check_group
+from snapjump.checks import ParameterError, check_group
 from snapjump.declare.fields import Part, construct, settings
+from snapjump.declare.plugins import load_installed
 
 BASE = "base"
 # Of a simulation, in the order in which they are told.
@@ -34,6 +35,7 @@ FAMILIES = (
 
 def files_of(family: str) -> dict[str, Path]:
     """The file of every member: its module, or its numbers."""
+    load_installed()
     package = import_module(f"snapjump.{family}")
     found = {
         path.stem: path
@@ -52,7 +54,9 @@ def member_names(family: str) -> tuple[str, ...]:
 def member_class(family: str, name: Any) -> Callable[..., Any]:
     """What makes a member's options from its fields. Raises ParameterError for another name."""
     files = files_of(family)
-    check_choice(family, name, tuple(files))
+    if not isinstance(name, str) or name not in files:
+        allowed = f"one of {', '.join(files)}, or of a plug-in that is loaded (plugins=<folder>)"
+        raise ParameterError(family, name, allowed)
     if files[name].suffix == ".yaml":
         values = yaml.safe_load(files[name].read_text(encoding="utf-8"))
         del values["name"]
@@ -103,6 +107,15 @@ def make_member(family: str, group: Any) -> Any:
     if isinstance(cls, partial):
         return cls(**values)
     return construct(family, cls, values)
+
+
+def check_known(configuration: Mapping[str, Any]) -> None:
+    """Require the members of stored groups to be known. Raises ParameterError for the first that is
+    not, as where its plug-in is not loaded."""
+    for family in FAMILIES:
+        group = configuration.get(family) or {}
+        if "name" in group and "rows" not in group:
+            member_class(family, group["name"])
 
 
 def member_group(options: Any) -> dict[str, Any]:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from snapjump.checks import ParameterError
+from snapjump.declare.plugins import load_installed, load_plugins
 from snapjump.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_ERROR, EXIT_INTERRUPTED
 
 FLAGS = frozenset(
@@ -23,10 +24,11 @@ def main(conf: Path) -> int:
     if {"-h", "--help"} & set(sys.argv[1:]):
         from snapjump.terminal.help_page import help_page
 
-        print(help_page(conf))
+        print(help_page(conf, [Path(folder) for folder in named_plugins(sys.argv[1:])]))
         return 0
     try:
         check_flags(sys.argv[1:])
+        load_all(named_plugins(sys.argv[1:]))
         return _run_hydra(conf)
     except ParameterError as error:
         print(error, file=sys.stderr)
@@ -43,12 +45,32 @@ def check_flags(arguments: Sequence[str]) -> None:
             raise ParameterError("command line", argument, "a flag that --help lists")
 
 
+def named_plugins(arguments: Sequence[str]) -> list[str]:
+    """The folders of ``plugins=<folder>`` or ``plugins=[<folder>,...]``.
+
+    Hydra finds their members when it composes, before any key has a value.
+    """
+    found: list[str] = []
+    for argument in arguments:
+        key, _, value = argument.partition("=")
+        if key == "plugins" and value not in ("", "null"):
+            found += [part.strip(" '\"") for part in value.strip("[]").split(",")]
+    return found
+
+
+def load_all(folders: str | Sequence[str] | None) -> None:
+    """Load the plug-ins of a value of the key ``plugins``. Raises ParameterError."""
+    for folder in [folders] if isinstance(folders, str) else folders or ():
+        load_plugins(folder)
+
+
 def _run_hydra(conf: Path) -> int:
     import hydra
     from hydra.errors import HydraException
     from omegaconf.errors import OmegaConfBaseException
 
     from snapjump.tasks.hydra_errors import one_line
+    from snapjump.tasks.search_path import search_plugins
     from snapjump.tasks.sweep import current_sweep, leave_sweep
 
     wants_traceback = os.environ.get("HYDRA_FULL_ERROR") == "1"
@@ -56,6 +78,8 @@ def _run_hydra(conf: Path) -> int:
     os.environ["HYDRA_FULL_ERROR"] = "1"
     _exit_codes.clear()
     leave_sweep()
+    load_installed()
+    search_plugins()
     run = hydra.main(version_base="1.3", config_path=str(conf), config_name="config")(_job)
     try:
         run()

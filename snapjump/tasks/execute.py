@@ -58,7 +58,7 @@ EXTRAS = (
     "tolerance",
     "figure",
 )
-SWITCHES = ("figures", "seed", "effort", "publish")
+SWITCHES = ("figures", "seed", "effort", "publish", "plugins")
 EFFORTS = ("quick", "full")
 LARGEST_SEED = 2**32 - 1
 

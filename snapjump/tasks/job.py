@@ -16,6 +16,7 @@ from snapjump.checks import ParameterError
 from snapjump.files.provenance import now, source_hash
 from snapjump.files.result_folder import ResultFolder
 from snapjump.tasks.base import BAD_INPUT, FINISHED, INTERRUPTED, Outcome, Task
+from snapjump.tasks.command_line import load_all
 from snapjump.tasks.execute import execute, uninterrupted, write_outcome
 from snapjump.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_OK, EXIT_UNTRACKED, exit_code
 from snapjump.tasks.hydra_errors import one_line
@@ -41,6 +42,10 @@ def run_job(composed: DictConfig) -> int:
     except OmegaConfBaseException as error:
         return _refused(str(one_line(error, overrides)), folder)
     assert isinstance(config, dict)
+    try:
+        load_all(config.get("plugins"))
+    except ParameterError as error:
+        return _refused(str(error), folder)
     job = run_cell if hydra.mode == RunMode.MULTIRUN else run_alone
     return job(config, folder, overrides)  # type: ignore[arg-type]
 

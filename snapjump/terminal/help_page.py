@@ -1,6 +1,7 @@
 """The page that ``python run.py --help`` prints, made from the files in ``conf`` alone."""
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 import yaml
@@ -51,13 +52,14 @@ input, 3 a simulation that could not finish, 4 a target that cannot be reached, 
 recorded, 130 interrupted."""
 
 
-def help_page(conf: Path) -> str:
-    """The whole page."""
+def help_page(conf: Path, plugins: Sequence[Path] = ()) -> str:
+    """The whole page, with members of yours."""
     config = yaml.safe_load((conf / "config.yaml").read_text(encoding="utf-8"))
     chosen = {key: value for entry in config["defaults"] if isinstance(entry, dict)
               for key, value in entry.items()}  # fmt: skip
     names = [*GROUPS, *sorted({path.name for path in conf.iterdir() if path.is_dir()} - {*GROUPS})]
-    groups = [_group([conf / name, TABLEAUX / name], str(chosen.get(name))) for name in names]
+    places = (conf, TABLEAUX, *plugins)
+    groups = [_group([place / name for place in places], str(chosen.get(name))) for name in names]
     return "\n\n".join(
         [INTRODUCTION, "Groups (* is the default)\n" + "\n".join(groups), _keys(conf), FLAGS]
     )

@@ -1,0 +1,142 @@
+"""Plug-ins: members of any family from a folder outside, or from an installed package.
+
+A folder is laid out as the package is, ``<group>/<name>.py`` and ``<name>.yaml`` (what the command
+line reads), and becomes a part of it: a member ``contact/cone.py`` is ``snapjump.contact.cone``,
+found by its file as ours are. Its files are sources: they are in every hash of these.
+"""
+
+import importlib
+import os
+import sys
+from importlib import metadata
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from snapjump.checks import ParameterError
+from snapjump.sources import files
+from snapjump.tiers import TIERS
+
+ENTRY_POINTS = "snapjump.plugins"
+VARIABLE = "SNAPJUMP_PLUGINS"  # for processes that this one starts
+_loaded: dict[Path, str] = {}
+_looked: list[bool] = []
+
+
+def load_plugins(folder: str | Path) -> None:
+    """Add the members in a folder to their families, for this process and those that it starts.
+
+    Raises ParameterError for what is no folder of plug-ins, a name that is taken, a member that is
+    not complete, a YAML that is not its member's, and a folder whose files have changed since this
+    process loaded it.
+    """
+    place = Path(folder).expanduser().resolve()
+    if not place.is_dir():
+        raise ParameterError("plugins", str(folder), "a folder of plug-ins: <group>/<member>.py")
+    if place in _loaded:
+        _check_unchanged(place)
+        return
+    groups = [group for group in sorted(place.iterdir()) if list(group.glob("*.py"))]
+    for group in groups:
+        _check_group(group)
+    files.PLUGINS.append(place)
+    paths = [importlib.import_module(f"snapjump.{group.name}").__path__ for group in groups]
+    for path, group in zip(paths, groups, strict=True):
+        path.append(str(group))
+    importlib.invalidate_caches()
+    try:
+        _refresh_kernels()
+        for group in groups:
+            for file in sorted(group.glob("*.py")):
+                _check_member(file)
+    except ParameterError:
+        files.PLUGINS.remove(place)
+        for path, group in zip(paths, groups, strict=True):
+            path.remove(str(group))
+        _refresh_kernels()
+        raise
+    _loaded[place] = _hash(place)
+    os.environ[VARIABLE] = os.pathsep.join(map(str, files.PLUGINS))
+
+
+def load_installed() -> None:
+    """Load, once, what installed packages offer and what the process that started this one had."""
+    if _looked:
+        return
+    _looked.append(True)
+    for point in metadata.entry_points(group=ENTRY_POINTS):
+        spec = find_spec(point.value)
+        for folder in (spec and spec.submodule_search_locations) or []:
+            load_plugins(folder)
+    for folder in filter(None, os.environ.get(VARIABLE, "").split(os.pathsep)):
+        load_plugins(folder)
+
+
+def _hash(place: Path) -> str:
+    files.forget(place)
+    return files.combined_hash(
+        source for source in files.plugin_files() if place in source.path.parents
+    )
+
+
+def _check_unchanged(place: Path) -> None:
+    if _hash(place) != _loaded[place]:
+        allowed = "a folder as it was loaded; files have changed since, which a new process sees"
+        raise ParameterError("plugins", str(place), allowed)
+
+
+def _refresh_kernels() -> None:
+    """Have kernels kept where these sources belong, if there are any yet."""
+    dispatch = sys.modules.get("snapjump.number.dispatch")
+    if dispatch is not None:
+        dispatch.refresh()
+
+
+def _check_group(group: Path) -> None:
+    """Require a family, and names that no member has."""
+    from snapjump.declare.members import BASE, files_of
+
+    if not (files.PACKAGE / group.name / f"{BASE}.py").exists() or group.name == "declare":
+        raise ParameterError("plugins", str(group), "a folder named like a group of conf/")
+    for file in group.glob("*.py"):
+        if file.stem in (*files_of(group.name), BASE, "parts") or not file.stem.isidentifier():
+            raise ParameterError("plugins", str(file), f"a name that no {group.name} has yet")
+
+
+def _check_member(file: Path) -> None:
+    """Require a class of options that is complete, and a YAML with its fields and defaults."""
+    from snapjump.declare.fields import settings
+    from snapjump.declare.members import class_in
+
+    try:
+        cls = class_in(file.parent.name, file.stem)
+    except ParameterError as error:
+        raise ParameterError("plugins", str(file), error.allowed) from error
+    except Exception as error:
+        reason = " ".join(f"{type(error).__name__}: {error}".split())
+        raise ParameterError(
+            "plugins", str(file), f"a file that Python imports ({reason})"
+        ) from error
+    settings_file = file.with_suffix(".yaml")
+    if settings_file.exists():
+        part = cls()
+        expected = {"name": file.stem, **{key: getattr(part, key) for key in settings(part)}}
+        _check_yaml(settings_file, expected, file.parent.name)
+
+
+def _check_yaml(file: Path, expected: dict[str, Any], group: str) -> None:
+    """Require the fields of a member, and their defaults or what an accuracy tier has for them."""
+    values = yaml.safe_load(file.read_text(encoding="utf-8"))
+    if isinstance(values, dict) and group in values and "defaults" in values:
+        values = values[group]  # of a scene, which chooses other members too
+    keys = list(values) if isinstance(values, dict) else values
+    if keys != list(expected):
+        raise ParameterError("plugins", str(file), f"the keys {', '.join(expected)}, in this order")
+    for key, default in expected.items():
+        chosen = any(f"{group}.{key}" in tier.numbers for tier in TIERS.values())
+        right = f"${{accuracy.{key}}}" if chosen else default
+        if values[key] != right:
+            allowed = f"{key}: {right}, as {file.stem}.py and the accuracy tiers have it"
+            raise ParameterError("plugins", str(file), allowed)
