@@ -34,6 +34,7 @@ def with_angles(model: Any, left: Any, lag: Any) -> Any:
         model.damping,
         model.load,
         model.ground,
+        model.time_limit,
     )
 
 

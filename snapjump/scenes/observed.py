@@ -33,7 +33,7 @@ def observe_jump(simulation: Simulation) -> dict[str, Any]:
         masses=simulation.discretization.masses(),
         states=resting_guess(simulation, model)[None, :],
         simulation=simulation,
-        ending=FlightEnding(simulation.sim.time_limit_s / scales.time_s),
+        ending=FlightEnding(),
         recorder=make_observables(MOST_STEPS),
         mesh=frame_mesh(simulation, model.frame),
     )
