@@ -27,7 +27,7 @@ from snapjump.scenes.sensitivities import record_sensitivities
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 # Of the differences: rounding spoils the small one, a kink of the map within reach the large one.
-STEPS = (5e-5, 1e-5)
+STEPS = (1e-5, 3e-6)
 FOURTH_ORDER = ((8.0, 1), (-8.0, -1), (-1.0, 2), (1.0, -2))
 
 

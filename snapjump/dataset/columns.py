@@ -1,11 +1,13 @@
 """The columns of a dataset: names, units, meanings; as numpy arrays, as Arrow, and as a hash."""
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from snapjump.plan.axes import Axis
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -28,13 +30,10 @@ class Column(NamedTuple):
     timing: bool = False
 
 
-INPUTS = {"delta_alpha": "rad", "epsilon": "", "mass_bar": "", "mu": ""}
-COLUMNS = (
-    Column("index", "", "number of the design in the plan", INTEGER),
-    Column("delta_alpha_rad", "rad", "lag of the right clamp"),
-    Column("epsilon", "1", "pre-compression"),
-    Column("mass_bar", "1", "m g L^2/EI of the whole robot"),
-    Column("mu", "1", "friction coefficient"),
+APEX = ("x_bar", "y_bar")
+INDEX = Column("index", "", "number of the design in the plan", INTEGER)
+# What becomes of a jump: before the derivatives, and after them.
+OUTCOMES = (
     Column("h_bar", "L", "height of the clamps above the feet"),
     Column("x_bar", "L", "apex of the centre of mass, from where it started"),
     Column("y_bar", "L", "apex of the centre of mass, above the ground"),
@@ -44,11 +43,8 @@ COLUMNS = (
     Column("liftoff_y_bar", "L", "centre of mass at the last contact"),
     Column("liftoff_vx_m_s", "m/s", "velocity of the centre of mass at the last contact"),
     Column("liftoff_vy_m_s", "m/s", "velocity of the centre of mass at the last contact"),
-    *(
-        Column(f"d{apex}_d_{name}", f"L/{unit}" if unit else "L", f"derivative of {apex} by {name}")
-        for apex in ("x_bar", "y_bar")
-        for name, unit in INPUTS.items()
-    ),
+)
+JUDGED = (
     Column("graze_distance", "1", "change of a parameter that makes or breaks a contact"),
     Column("differentiable", "", "whether that is more than 1e-5: no contact is grazed", FLAG),
     Column("status", "", "ok, no_jump, or the failure that explains what is missing", WORD),
@@ -59,10 +55,33 @@ COLUMNS = (
     Column("y_error_estimate_percent", "%", "estimated error of y_bar"),
     Column("within_tier", "", "whether both are within what the accuracy tier promises", FLAG),
 )
-NAMES = tuple(column.name for column in COLUMNS)
 
 
-def schema() -> "pa.Schema":
+def columns_of(axes: Sequence[Axis]) -> tuple[Column, ...]:
+    """The columns of a dataset of these axes."""
+    return (
+        INDEX,
+        *(Column(axis.column, axis.unit or "1", axis.meaning) for axis in axes),
+        *OUTCOMES,
+        *(
+            Column(
+                name,
+                f"L/{axis.unit}" if axis.unit else "L",
+                f"derivative of {apex} by {axis.slope}",
+            )
+            for apex in APEX
+            for axis, name in zip(axes, slope_columns(apex, axes), strict=True)
+        ),
+        *JUDGED,
+    )
+
+
+def slope_columns(apex: str, axes: Sequence[Axis]) -> list[str]:
+    """Columns of the derivatives of x_bar or y_bar."""
+    return [f"d{apex}_d_{axis.slope}" for axis in axes]
+
+
+def schema(columns: Sequence[Column]) -> "pa.Schema":
     """The Arrow schema; unit and meaning are metadata of each field."""
     import pyarrow as pa
 
@@ -74,17 +93,17 @@ def schema() -> "pa.Schema":
     }
     return pa.schema(
         pa.field(c.name, types[c.kind], metadata={"unit": c.unit, "meaning": c.meaning})
-        for c in COLUMNS
+        for c in columns
     )
 
 
-def table_of(rows: Rows) -> "pa.Table":
+def table_of(columns: Sequence[Column], rows: Rows) -> "pa.Table":
     """Rows as an Arrow table; what is missing or not finite is null."""
     import pyarrow as pa
 
     count = len(rows["index"])
     arrays = []
-    for column, field in zip(COLUMNS, schema(), strict=True):
+    for column, field in zip(columns, schema(columns), strict=True):
         values = rows.get(column.name)
         if values is None:
             arrays.append(pa.nulls(count, field.type))
@@ -94,10 +113,10 @@ def table_of(rows: Rows) -> "pa.Table":
             arrays.append(pa.array(values.tolist(), pa.string()).dictionary_encode())
         else:
             arrays.append(pa.array(values, field.type))
-    return pa.Table.from_arrays(arrays, schema=schema())
+    return pa.Table.from_arrays(arrays, schema=schema(columns))
 
 
-def content_sha256(table: "pa.Table") -> str:
+def content_sha256(columns: Sequence[Column], table: "pa.Table") -> str:
     """A hash of every value but timings, whatever file and compression they lie in.
 
     Each column counts with its name and its values as little-endian bytes: numbers as float64,
@@ -105,7 +124,7 @@ def content_sha256(table: "pa.Table") -> str:
     each ended by a newline.
     """
     digest = hashlib.sha256()
-    for column in COLUMNS:
+    for column in columns:
         if column.timing:
             continue
         digest.update(f"{column.name}:{len(table)}\n".encode())

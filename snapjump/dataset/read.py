@@ -6,11 +6,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from snapjump.checks import ParameterError
-from snapjump.dataset.columns import NAMES
+from snapjump.dataset.columns import columns_of
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.manifest import dataset_sha256
 from snapjump.dataset.sealed import read_sealed, sha256_of
 from snapjump.dataset.shard import read_entry
+from snapjump.plan.axes import Axis, recorded_axes
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -28,11 +29,16 @@ class Dataset:
     specification: dict[str, Any]
     shard_count: int
 
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """The inputs that vary, and their ranges."""
+        return recorded_axes(self.specification)
+
     def shards(self, columns: Sequence[str] | None = None) -> "Iterator[pa.Table]":
         """One shard's rows after the other, in the plan's order; memory is that of one."""
         import pyarrow.parquet as pq
 
-        chosen = checked_columns(columns)
+        chosen = checked_columns(self.axes, columns)
         for number in range(self.shard_count):
             yield pq.read_table(
                 self.folder.shard(number), columns=chosen, page_checksum_verification=True
@@ -52,12 +58,13 @@ class Dataset:
         return self.table(columns).to_pandas()
 
 
-def checked_columns(columns: Sequence[str] | None) -> list[str]:
+def checked_columns(axes: Sequence[Axis], columns: Sequence[str] | None) -> list[str]:
     """Columns that there are. Raises ParameterError."""
-    chosen = list(NAMES if columns is None else columns)
+    names = [column.name for column in columns_of(axes)]
+    chosen = list(names if columns is None else columns)
     for name in chosen:
-        if name not in NAMES:
-            raise ParameterError("columns", name, "some of " + ", ".join(NAMES))
+        if name not in names:
+            raise ParameterError("columns", name, "some of " + ", ".join(names))
     return chosen
 
 

@@ -6,7 +6,7 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
-from snapjump.dataset.columns import Rows, content_sha256, table_of
+from snapjump.dataset.columns import Rows, columns_of, content_sha256, table_of
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.sealed import read_sealed, sha256_of, write_sealed
 from snapjump.dataset.specification import Specification
@@ -24,11 +24,12 @@ def write_shard(
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    table = table_of(rows)
-    content = content_sha256(table)
+    columns = columns_of(specification.axes)
+    table = table_of(columns, rows)
+    content = content_sha256(columns, table)
     about = {
         "specification": specification.plain,
-        "plan_sha256": sha256_of(specification.plain["plan"]),
+        "plan_sha256": sha256_of([specification.plain[key] for key in ("plan", "inputs")]),
         "shard": number,
         "content_sha256": content,
         "written_at": now(),

@@ -8,9 +8,11 @@ from typing import Any
 from snapjump.checks import ParameterError, check_choice, check_group, check_integer
 from snapjump.composition import Simulation
 from snapjump.dataset.sealed import sha256_of
+from snapjump.declare.inputs import with_inputs
 from snapjump.families import DATASET_FAMILIES, FAMILIES, name_of
 from snapjump.files.provenance import BEYOND_DATASETS, source_hash
-from snapjump.parameters.environment import Environment
+from snapjump.options.plan import PlanOptions
+from snapjump.plan.axes import Axis, recorded_axes
 from snapjump.plan.base import Plan
 from snapjump.scenes.sensitivities import check_differentiable
 from snapjump.simulation import build, construct
@@ -23,12 +25,13 @@ CPU = ("scalar", "lanes")
 
 @dataclass(frozen=True)
 class Specification:
-    """``plain``: all of it as JSON; ``simulation``: that of its jumps, but for the design."""
+    """``plain``: all of it as JSON; ``simulation``: that of its jumps, in the middle of the
+    ``axes``, along which the designs of the ``plan`` differ."""
 
     plain: Mapping[str, Any]
     simulation: Simulation
     plan: Plan
-    ranges: tuple[tuple[float, float], ...]
+    axes: tuple[Axis, ...]
 
     @property
     def sha256(self) -> str:
@@ -75,50 +78,57 @@ def specify(
     scene = (config.get("sim") or {}).get("name", "jump")
     if scene != "jump":
         raise ParameterError("sim", scene, "jump, which is what datasets are of")
-    simulation = build({**config, "design": {}, "environment": {}})
+    configured = build(config)
+    options: PlanOptions = dataset_member("plan", config.get("plan"))
+    axes = options.axes(configured)
+    # What varies is no part of the configuration: a dataset is the same whatever it was there.
+    middles = {axis.path: 0.5 * (axis.low + axis.high) for axis in axes}
+    simulation = with_inputs(configured, middles)
+    plan = options.member(tuple(axis.range for axis in axes))
     if not isinstance(sensitivities, bool):
         raise ParameterError("dataset.sensitivities", sensitivities, "true or false")
     if sensitivities:
-        check_differentiable(simulation)
-    options = dataset_member("plan", config.get("plan"))
-    check_lightest(simulation, options)
+        check_differentiable(simulation, [axis.path for axis in axes])
+    families = [family for family in FAMILIES if family != "backend"]
     configuration = {
-        family: {"name": simulation.name(family), **asdict(getattr(simulation, family))}
-        for family in FAMILIES
-        if family != "backend"
+        part: {
+            **({"name": simulation.name(part)} if part in FAMILIES else {}),
+            **{
+                name: value
+                for name, value in asdict(getattr(simulation, part)).items()
+                if f"{part}.{name}" not in middles
+            },
+        }
+        for part in ("robot", "design", "environment", *families)
     }
     backend = simulation.name("backend")
     plain = {
         "format": FORMAT,
-        "plan": {"name": name_of("plan", options), **asdict(options)},
+        "plan": {"name": name_of("plan", options), **options.settings},
+        "inputs": [asdict(axis) for axis in axes],
         "shard_size": shard_size,
         "sensitivities": sensitivities,
         "configuration": {
             "accuracy": {"name": simulation.accuracy},
-            "robot": asdict(simulation.robot),
             **configuration,
         },
         "processor": "cpu" if backend in CPU else backend,
         "source_sha256": source_hash(BEYOND_DATASETS),
     }
     plain = json.loads(json.dumps(plain))  # tuples become lists, as in the files
-    return Specification(plain, simulation, options.member(), options.ranges)
+    return Specification(plain, simulation, plan, axes)
 
 
 def restored(plain: Mapping[str, Any], backend: Mapping[str, Any]) -> Specification:
     """The specification that a plain one came from, to be computed by a backend."""
-    config = {**plain["configuration"], "plan": plain["plan"], "backend": backend}
+    axes = recorded_axes(plain)
+    given = {axis.path: list(axis.range) for axis in axes}
+    plan = {**plain["plan"], "inputs": given}
+    config = {**plain["configuration"], "plan": plan, "backend": backend}
+    for axis in axes:
+        group, _, name = axis.path.partition(".")
+        config[group] = {**config[group], name: 0.5 * (axis.low + axis.high)}
     return specify(config, plain["shard_size"], plain["sensitivities"])
-
-
-def check_lightest(simulation: Simulation, options: Any) -> None:
-    """Raise ParameterError for a range that has robots lighter than their beams."""
-    try:
-        Environment(mass_bar=options.mass_bar[0]).mass_kg(simulation.robot)
-    except ParameterError as error:
-        if error.key != "environment.mass_bar":
-            raise
-        raise ParameterError("plan.mass_bar", list(options.mass_bar), error.allowed) from None
 
 
 def first_difference(ours: Any, theirs: Any, key: str = "") -> tuple[str, Any, Any] | None:

@@ -74,11 +74,11 @@ def inputs_of(parts: Mapping[str, Any] | Any) -> dict[str, Input]:
     return found
 
 
-def input_at(parts: Mapping[str, Any] | Any, path: str) -> Input:
+def input_at(parts: Mapping[str, Any] | Any, path: str, key: str = "inputs") -> Input:
     """The input at a path. Raises ParameterError, which names those that there are."""
     found = inputs_of(parts)
     if path not in found:
-        raise ParameterError("inputs", path, "one of " + ", ".join(found))
+        raise ParameterError(key, path, "one of " + ", ".join(found))
     return found[path]
 
 

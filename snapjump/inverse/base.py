@@ -21,7 +21,7 @@ class ForwardModel(Protocol):
     """A learned forward model. Designs (N, 4): delta_alpha (rad), epsilon, mass_bar, mu."""
 
     @property
-    def ranges(self) -> tuple[Range, Range, Range, Range]:
+    def ranges(self) -> tuple[Range, ...]:
         """The box it was trained in; outside of it nothing may be asked."""
 
     def predict(self, designs: Array) -> Array:

@@ -8,8 +8,6 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Range = tuple[float, float]
 
-AXES = ("delta_alpha_rad", "epsilon", "mass_bar", "mu")
-
 
 class Plan(Protocol):
     """Designs 0 to ``count`` - 1; the same numbers on every machine."""
@@ -19,7 +17,7 @@ class Plan(Protocol):
         """How many designs there are."""
 
     def designs(self, first: int, last: int) -> Array:
-        """Designs first to last - 1, shape (last - first, 4), columns as in :data:`AXES`.
+        """Designs first to last - 1, shape (last - first, I): a column for each of I ranges.
 
         Memory is in proportion to the stretch, never to ``count``. Raises ValueError for a
         stretch that is not within the plan.
@@ -33,6 +31,6 @@ def check_stretch(first: int, last: int, count: int) -> None:
 
 
 def stretched(unit: Array, ranges: tuple[Range, ...]) -> Array:
-    """Points of the unit cube (N, 4) in the box of the ranges."""
+    """Points of the unit cube (N, I) in the box of the ranges."""
     low, high = np.array(ranges).T
     return low + (high - low) * unit

@@ -3,7 +3,7 @@
 import warnings
 from dataclasses import dataclass
 
-from snapjump.plan.base import AXES, Array, Range, check_stretch, stretched
+from snapjump.plan.base import Array, Range, check_stretch, stretched
 
 
 @dataclass(frozen=True)
@@ -18,7 +18,7 @@ class SobolPlan:
         from scipy.stats.qmc import Sobol
 
         check_stretch(first, last, self.count)
-        sequence = Sobol(d=len(AXES), scramble=True, rng=self.seed)
+        sequence = Sobol(d=len(self.ranges), scramble=True, rng=self.seed)
         if first > 0:
             sequence.fast_forward(first)
         with warnings.catch_warnings():

@@ -7,7 +7,7 @@ import torch
 from torch import Tensor, nn
 
 from snapjump.checks import check_integer
-from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, Rows
+from snapjump.surrogate.base import FOUR, OUTPUTS, Inputs, MassScaled, Rows
 
 CONFIDENCE = 0.9
 
@@ -25,9 +25,9 @@ class EnsembleOptions:
         check_integer("surrogate.width", self.width, 1, 4096)
         check_integer("surrogate.blocks", self.blocks, 1, 64)
 
-    def network(self) -> "Ensemble":
+    def network(self, inputs: Inputs = FOUR) -> "Ensemble":
         """A new ensemble."""
-        return Ensemble(self.members, self.width, self.blocks)
+        return Ensemble(self.members, self.width, self.blocks, inputs)
 
 
 class Layers(nn.Module):
@@ -66,11 +66,11 @@ class Ensemble(MassScaled):
     scale: Tensor
     least: Tensor
 
-    def __init__(self, members: int, width: int, blocks: int):
-        super().__init__()
+    def __init__(self, members: int, width: int, blocks: int, inputs: Inputs = FOUR):
+        super().__init__(inputs)
         self.members = members
         self.body = nn.Sequential(
-            Layers(members, INPUTS, width),
+            Layers(members, inputs.columns, width),
             *[Block(members, width) for _ in range(blocks)],
             nn.SiLU(),
             Layers(members, width, OUTPUTS),

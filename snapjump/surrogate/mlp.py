@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from torch import Tensor, nn
 
 from snapjump.checks import check_integer
-from snapjump.surrogate.base import INPUTS, OUTPUTS, Surrogate
+from snapjump.surrogate.base import FOUR, OUTPUTS, Inputs, Surrogate
 
 
 @dataclass(frozen=True)
@@ -19,17 +19,17 @@ class MlpOptions:
         check_integer("surrogate.width", self.width, 1, 4096)
         check_integer("surrogate.layers", self.layers, 1, 64)
 
-    def network(self) -> "Mlp":
+    def network(self, inputs: Inputs = FOUR) -> "Mlp":
         """A new network."""
-        return Mlp(self.width, self.layers)
+        return Mlp(self.width, self.layers, inputs)
 
 
 class Mlp(Surrogate):
     """Source: the paper, section on the forward model (3 hidden layers of 372)."""
 
-    def __init__(self, width: int, layers: int):
-        super().__init__()
-        sizes = [INPUTS, *[width] * layers]
+    def __init__(self, width: int, layers: int, inputs: Inputs = FOUR):
+        super().__init__(inputs)
+        sizes = [inputs.columns, *[width] * layers]
         parts: list[nn.Module] = []
         for here, there in zip(sizes[:-1], sizes[1:], strict=True):
             parts += [nn.Linear(here, there), nn.ReLU()]

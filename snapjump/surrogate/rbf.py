@@ -10,7 +10,7 @@ from scipy.interpolate import RBFInterpolator
 from torch import Tensor
 
 from snapjump.checks import ParameterError, check_choice, check_integer, check_number
-from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, Rows
+from snapjump.surrogate.base import FOUR, OUTPUTS, Inputs, MassScaled, Rows
 
 KERNELS = ("linear", "thin_plate_spline", "cubic")
 
@@ -29,9 +29,9 @@ class RbfOptions:
         check_choice("surrogate.kernel", self.kernel, KERNELS)
         check_number("surrogate.smoothing", self.smoothing, 0.0, 1e6)
 
-    def network(self) -> "Rbf":
+    def network(self, inputs: Inputs = FOUR) -> "Rbf":
         """A new interpolation, through nothing yet."""
-        return Rbf(self)
+        return Rbf(self, inputs)
 
 
 class Rbf(MassScaled):
@@ -42,10 +42,10 @@ class Rbf(MassScaled):
     points: Tensor
     values: Tensor
 
-    def __init__(self, options: RbfOptions):
-        super().__init__()
+    def __init__(self, options: RbfOptions, inputs: Inputs = FOUR):
+        super().__init__(inputs)
         self.options = options
-        self.register_buffer("points", torch.empty(0, INPUTS))
+        self.register_buffer("points", torch.empty(0, inputs.columns))
         self.register_buffer("values", torch.empty(0, OUTPUTS))
         self.register_load_state_dict_pre_hook(_make_room)
 
@@ -74,7 +74,7 @@ class Rbf(MassScaled):
     def fit(self, rows: Rows) -> None:
         super().fit(rows)
         self.points = self.scaled(rows.designs)
-        self.values = self.outputs(rows.apexes * rows.designs[:, 2:3])
+        self.values = self.outputs(rows.apexes * self.masses(rows.designs))
 
 
 def _make_room(network: Rbf, state: dict[str, Any], prefix: str, *others: Any) -> None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from torch import Tensor, nn
 
 from snapjump.checks import check_integer
-from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled
+from snapjump.surrogate.base import FOUR, OUTPUTS, Inputs, MassScaled
 
 
 @dataclass(frozen=True)
@@ -19,9 +19,9 @@ class ResnetOptions:
         check_integer("surrogate.width", self.width, 1, 4096)
         check_integer("surrogate.blocks", self.blocks, 1, 64)
 
-    def network(self) -> "Resnet":
+    def network(self, inputs: Inputs = FOUR) -> "Resnet":
         """A new network."""
-        return Resnet(self.width, self.blocks)
+        return Resnet(self.width, self.blocks, inputs)
 
 
 class Block(nn.Module):
@@ -40,10 +40,10 @@ class Block(nn.Module):
 class Resnet(MassScaled):
     """Smooth, so that its slopes can be trusted as its values can."""
 
-    def __init__(self, width: int, blocks: int):
-        super().__init__()
+    def __init__(self, width: int, blocks: int, inputs: Inputs = FOUR):
+        super().__init__(inputs)
         self.body = nn.Sequential(
-            nn.Linear(INPUTS, width),
+            nn.Linear(inputs.columns, width),
             *[Block(width) for _ in range(blocks)],
             nn.SiLU(),
             nn.Linear(width, OUTPUTS),

@@ -9,6 +9,7 @@ import numpy as np
 from snapjump import learning
 from snapjump.checks import ParameterError, is_finite_number
 from snapjump.composition import Simulation
+from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.inverse.base import Array, InverseMethod
 
 if TYPE_CHECKING:
@@ -39,6 +40,21 @@ def checkpoint_path(value: Any) -> Path:
     if value is not None and (not isinstance(value, str) or not value):
         raise ParameterError("checkpoint", value, "null, or a file that task=train left")
     return Path(value) if value else SHIPPED
+
+
+def trained_forward(path: Path) -> "ForwardModel":
+    """The forward model of a checkpoint. Raises ParameterError for one that has other inputs than
+    the two controls and the two of the environment."""
+    from snapjump.learning.forward_model import open_forward_model
+
+    model = open_forward_model(path)
+    paths = tuple(axis.path for axis in model.axes)
+    if paths != DEFAULT_INPUTS:
+        allowed = (
+            f"one of {', '.join(DEFAULT_INPUTS)} for inverse design, not of {', '.join(paths)}"
+        )
+        raise ParameterError("checkpoint", str(path), allowed)
+    return model
 
 
 def outside(base: Simulation, forward: "ForwardModel") -> ParameterError | None:

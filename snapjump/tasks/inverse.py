@@ -40,7 +40,6 @@ class InverseDesign:
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Check every value, the forward model, and that it is one of this physical model."""
-        from snapjump.learning.forward_model import open_forward_model
         from snapjump.members import make_member, make_options
         from snapjump.simulation import build, check_scene
         from snapjump.targets import request
@@ -60,7 +59,7 @@ class InverseDesign:
         check_scene(self._base)
         if self._method.needs_slopes:
             differentiable(self._base)
-        self._trained = open_forward_model(path)
+        self._trained = request.trained_forward(path)
         self._forward, self._warning = request.usable_forward(
             self._base, self._trained, self._method
         )

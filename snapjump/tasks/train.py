@@ -126,10 +126,13 @@ class Train:
             f"{self._config['surrogate']['name']}: MAE {learned.about['measures']['mae_bar']:.4f} L"
             f" on {len(off):,} jumps it has not seen, dataset {self._data.dataset.sha256[:8]}"
         )
+        labels = [axis.label for axis in self._data.dataset.axes]
         designs, apexes = (part.double().numpy() for part in (test.designs, test.apexes))
 
         def draw(path: Path) -> None:
-            draw_training(learned.curves, designs, apexes, off, title, path / "training.png")
+            draw_training(
+                learned.curves, labels, designs, apexes, off, title, path / "training.png"
+            )
 
         folder.write_figures(draw)
 
