@@ -26,8 +26,7 @@ class InverseBenchmark(Study):
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
         """Each method on each ten problems, and the regions of the environments."""
-        from snapjump.targets.request import trained_forward
-        from snapjump.targets.request import checkpoint_path
+        from snapjump.targets.request import checkpoint_path, trained_forward
 
         task = config["task"]
         check_integer("task.problems", task["problems"], 1, 100_000)

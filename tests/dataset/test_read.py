@@ -8,12 +8,15 @@ import pytest
 from small_datasets import made_up, made_up_rows, small
 
 from snapjump.checks import ParameterError
-from snapjump.dataset.columns import NAMES
+from snapjump.dataset.columns import columns_of
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.manifest import write_manifest
 from snapjump.dataset.read import open_dataset
-from snapjump.dataset.statistics import PAIRS, gather
-from snapjump.plan.base import AXES
+from snapjump.dataset.statistics import gather
+from snapjump.plan.axes import default_axes
+
+NAMES = [column.name for column in columns_of(default_axes())]
+COLUMNS = [axis.column for axis in default_axes()]
 
 
 @pytest.fixture(scope="module")
@@ -65,9 +68,9 @@ def test_statistics_are_those_of_the_rows(dataset):
     statistics = gather(found)
     ok = written["status"] == "ok"
     for o, name in enumerate(("x_bar", "y_bar")):
-        for pair, (i, j) in enumerate(PAIRS):
+        for pair, (i, j) in enumerate(statistics.pairs):
             place = [
-                np.clip(np.digitize(written[AXES[a]], statistics.edges[a]) - 1, 0, 4)
+                np.clip(np.digitize(written[COLUMNS[a]], statistics.edges[a]) - 1, 0, 4)
                 for a in (i, j)
             ]
             means = statistics.means(o, pair)
@@ -78,14 +81,14 @@ def test_statistics_are_those_of_the_rows(dataset):
                         assert means[a, b] == pytest.approx(written[name][inside].mean())
                     else:
                         assert np.isnan(means[a, b])
-        first = np.digitize(written[AXES[0]], statistics.edges[0]) - 1 == 0
+        first = np.digitize(written[COLUMNS[0]], statistics.edges[0]) - 1 == 0
         values = written[name][ok & first]
         width = np.diff(statistics.levels[o])[0]
         (median,) = statistics.quantiles(o, 0, [0.5])
         assert abs(median[0] - np.sort(values)[(len(values) - 1) // 2]) <= width
     marked = ~(ok & written["within_tier"])
     assert statistics.marked[0].sum() == marked.sum()
-    assert statistics.rows.sum() == 100 * len(PAIRS)
+    assert statistics.rows.sum() == 100 * len(statistics.pairs)
 
 
 def test_bins_of_a_grid_are_its_values(tmp_path):
