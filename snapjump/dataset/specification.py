@@ -88,7 +88,7 @@ def specify(
     if not isinstance(sensitivities, bool):
         raise ParameterError("dataset.sensitivities", sensitivities, "true or false")
     if sensitivities:
-        check_differentiable(simulation, [axis.path for axis in axes])
+        check_differentiable(simulation, [axis.path for axis in axes], "plan.inputs")
     families = [family for family in FAMILIES if family != "backend"]
     configuration = {
         part: {

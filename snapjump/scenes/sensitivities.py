@@ -35,12 +35,12 @@ def check_rigid(simulation: Simulation) -> None:
         raise ParameterError("frame", simulation.name("frame"), "rigid with sensitivities")
 
 
-def check_differentiable(simulation: Simulation, inputs: Sequence[str] = DEFAULT_INPUTS) -> None:
+def check_differentiable(
+    simulation: Simulation, inputs: Sequence[str] = DEFAULT_INPUTS, key: str = "inputs"
+) -> None:
     """Require modules that sensitivities know. Raises ParameterError naming the first other."""
     if len(inputs) > PARAMETERS:
-        raise ParameterError(
-            "inputs", list(inputs), f"at most {PARAMETERS} inputs with sensitivities"
-        )
+        raise ParameterError(key, list(inputs), f"at most {PARAMETERS} inputs with sensitivities")
     if simulation.name("backend") == "cuda":
         raise ParameterError("backend", "cuda", "lanes or scalar with sensitivities")
     check_rigid(simulation)

@@ -94,7 +94,7 @@ def test_errors_are_where_they_are() -> None:
     low, high = np.array(RANGES).T
     designs = low + (high - low) * rng.random((2000, 4))
     errors = np.where(designs[:, 3:] > 0.5, [0.2, -0.1], [0.01, 0.01])
-    rows = by_input(designs, errors, RANGES)
+    rows = by_input(designs, errors, default_axes())
     assert len(rows) == 4 * BINS
     worst = max(rows, key=lambda row: row["mae_x_bar"])
     assert (worst["input"], worst["from"]) == ("mu", pytest.approx(0.5))
