@@ -7,10 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.checks import ParameterError
+from snapjump.plan.axes import default_axes
 
 Array = NDArray[np.float64]
 Range = tuple[float, float]
-CONTROLS = ("delta_alpha_rad", "epsilon")
+CONTROLS = tuple(axis.column for axis in default_axes() if axis.kind == "control")
 # Apexes nearer to the target than this (L) have reached it, for a forward model's solutions.
 REACHED_BAR = 1.0e-3
 # Solutions nearer to each other than this share of the ranges are one.

@@ -23,7 +23,7 @@ class Design(Part):
         most=0.5,
         unit="rad",
         doc="lag of the right clamp",
-        symbol="δα",
+        symbol="Δα",
         plan=(0.01, 0.19),
         kind="control",
         column="delta_alpha_rad",

@@ -35,7 +35,7 @@ class RbfOptions:
 
 
 class Rbf(MassScaled):
-    """All training jumps are its buffers: ``points`` (N, 4) and ``values`` (N, 2), standardised."""
+    """All training jumps are its buffers: ``points`` (N, I) and ``values`` (N, 2), standardised."""
 
     by_descent = False
     differentiable = False

@@ -9,7 +9,7 @@ import numpy as np
 from snapjump import learning
 from snapjump.checks import ParameterError, is_finite_number
 from snapjump.composition import Simulation
-from snapjump.declare.inputs import DEFAULT_INPUTS
+from snapjump.declare.inputs import DEFAULT_INPUTS, value_at
 from snapjump.inverse.base import Array, InverseMethod
 
 if TYPE_CHECKING:
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
 SHIPPED = Path(learning.__file__).parent / "trained" / "standard.safetensors"
 FARTHEST_BAR = 1.0e6
-ENVIRONMENT = ("mass_bar", "mu")
 
 
 def checked_target(value: Any) -> Array:
@@ -63,11 +62,13 @@ def outside(base: Simulation, forward: "ForwardModel") -> ParameterError | None:
         forward.check_model(base)
     except ParameterError as error:
         return error
-    for name, (low, high) in zip(ENVIRONMENT, forward.ranges[2:], strict=True):
-        value = getattr(base.environment, name)
+    for axis in forward.axes:
+        if axis.kind != "environment":
+            continue
+        value, (low, high) = value_at(base, axis.path), axis.range
         if not low <= value <= high:
             allowed = f"a number in [{low:g}, {high:g}], where the forward model was trained"
-            return ParameterError(f"environment.{name}", value, allowed)
+            return ParameterError(axis.path, value, allowed)
     return None
 
 
