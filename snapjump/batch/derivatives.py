@@ -36,7 +36,7 @@ BEHIND = tuple((-place, -weight) for place, weight in AHEAD)
 def model_derivatives(
     base: Simulation,
     designs: Array,
-    curve: ThresholdCurve,
+    curve: ThresholdCurve | None = None,
     inputs: Sequence[str] = DEFAULT_INPUTS,
 ) -> Array:
     """d(numbers of the models)/d(inputs) of designs (R, I): (R, P, I).
@@ -49,11 +49,13 @@ def model_derivatives(
     """
     check_curve(base, curve)
     check_rigid(base)
+    if not len(designs):
+        return np.zeros((0, 0, len(inputs)))
     return np.array([number_slopes(variant(base, row, inputs), curve, inputs) for row in designs])
 
 
 def number_slopes(
-    simulation: Simulation, curve: ThresholdCurve, inputs: Sequence[str] = DEFAULT_INPUTS
+    simulation: Simulation, curve: ThresholdCurve | None, inputs: Sequence[str] = DEFAULT_INPUTS
 ) -> Array:
     """Derivatives (P, I) of the numbers of one robot's model."""
     (known,) = thresholds([simulation], curve)
@@ -63,7 +65,7 @@ def number_slopes(
 
 
 def input_slopes(
-    simulation: Simulation, path: str, threshold: Threshold, curve: ThresholdCurve
+    simulation: Simulation, path: str, threshold: Threshold, curve: ThresholdCurve | None
 ) -> Array:
     """Derivatives (P,) of the numbers by one input."""
     here = value_at(simulation, path)
@@ -81,7 +83,7 @@ def input_slopes(
     return difference(numbers, simulation, path, STEP)
 
 
-def threshold_slopes(simulation: Simulation, path: str, curve: ThresholdCurve) -> Array:
+def threshold_slopes(simulation: Simulation, path: str, curve: ThresholdCurve | None) -> Array:
     """Derivatives (2,) of the critical angle and of the depth there by an input."""
 
     def arch(moved: Simulation) -> Array:
@@ -90,7 +92,7 @@ def threshold_slopes(simulation: Simulation, path: str, curve: ThresholdCurve) -
     turned = difference(arch, simulation, path, STEP)
     if not turned.any():
         return np.zeros(2)
-    if covered(simulation, curve) and not turned[:-1].any():
+    if curve is not None and covered(simulation, curve) and not turned[:-1].any():
         return float(turned[-1]) * np.array(curve.slopes(compression(simulation)))
 
     def direct(moved: Simulation) -> Array:

@@ -50,8 +50,10 @@ def check_curve(base: Simulation, curve: ThresholdCurve | None) -> None:
         raise ParameterError("curve", given, f"one of this robot and mesh, {needed}")
 
 
-def covered(simulation: Simulation, curve: ThresholdCurve) -> bool:
+def covered(simulation: Simulation, curve: ThresholdCurve | None) -> bool:
     """Whether the curve is of the simulation's beam, and reaches its pre-compression."""
+    if curve is None:
+        return False
     own = beam_of(simulation) == curve.discretization.member(curve.robot)
     return own and bool(curve.covers(compression(simulation)))
 

@@ -172,19 +172,12 @@ def simulate_designs(
     check_integer("threads", crew, 1, MOST_THREADS)
     if sensitivities:
         check_differentiable(base, inputs)
-        curve = curve or ThresholdCurve.over(
-            base.robot, base.discretization, epsilons(base, table, inputs)
-        )
+        if curve is None and "design.epsilon" in inputs:
+            epsilons = table[:, list(inputs).index("design.epsilon")]
+            curve = ThresholdCurve.over(base.robot, base.discretization, epsilons)
     ready = prepare_designs(base, table, curve, inputs)
     numbers = None
-    if sensitivities and curve is not None:
+    if sensitivities:
         numbers = model_derivatives(base, table[ready.chosen], curve, inputs)
     marched = march_all(ready, width, crew, MOST_ITERATIONS, progress, numbers)
     return batch_of(base, ready, marched)
-
-
-def epsilons(base: Simulation, designs: Array, inputs: Sequence[str]) -> Array:
-    """Pre-compressions of designs (R, I), or the one that all have."""
-    if "design.epsilon" not in inputs:
-        return np.array([base.design.epsilon])
-    return designs[:, list(inputs).index("design.epsilon")]

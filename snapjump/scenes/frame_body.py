@@ -49,24 +49,17 @@ def frame_mesh(simulation: Simulation, frame: Any) -> Mesh:
 
 
 def rigid_frame(simulation: Simulation, mount_height_bar: float) -> RigidFrame:
-    """A rigid frame whose clamps are ``mount_height_bar`` (in L) above its feet."""
-    robot = simulation.robot
-    scales = robot.scales
-    return leg_top_leg(
-        width=1.0 - simulation.design.epsilon,
-        height=robot.frame_height_m / scales.length_m,
-        mass=simulation.environment.mass_kg(robot) / scales.mass_kg - 1.0,
-        end=simulation.discretization.clamped_mass_bar,
-        mount=mount_height_bar,
-    )
+    """A rigid frame whose clamps are ``mount_height_bar`` (in L) above its feet.
 
-
-def leg_top_leg(width: Any, height: Any, mass: Any, end: Any, mount: Any) -> RigidFrame:
-    """A rigid frame of given width, height and height of its mounts (in L); numbers or arrays.
-
-    The robot's ``mass`` less the beam's (in rho A L) lies evenly along leg, top, leg; the clamped
-    end nodes of the beam, each of mass ``end``, move with it and belong to it.
+    The robot's mass less the beam's (in rho A L) lies evenly along leg, top, leg; the clamped end
+    nodes of the beam move with the frame and belong to it.
     """
+    robot, mount = simulation.robot, mount_height_bar
+    scales = robot.scales
+    width = 1.0 - simulation.design.epsilon
+    height = robot.frame_height_m / scales.length_m
+    mass = simulation.environment.mass_kg(robot) / scales.mass_kg - 1.0
+    end = simulation.discretization.clamped_mass_bar
     leg = mass * height / (2.0 * height + width)
     top = mass * width / (2.0 * height + width)
     total = mass + 2.0 * end
