@@ -50,7 +50,12 @@ class Axis:
     @property
     def label(self) -> str:
         """Meaning, symbol and unit, for pictures."""
-        return f"{self.meaning} {self.short}"
+        return self.short if self.meaning == self.symbol else f"{self.meaning} {self.short}"
+
+
+def labels_of(axes: Sequence[Axis]) -> list[str]:
+    """Labels of pictures side by side, one an axis: without meanings where these have no room."""
+    return [axis.label if len(axes) <= len(DEFAULT_INPUTS) else axis.short for axis in axes]
 
 
 def axes_of(inputs: Sequence[Input], ranges: Sequence[Range]) -> tuple[Axis, ...]:

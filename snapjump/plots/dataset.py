@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from snapjump.plan.axes import labels_of
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
 
@@ -32,7 +33,7 @@ def draw_dataset(statistics: "Statistics", title: str, path: Path) -> None:
         stride = 0.78 / len(statistics.axes)
         for row, outcome in enumerate((1, 0)):
             bottom = 0.76 - 0.2 * row
-            for axis, declared in enumerate(statistics.axes):
+            for axis, label in enumerate(labels_of(statistics.axes)):
                 place = (0.055 + stride * axis, bottom, stride - 0.035, 0.16)
                 axes = figure.add_axes(page.place(*place))
                 _spread(axes, statistics, outcome, axis)
@@ -40,7 +41,7 @@ def draw_dataset(statistics: "Statistics", title: str, path: Path) -> None:
                 if axis == 0:
                     axes.set_ylabel(OUTCOMES[outcome])
                 if row == 1:
-                    axes.set_xlabel(declared.label if len(statistics.axes) < 5 else declared.short)
+                    axes.set_xlabel(label)
             axes = figure.add_axes(page.place(0.835, bottom, 0.145, 0.16))
             _distribution(axes, statistics, outcome)
             axes.tick_params(labelleft=False, labelbottom=row == 1)
