@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
-from typing import Any, TypeVar
+from typing import Any
 
 from snapjump.checks import ParameterError, check_integer
 from snapjump.plan.axes import Axis, checked_range, default_axes, planned
@@ -16,7 +16,6 @@ MOST_DESIGNS = 2**30
 MOST_OF_A_GRID = 2**40
 LARGEST_SEED = 2**32 - 1
 
-S = TypeVar("S")
 # What the four inputs are called where ``inputs`` is null.
 KEYS = {axis.path: axis.column for axis in default_axes()}
 
@@ -45,7 +44,7 @@ class PlanOptions:
         if self.inputs is not None:
             object.__setattr__(self, "inputs", checked_inputs(self.inputs))
 
-    def axes(self, simulation: S) -> tuple[Axis, ...]:
+    def axes(self, simulation: Any) -> tuple[Axis, ...]:
         """The inputs of the simulation that vary, and their ranges. Raises ParameterError."""
         if self.inputs is not None:
             keys = {path: f"plan.inputs.{path}" for path in self.inputs}

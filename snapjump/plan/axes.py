@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import Any
 
 from snapjump.checks import ParameterError, is_finite_number
 from snapjump.declare.inputs import (
@@ -17,8 +17,6 @@ from snapjump.declare.inputs import (
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.plan.base import Range
-
-S = TypeVar("S")
 
 
 @dataclass(frozen=True)
@@ -68,7 +66,7 @@ def axes_of(inputs: Sequence[Input], ranges: Sequence[Range]) -> tuple[Axis, ...
 
 
 def planned(
-    simulation: S, given: Mapping[str, Range | None], keys: Mapping[str, str]
+    simulation: Any, given: Mapping[str, Range | None], keys: Mapping[str, str]
 ) -> tuple[Axis, ...]:
     """The axes of a plan that gives each input its range, or None for the declared one.
 
