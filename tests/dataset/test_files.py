@@ -17,6 +17,7 @@ from snapjump.dataset.sealed import read_sealed, write_sealed
 from snapjump.dataset.shard import read_entry, write_shard
 
 SPECIFICATION = small()
+PLAN = {"name": "latin_hypercube", "count": 24}
 COLUMNS = columns_of(SPECIFICATION.axes)
 
 
@@ -144,6 +145,8 @@ def test_a_folder_of_another_dataset_is_refused_with_the_first_difference(tmp_pa
         "dataset.shard_size": small(shard_size=4),
         "accuracy.name": small(accuracy={"name": "standard"}),
         "plan.name": small(plan={"name": "sobol", "count": 24}),
+        "plan.inputs.environment.mu": small(plan={**PLAN, "mu": [0.1, 0.5]}),
+        "plan.inputs.design.delta_alpha": small(plan={**PLAN, "inputs": {"design.epsilon": None}}),
     }
     for key, other in changes.items():
         with pytest.raises(ParameterError) as caught:
