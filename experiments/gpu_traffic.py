@@ -111,7 +111,7 @@ def measure(simulation: Simulation, passes: int) -> dict[str, Traffic]:
         masses=simulation.discretization.masses(),
         states=resting_guess(simulation, model)[None, :],
         simulation=simulation,
-        ending=FlightEnding(simulation.sim.time_limit_s / simulation.robot.scales.time_s),
+        ending=FlightEnding(),
     )
     march.find_starts()
     caches = {name: Cache(numbers) for name, numbers in CACHES.items()}

@@ -21,7 +21,7 @@ from snapjump.parameters.robot import Robot
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.critical import find_snap
 from snapjump.statics.rounding import LostToRoundingError
-from snapjump.statics.threshold import symmetric_threshold
+from snapjump.statics.threshold import computed_threshold
 
 NOISE = 1e-15
 MESHES = (DiscreteElasticRod, Corotational, GeometricallyExact)
@@ -41,7 +41,7 @@ def slender_arches(count: int, seed: int = 14) -> list[Arch]:
 
 
 WAYS: dict[str, Callable[..., Any]] = {
-    "threshold": symmetric_threshold.__wrapped__,
+    "threshold": computed_threshold.__wrapped__,
     "walk": lambda robot, mesh, epsilon: find_snap(robot, mesh, epsilon, 0.0),
 }
 

@@ -63,11 +63,10 @@ def steps_factor(simulation: Simulation) -> float:
     return fixed if simulation.stepping.name == "fixed" else adaptive
 
 
-def mesh_percent(discretization: Any, damping: Any) -> tuple[float, float]:
-    """Errors of x and y that the mesh makes (%)."""
+def mesh_percent(discretization: Any, relaxation_s: Any) -> tuple[Any, Any]:
+    """Errors of x and y that the mesh makes (%) of beams so much damped."""
     ratio = BASE_ELEMENTS / discretization.elements
-    damped = damping.relaxation_s() >= LITTLE_DAMPING_S
-    waves = 1.0 if damped else UNDAMPED
+    waves = np.where(np.asarray(relaxation_s) >= LITTLE_DAMPING_S, 1.0, UNDAMPED)
     x, y = (waves * value * power(ratio, order) for value, order in (MESH_X, MESH_Y))
     if getattr(discretization, "clamp", "") == "two_nodes":
         value, order = TWO_NODES
@@ -76,15 +75,18 @@ def mesh_percent(discretization: Any, damping: Any) -> tuple[float, float]:
     return x, y
 
 
-def error_estimate(simulation: Simulation, error_sum: Any, beam_over_frame: Any) -> ErrorEstimate:
+def error_estimate(
+    simulation: Simulation, error_sum: Any, beam_over_frame: Any, relaxation_s: Any
+) -> ErrorEstimate:
     """The estimate of jumps whose steps' estimates add up to ``error_sum`` (L).
 
-    ``beam_over_frame``: mass of the beam over that of the frame, of each.
+    ``beam_over_frame``: mass of the beam over that of the frame, of each; ``relaxation_s``: of its
+    material.
     """
     light = 1.0 + LIGHT_FRAME * np.asarray(beam_over_frame)
     steps = light * steps_factor(simulation) * np.asarray(error_sum, dtype=float)
     steps = steps / (1.0 + steps / LEVEL)
-    mesh_x, mesh_y = mesh_percent(simulation.discretization, simulation.damping)
+    mesh_x, mesh_y = mesh_percent(simulation.discretization, relaxation_s)
     x, y = steps + light * mesh_x, STEPS_Y * steps + light * mesh_y
     promise = TIERS[simulation.accuracy].promise_percent
     return ErrorEstimate(x, y, np.maximum(x, y) <= promise)

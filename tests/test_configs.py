@@ -10,7 +10,6 @@ from families import FAMILIES
 from hydra import compose, initialize_config_dir
 from omegaconf import OmegaConf
 
-from snapjump.dataset.specification import plan_of
 from snapjump.declare.fields import settings
 from snapjump.declare.members import files_of, make_member, member_class, member_names
 from snapjump.parameters.design import Design
@@ -101,7 +100,7 @@ def plain(value: Any) -> Any:
 
 @pytest.mark.parametrize(("family", "name"), MEMBERS + OF_DATASETS + OF_FILES)
 def test_a_file_says_what_its_member_says(family: str, name: str) -> None:
-    if files_of(family)[name].suffix == ".py" if family != "plan" else True:
+    if files_of(family)[name].suffix == ".py":
         documented = (EVERY[family][name].__doc__ or "").strip().splitlines()[0]
         assert describe(file(family, name)) == documented
 
@@ -150,8 +149,7 @@ def test_every_member_can_be_chosen(family: str, name: str) -> None:
 @pytest.mark.parametrize(("family", "name"), OF_DATASETS)
 def test_every_member_of_a_dataset_can_be_chosen(family: str, name: str) -> None:
     config = composed("task=dataset", f"{family}={name}")
-    made = plan_of(config[family]) if family == "plan" else make_member(family, config[family])
-    assert made == EVERY[family][name]()
+    assert make_member(family, config[family]) == EVERY[family][name]()
 
 
 @pytest.mark.parametrize(("family", "name"), OF_FILES)

@@ -26,8 +26,7 @@ class InverseBenchmark(Study):
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
         """Each method on each ten problems, and the regions of the environments."""
-        from snapjump.learning.forward_model import open_forward_model
-        from snapjump.targets.request import checkpoint_path
+        from snapjump.targets.request import checkpoint_path, trained_forward
 
         task = config["task"]
         check_integer("task.problems", task["problems"], 1, 100_000)
@@ -38,7 +37,7 @@ class InverseBenchmark(Study):
         if simulation.sim.name != "jump":
             raise ParameterError("sim", simulation.sim.name, "jump with task=inverse_benchmark")
         path = checkpoint_path(task["checkpoint"])
-        open_forward_model(path).check_model(simulation)
+        trained_forward(path).check_model(simulation)
         shared = {
             "groups": groups,
             "checkpoint": str(path),

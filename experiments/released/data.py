@@ -8,8 +8,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.plan.parts.axes import default_axes
+
 ROWS = Path(__file__).resolve().parents[1] / "data" / "released_rows.csv"
-PARAMETERS = ("delta_alpha_rad", "epsilon", "mass_bar", "mu")
+PARAMETERS = tuple(axis.column for axis in default_axes())
 
 
 @dataclass(frozen=True)

@@ -7,15 +7,11 @@ from typing import Any
 import numpy as np
 
 from experiments.released.data import PARAMETERS
+from snapjump.plan.parts.axes import default_axes
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
 
-LABELS = {
-    "delta_alpha_rad": "mismatch of the clamps (rad)",
-    "epsilon": "pre-compression",
-    "mass_bar": "mass m g L$^2$/EI",
-    "mu": "friction coefficient",
-}
+LABELS = {axis.column: axis.label for axis in default_axes()}
 BOUNDS = {"x": 15.0, "y": 6.0}  # percent that the axes show; what is beyond lies on the edge
 
 

@@ -58,7 +58,7 @@ def _fields(group: str, name: str, cls: Any) -> list[Field]:
         allowed = type(part).__dataclass_fields__[key].metadata.get("allowed")
         low, high, above = math.nan, math.nan, False
         if isinstance(allowed, Number):
-            low, high, above, _ = allowed
+            low, high, above = allowed[:3]
         elif isinstance(allowed, Integer):
             low, high = allowed
         found.append(Field(group, name, key, getattr(part, key), low, high, above))

@@ -5,16 +5,12 @@ from pathlib import Path
 
 import numpy as np
 
+from snapjump.plan.parts.axes import default_axes
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
 from snapjump.studies.base import Row
 
-AXES = {
-    "delta_alpha_rad": "delta_alpha (rad)",
-    "epsilon": "epsilon",
-    "mass_bar": "m_bar",
-    "mu": "mu",
-}
+LABELS = {axis.column: axis.label for axis in default_axes()}
 PLANES = (("delta_alpha_rad", "epsilon"), ("mass_bar", "mu"))
 COLOURS = {"ok": palette.SKY, "no_jump": palette.CLAMP}
 FAILED = (palette.FORCE, palette.PLUM, palette.CENTRE, palette.INK)
@@ -36,8 +32,8 @@ def draw_designs(rows: Sequence[Row], path: Path) -> None:
                           color=COLOURS.get(name) or others.get(name, palette.INK),
                           alpha=0.6 if usual else 1.0, mew=0 if usual else 1.4,
                           label=f"{len(some)} {name}")  # fmt: skip
-            axes.set_xlabel(AXES[plane[0]])
-            axes.set_ylabel(AXES[plane[1]])
+            axes.set_xlabel(LABELS[plane[0]])
+            axes.set_ylabel(LABELS[plane[1]])
             if k == 0:
                 axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4, markerscale=2.0)
         axes = figure.add_axes((0.73, 0.12, 0.25, 0.74))

@@ -13,6 +13,7 @@ from experiments.stability.jumps import KNOWN, jump_rows
 from experiments.stability.rules import RULES, broken
 from experiments.tradeoff.tiers import tier_groups
 from snapjump.checks import ParameterError, check_integer
+from snapjump.plan.parts.axes import default_axes
 from snapjump.studies.base import Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
 from snapjump.tiers import TIERS
@@ -77,7 +78,7 @@ class Robustness(Study):
         designs = random_designs(inputs["count"], (inputs["seed"], inputs["first"]))
         point = {"across": "", "up": "", "groups": inputs["groups"]}
         rows = jump_rows([point], designs, MOST_ITERATIONS)
-        keys = ("delta_alpha_rad", "epsilon", "mass_bar", "mu")
+        keys = [axis.column for axis in default_axes()]
         return [
             dict(zip(keys, designs[row["design"]], strict=True))
             | {k: v for k, v in row.items() if k not in ("across", "up", "design")}
@@ -159,7 +160,7 @@ def configuration_row(one: Invalid) -> Row:
 
 def failure(row: Row) -> Row:
     """What a table of failures shows."""
-    keys = ("delta_alpha_rad", "epsilon", "mass_bar", "mu", "status", "newton_iterations")
+    keys = (*(axis.column for axis in default_axes()), "status", "newton_iterations")
     return {key: row[key] for key in keys if key in row}
 
 

@@ -42,7 +42,7 @@ def frozen(count: int) -> dict[str, Any]:
     for k, design in enumerate(spread_designs(count)):
         print(f"design {k + 1} of {count} ...", file=sys.stderr)
         try:
-            errors.append(frozen_errors(COARSE, design, curve, CORRECTIONS))
+            errors.append(frozen_errors(COARSE, design, curve, CORRECTIONS).max(axis=1))
         except ArithmeticError:  # Newton's method went to and fro: nothing to compare with
             unsolved += 1
     table = np.array(errors)

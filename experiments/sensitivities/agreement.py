@@ -1,5 +1,6 @@
 """Sensitivities against differences: of the program with frozen steps, and of the adaptive one."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -12,9 +13,14 @@ from experiments.sensitivities.frozen_steps import (
     march_along,
 )
 from snapjump.batch import model_derivatives, prepare_designs, simulate_designs
+from snapjump.batch.derivatives import place
+from snapjump.batch.sensitivities import Slopes, apex_sensitivities
 from snapjump.composition import Simulation
+from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.ending.flight import FlightEnding
 from snapjump.ending.timed import TimedEnding
+from snapjump.engine import clock as c
+from snapjump.engine.status import OK
 from snapjump.scenes.resting import resting_guesses
 from snapjump.scenes.runner import March
 from snapjump.scenes.sensitivities import record_sensitivities
@@ -25,76 +31,86 @@ STEPS = (1e-5, 3e-6)
 FOURTH_ORDER = ((8.0, 1), (-8.0, -1), (-1.0, 2), (1.0, -2))
 
 
-def jump_of(base: Simulation, design: Any, curve: ThresholdCurve) -> March:
-    """The march of one robot (delta_alpha, epsilon, mass_bar, mu), its start found."""
-    ready = prepare_designs(base, np.array([design]), curve)
+def jump_of(
+    base: Simulation,
+    design: Any,
+    curve: ThresholdCurve,
+    inputs: Sequence[str] = DEFAULT_INPUTS,
+) -> March:
+    """The march of one robot, whose inputs have the values of ``design``; its start is found."""
+    ready = prepare_designs(base, np.array([design]), curve, inputs)
     march = March(
         models=ready.models,
         masses=base.discretization.masses(),
         states=resting_guesses(ready.simulations, ready.models),
         simulation=base,
-        ending=FlightEnding(base.sim.time_limit_s / base.robot.scales.time_s),
+        ending=FlightEnding(),
     )
     march.find_starts()
     return march
 
 
-def differences(
-    base: Simulation, design: Any, curve: ThresholdCurve, steps: Any, solutions: Any, h: float
-) -> Any:
-    """Derivatives (4, 2) of the apex with frozen steps, by central differences of fourth order."""
+def differences(jump_at: Any, design: Any, steps: Any, solutions: Any, h: float) -> Any:
+    """Derivatives (I, 2) of the apex with frozen steps, by central differences of fourth order.
+
+    ``jump_at``: the march of a design; inputs change by ``h`` of themselves, and so are derivatives
+    those by the input over its value.
+    """
     rows = []
-    for k in range(4):
+    for k in range(len(design)):
         total = np.zeros(2)
         for weight, count in FOURTH_ORDER:
             other = np.array(design, dtype=float)
-            other[k] += count * h
-            jump = jump_of(base, other, curve)
+            other[k] += count * h * other[k]
+            jump = jump_at(other)
             exact_jump(jump, steps, solutions)
             total += weight * apex(jump)
         rows.append(total / (12.0 * h))
     return np.array(rows)
 
 
-def derivatives(
-    base: Simulation,
-    design: Any,
-    curve: ThresholdCurve,
-    steps: Any,
-    solutions: Any,
-    corrections: int,
-) -> Any:
-    """Derivatives (4, 2) that are recorded along the same solutions."""
-    jump = jump_of(base, design, curve)
-    numbers = model_derivatives(base, np.array([design]), curve)
-    flights, _ = record_sensitivities(jump, numbers, corrections)
+def derivatives(jump: March, numbers: Any, steps: Any, solutions: Any, corrections: int) -> Any:
+    """Derivatives (I, 2) that are recorded along the same solutions; ``numbers`` (1, P, I)."""
+    flights, grazes = record_sensitivities(jump, numbers, corrections)
     jump.stepping = jump.stepping._replace(
         tolerance=1e9, contact_steps=1e9, newton_share=1e-9, largest=1e9
     )
     jump.ending = TimedEnding(float(np.sum(steps)) * (1.0 - 1e-12))
     march_along(jump, steps, solutions)
-    x, y, vx, vy = flights[0]
-    speed, rise = flight_of(jump)[2:]
-    fall = jump.models[0].load.acceleration
-    by_x = x + vx * rise / fall + speed * vy / fall
-    return np.array([by_x, y + rise * vy / fall]).T
+    outcome = np.zeros((1, c.ROWS))
+    outcome[0, c.STATUS] = OK
+    outcome[0, c.COM_VX], outcome[0, c.COM_VY] = flight_of(jump)[2:]
+    fall = numbers[:, place(jump.models[0], "load", "acceleration")]
+    slopes = Slopes(flights[:, :, : numbers.shape[2]], fall, grazes)
+    found = apex_sensitivities(outcome, np.array([jump.models[0].load.acceleration]), slopes)
+    return np.vstack([found.dx_bar, found.dy_bar]).T
 
 
 def frozen_errors(
-    base: Simulation, design: Any, curve: ThresholdCurve, corrections: tuple[int, ...]
-) -> list[float]:
-    """Largest error of a design's derivatives, over the largest of x or y, for each number of
-    corrections."""
-    steps = adaptive_steps(jump_of(base, design, curve))
-    solutions = exact_jump(jump_of(base, design, curve), steps)
-    expected = [differences(base, design, curve, steps, solutions, h) for h in STEPS]
+    base: Simulation,
+    design: Any,
+    curve: ThresholdCurve,
+    corrections: tuple[int, ...],
+    inputs: Sequence[str] = DEFAULT_INPUTS,
+) -> Any:
+    """Largest error of a design's derivatives (C, I), over the largest of x or y, for each number
+    of corrections and each input."""
+
+    def jump_at(values: Any) -> March:
+        return jump_of(base, values, curve, inputs)
+
+    steps = adaptive_steps(jump_at(design))
+    solutions = exact_jump(jump_at(design), steps)
+    expected = [differences(jump_at, design, steps, solutions, h) for h in STEPS]
     scale = np.abs(expected[0]).max(axis=0)
+    numbers = model_derivatives(base, np.array([design]), curve, inputs)
     errors = []
     for count in corrections:
-        found = derivatives(base, design, curve, steps, solutions, count)
+        found = derivatives(jump_at(design), numbers, steps, solutions, count)
+        found *= np.asarray(design)[:, None]
         both = [np.abs(found - one) / scale for one in expected]
-        errors.append(float(np.minimum(*both).max()))
-    return errors
+        errors.append(np.minimum(*both).max(axis=1))
+    return np.array(errors)
 
 
 def plain_errors(base: Simulation, designs: Any, h: float) -> dict[str, Any]:

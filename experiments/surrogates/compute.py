@@ -50,7 +50,7 @@ def trained_rows(inputs: Mapping[str, Any]) -> list[Row]:
         designs = judge.test.designs.double().numpy()
         off = errors(learned.network, judge.test)
         found |= concentration(off)
-        rows += [{"kind": PLACE, **row} for row in by_input(designs, off, forward.ranges)]
+        rows += [{"kind": PLACE, **row} for row in by_input(designs, off, forward.axes)]
     return rows
 
 

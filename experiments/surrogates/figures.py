@@ -6,9 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.plan.base import AXES
+from snapjump.plan.parts.axes import default_axes
 from snapjump.plots import palette
-from snapjump.plots.dataset import LABELS
 from snapjump.plots.saving import picture
 from snapjump.studies.base import Row
 
@@ -82,15 +81,15 @@ def _lines(axes: Any, table: Sequence[Row], key: str) -> None:
 def draw_places(rows: Sequence[Row], path: Path) -> None:
     """Mean absolute errors of x and y in fifths of each input."""
     with picture(path, (13.0, 3.9), "Where the error sits") as figure:
-        for k, (name, label) in enumerate(zip(AXES, LABELS, strict=True)):
+        for k, axis in enumerate(default_axes()):
             axes = figure.add_axes((0.065 + 0.238 * k, 0.17, 0.2, 0.62))
-            ours = [row for row in rows if row["input"] == name]
+            ours = [row for row in rows if row["input"] == axis.column]
             middles = np.array([0.5 * (row["from"] + row["to"]) for row in ours])
             width = 0.38 * (ours[0]["to"] - ours[0]["from"])
             for shift, key, colour in ((-0.5, "x", palette.BEAM), (0.5, "y", palette.FORCE)):
                 heights = [row[f"mae_{key}_bar"] for row in ours]
                 axes.bar(middles + shift * width, heights, width, color=colour, label=key)
-            axes.set_xlabel(label)
+            axes.set_xlabel(axis.label)
             axes.grid(True, axis="y")
             axes.set_ylim(0.0, 1.08 * max(max(r["mae_x_bar"], r["mae_y_bar"]) for r in rows))
             if k == 0:

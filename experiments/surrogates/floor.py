@@ -13,7 +13,8 @@ from scipy.stats.qmc import Sobol
 
 from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation
-from snapjump.plan.base import AXES, Range
+from snapjump.plan.base import Range
+from snapjump.plan.parts.axes import default_axes
 from snapjump.statics.threshold_curve import ThresholdCurve
 from snapjump.studies.base import Row
 
@@ -31,9 +32,9 @@ def floor_rows(
     low, high = np.array(ranges).T
     size = (high - low) / INTERVALS
     rng = np.random.default_rng(seed)
-    corners = low + size * rng.integers(0, INTERVALS, (cells, len(AXES)))
-    unit = np.array([Sobol(len(AXES), rng=rng).random(JUMPS) for _ in range(cells)])
-    designs = (corners[:, None] + size * unit).reshape(-1, len(AXES))
+    corners = low + size * rng.integers(0, INTERVALS, (cells, len(low)))
+    unit = np.array([Sobol(len(low), rng=rng).random(JUMPS) for _ in range(cells)])
+    designs = (corners[:, None] + size * unit).reshape(-1, len(low))
     curve = ThresholdCurve.over(base.robot, base.discretization, np.array(ranges[1]))
     batch = simulate_designs(base, designs, curve=curve, threads=threads)
     apexes = np.column_stack([batch.x_bar, batch.y_bar]).reshape(cells, JUMPS, 2)
@@ -43,7 +44,8 @@ def floor_rows(
         errors = np.full(2, np.nan)
         if known.sum() >= FEWEST:
             errors = np.abs(left_out(2.0 * points[known] - 1.0, found[known])).mean(axis=0)
-        place = {f"{name}_low": float(value) for name, value in zip(AXES, corner, strict=True)}
+        places = zip(default_axes(), corner, strict=True)
+        place = {f"{axis.column}_low": float(value) for axis, value in places}
         rows.append(
             {
                 **place,

@@ -1,9 +1,11 @@
 """Where in the space of designs the error sits."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.plan.base import AXES, Range
+from snapjump.plan.parts.axes import Axis
 from snapjump.studies.base import Row
 
 Array = NDArray[np.float64]
@@ -11,19 +13,19 @@ BINS = 5
 SHARES = (0.5, 0.1, 0.01)
 
 
-def by_input(designs: Array, errors: Array, ranges: tuple[Range, ...]) -> list[Row]:
-    """Mean absolute errors in fifths of each input's range; designs (N, 4), errors (N, 2) in L."""
+def by_input(designs: Array, errors: Array, axes: Sequence[Axis]) -> list[Row]:
+    """Mean absolute errors in fifths of each input's range; designs (N, I), errors (N, 2) in L."""
     rows = []
-    for axis, (name, (low, high)) in enumerate(zip(AXES, ranges, strict=True)):
-        edges = np.linspace(low, high, BINS + 1)
-        place = np.clip(np.digitize(designs[:, axis], edges) - 1, 0, BINS - 1)
+    for values, axis in zip(designs.T, axes, strict=True):
+        edges = np.linspace(axis.low, axis.high, BINS + 1)
+        place = np.clip(np.digitize(values, edges) - 1, 0, BINS - 1)
         for k in range(BINS):
             inside = place == k
             if inside.any():
                 x, y = np.abs(errors[inside]).mean(axis=0)
                 rows.append(
                     {
-                        "input": name,
+                        "input": axis.column,
                         "from": float(edges[k]),
                         "to": float(edges[k + 1]),
                         "designs": int(inside.sum()),

@@ -11,7 +11,7 @@ from experiments.surrogates.figures import draw_curves, draw_places
 from experiments.surrogates.table import findings, floor_summary, readme_block, summary
 from snapjump.checks import ParameterError
 from snapjump.declare.members import make_member, member_class, member_group, member_names
-from snapjump.plan.base import AXES
+from snapjump.plan.parts.axes import default_axes
 from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
 
@@ -83,10 +83,9 @@ class CompareSurrogates(Study):
                     cells.append(cell(name, member, "slopes", None, slope_weight=0.0))
         self.floors = [key for key in ("standard", "paper") if datasets[key] is not None]
         for key in self.floors:
-            specification = datasets[key].specification
             inputs = {
-                "groups": specification["configuration"],
-                "ranges": [specification["plan"][axis] for axis in AXES],
+                "groups": datasets[key].specification["configuration"],
+                "ranges": [list(axis.range) for axis in datasets[key].axes],
                 "cells": FLOOR_CELLS[self.full],
                 "seed": seed,
             }
@@ -152,8 +151,14 @@ def check_datasets(datasets: Mapping[str, Any]) -> None:
     standard, paper, slopes = (datasets[key] for key in ("standard", "paper", "slopes"))
     if standard is None:
         raise ParameterError("task.standard", None, "the folder of a dataset at standard")
+    for key, dataset in datasets.items():
+        if dataset is not None and dataset.axes != default_axes([a.range for a in dataset.axes]):
+            allowed = "a dataset of the four inputs that are learned from by default"
+            raise ParameterError(f"task.{key}", str(dataset.folder.path), allowed)
     if paper is not None:
-        same = paper.specification["plan"] == standard.specification["plan"]
+        keys = ("plan", "inputs")
+        ours, theirs = paper.specification, standard.specification
+        same = all(ours.get(key) == theirs.get(key) for key in keys)
         if not same or paper.statuses != standard.statuses:
             allowed = "null, or a dataset of task.standard's plan with as many jumps that are ok"
             raise ParameterError("task.paper", str(paper.folder.path), allowed)

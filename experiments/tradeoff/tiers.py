@@ -12,6 +12,7 @@ from experiments.errors import (
 )
 from experiments.tradeoff.points import Point, split
 from snapjump.composition import with_tier
+from snapjump.plan.parts.axes import default_axes
 from snapjump.studies.base import OK, Done
 from snapjump.terminal.block import markdown_table
 from snapjump.tiers import TIERS
@@ -91,7 +92,7 @@ def beyond(done: Mapping[str, Done], limit: Done) -> list[dict[str, Any]]:
         rows = [row for row in cell.rows if row["kind"] == "design"]
         for row, x, y in zip(rows, *errors, strict=True):
             if not max(x, y) <= PROMISES[name][0]:
-                design = {k: row[k] for k in ("delta_alpha_rad", "epsilon", "mass_bar", "mu")}
+                design = {axis.column: row[axis.column] for axis in default_axes()}
                 off = {"x_error_percent": float(x), "y_error_percent": float(y)}
                 found.append({"tier": name, "status": row["status"], **design, **off})
     return found

@@ -1,4 +1,4 @@
-"""Robots that can march together: one program, one mesh, one clock."""
+"""Robots that can march together: one program, one mesh of their beams."""
 
 from collections.abc import Sequence
 
@@ -10,9 +10,8 @@ OF_ONE_KIND = ("frame", "contact", "friction", "damping")
 
 
 def check_alike(simulations: Sequence[Simulation]) -> None:
-    """Raises ParameterError for a robot whose program or units are not the first one's."""
+    """Raises ParameterError for a robot whose program is not the first one's."""
     first = simulations[0]
-    scales = first.robot.scales
     for other in simulations[1:]:
         for family in SAME:
             if getattr(other, family) != getattr(first, family):
@@ -26,7 +25,3 @@ def check_alike(simulations: Sequence[Simulation]) -> None:
                     getattr(other, family).name,
                     f"{getattr(first, family).name}, as of the first robot",
                 )
-        if other.robot is not first.robot and other.robot.scales != scales:
-            raise ParameterError(
-                "robot", other.robot.scales, f"of the first robot's scales: {scales}"
-            )

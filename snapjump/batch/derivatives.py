@@ -1,101 +1,134 @@
-"""How models' numbers depend on the design, through the threshold too."""
+"""How models' numbers depend on inputs: differences of what builds them, thresholds apart."""
 
-from typing import Any
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.batch.prepare import check_curve
+from snapjump.batch.prepare import beam_of, check_curve, covered, thresholds
 from snapjump.batch.variants import variant
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
+from snapjump.declare.inputs import DEFAULT_INPUTS, input_at, value_at, with_inputs
 from snapjump.engine.model import Model, numbers_of
-from snapjump.frame.base import Outline
-from snapjump.frame.rigid import RigidFrame
-from snapjump.scenes.jump_start import fitted_mount_height_bar, jump_model
+from snapjump.scenes.frame_body import compression
+from snapjump.scenes.jump_start import (
+    composed_model,
+    critical,
+    mount_height_bar,
+    start_angle_rad,
+)
 from snapjump.statics.threshold import Threshold
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 Array = NDArray[np.float64]
-TINY = 1e-30  # of a complex step, which takes no difference: it is exact to rounding
-DELTA_ALPHA, EPSILON, MASS_BAR, MU = range(4)
+# Of an input, between the points of a difference of fourth order. A computed threshold is known to
+# 1e-11 or so only, and asks for a longer one.
+STEP, LONG_STEP = 1e-3, 1e-2
+SMALLEST_SHARE = 0.1  # of an input's default: steps are shares of no smaller a number
+# Places, in steps, and the weights of a first derivative.
+BETWEEN = ((-2, 1 / 12), (-1, -8 / 12), (1, 8 / 12), (2, -1 / 12))
+AHEAD = ((0, -25 / 12), (1, 48 / 12), (2, -36 / 12), (3, 16 / 12), (4, -3 / 12))
+BEHIND = tuple((-place, -weight) for place, weight in AHEAD)
 
 
-def model_derivatives(base: Simulation, designs: Array, curve: ThresholdCurve) -> Array:
-    """d(numbers of the models)/d(delta_alpha, epsilon, mass_bar, mu) of designs (R, 4): (R, P, 4).
+def model_derivatives(
+    base: Simulation,
+    designs: Array,
+    curve: ThresholdCurve | None = None,
+    inputs: Sequence[str] = DEFAULT_INPUTS,
+) -> Array:
+    """d(numbers of the models)/d(inputs) of designs (R, I): (R, P, I).
 
-    P are the numbers of :func:`snapjump.engine.model.numbers_of`. Formulas are differentiated by
-    complex steps, thresholds by the curve. At delta_alpha = 0, where the leading clamp changes,
-    the derivative is that towards positive values.
+    P are the numbers of :func:`snapjump.engine.model.numbers_of`. Thresholds are differentiated by
+    the curve where it is of the design's beam. At 0, where for delta_alpha the leading clamp
+    changes, the derivative is that towards positive values.
 
-    Raises ParameterError for an epsilon that the curve does not cover, a curve of another beam,
-    and a frame that is not rigid.
+    Raises ParameterError for a curve of another beam and a frame that is not rigid.
     """
     check_curve(base, curve)
     if not base.frame.differentiable:
         raise ParameterError("frame", base.frame.name, "rigid with sensitivities")
-    table = np.asarray(designs, dtype=float)
-    outside = table[~curve.covers(table[:, EPSILON]), EPSILON]
-    if len(outside):
-        raise ParameterError(
-            "design.epsilon",
-            float(outside[0]),
-            f"in [{curve.low:g}, {curve.high:g}], which the curve covers",
+    if not len(designs):
+        return np.zeros((0, 0, len(inputs)))
+    return np.array([number_slopes(variant(base, row, inputs), curve, inputs) for row in designs])
+
+
+def number_slopes(
+    simulation: Simulation, curve: ThresholdCurve | None, inputs: Sequence[str] = DEFAULT_INPUTS
+) -> Array:
+    """Derivatives (P, I) of the numbers of one robot's model."""
+    (known,) = thresholds([simulation], curve)
+    threshold = known or critical(simulation)
+    columns = [input_slopes(simulation, path, threshold, curve) for path in inputs]
+    return np.array(columns).T
+
+
+def input_slopes(
+    simulation: Simulation, path: str, threshold: Threshold, curve: ThresholdCurve | None
+) -> Array:
+    """Derivatives (P,) of the numbers by one input."""
+    here = value_at(simulation, path)
+    by_angle, by_depth = threshold_slopes(simulation, path, curve)
+
+    def numbers(moved: Simulation) -> Array:
+        # Along its tangent a threshold has the right derivative, and costs nothing.
+        way = value_at(moved, path) - here
+        near = Threshold(
+            threshold.alpha_rad + by_angle * way, threshold.h1_bar + by_depth * way, 0.0
         )
-    angles, depths = curve.values(table[0, EPSILON])
-    model = jump_model(
-        variant(base, table[0]), Threshold(float(angles), float(depths), curve.angle_error)
-    )
-    slopes = np.zeros((len(table), len(numbers_of(model)), 4))
-    by_angle, _ = curve.slopes(table[:, EPSILON])
-    if base.sim.start_fraction > 0.0:
-        start = place(model, "clamp", "start")
-        slopes[:, start, EPSILON] = base.sim.start_fraction * by_angle
-        # The right clamp leads: the left one starts that much earlier.
-        slopes[:, start, DELTA_ALPHA] = table[:, DELTA_ALPHA] < 0.0
-    slopes[:, place(model, "clamp", "delta_alpha"), DELTA_ALPHA] = 1.0
-    if hasattr(model.friction, "mu"):
-        slopes[:, place(model, "friction", "mu"), MU] = 1.0
-    first = place(model, "frame", "half_span")
-    frame = slice(first, first + len(model.frame))
-    for axis in (EPSILON, MASS_BAR):
-        slopes[:, frame, axis] = frame_slopes(base, table, curve, axis)
-    return slopes
+        start, mount = start_angle_rad(moved, near), mount_height_bar(moved, near)
+        return numbers_of(composed_model(moved, start, mount))
+
+    return difference(numbers, simulation, path, STEP)
+
+
+def threshold_slopes(simulation: Simulation, path: str, curve: ThresholdCurve | None) -> Array:
+    """Derivatives (2,) of the critical angle and of the depth there by an input."""
+
+    def arch(moved: Simulation) -> Array:
+        return np.array([*beam_of(moved), compression(moved)])
+
+    turned = difference(arch, simulation, path, STEP)
+    if not turned.any():
+        return np.zeros(2)
+    if curve is not None and covered(simulation, curve) and not turned[:-1].any():
+        return float(turned[-1]) * np.array(curve.slopes(compression(simulation)))
+
+    def direct(moved: Simulation) -> Array:
+        found = critical(moved)
+        return np.array([found.alpha_rad, found.h1_bar])
+
+    return difference(direct, simulation, path, LONG_STEP)
+
+
+def difference(
+    values: Callable[[Simulation], Array], simulation: Simulation, path: str, step: float
+) -> Array:
+    """The derivative by an input, of fourth order: central, or to one side where values on the
+    other are refused, or have another sign (and a kink in between)."""
+    here = float(value_at(simulation, path))
+    default = input_at(simulation, path).default
+    usual = SMALLEST_SHARE * (abs(default) if isinstance(default, float) else 0.0)
+    stride = step * (max(abs(here), usual) or 1.0)
+    refused: ParameterError | None = None
+    for stencil in (BETWEEN, AHEAD, BEHIND):
+        places = [here + count * stride for count, _ in stencil]
+        if min(places) < 0.0 <= here or max(places) >= 0.0 > here:
+            continue
+        try:
+            found = [values(with_inputs(simulation, {path: place})) for place in places]
+        except ParameterError as error:
+            refused = error
+        else:
+            # The weights add up to nothing: what does not change has no derivative, exactly.
+            changes = [(one - found[0]) * w for one, (_, w) in zip(found, stencil, strict=True)]
+            return np.asarray(sum(changes) / stride)
+    assert refused is not None
+    raise refused
 
 
 def place(model: Model, family: str, field: str) -> int:
     """Where a member's number stands among the numbers of its model."""
     before = model[: model._fields.index(family)]
     return sum(len(member) for member in before) + getattr(model, family)._fields.index(field)
-
-
-def frame_slopes(base: Simulation, table: Array, curve: ThresholdCurve, axis: int) -> Array:
-    """Derivatives (R, 6) of the rigid frames' numbers by epsilon or mass_bar."""
-    moved = table.astype(complex)
-    moved[:, axis] += 1j * TINY
-    robot = base.robot
-    scales = robot.scales
-    epsilon, mass_bar = moved[:, EPSILON], moved[:, MASS_BAR]
-    masses = base.environment.mass_kg(robot) / base.environment.mass_bar / scales.mass_kg * mass_bar
-    frame = RigidFrame().body(
-        Outline(
-            width=1.0 - epsilon,
-            height=robot.frame_height_m / scales.length_m,
-            mount=mount_heights(base, epsilon, curve),
-            mass=masses - 1.0,
-            end=base.discretization.clamped_mass_bar,
-        )
-    )
-    return np.array([np.imag(values) for values in frame]).T / TINY
-
-
-def mount_heights(base: Simulation, epsilon: Any, curve: ThresholdCurve) -> Any:
-    """Heights of the clamps (in L), carrying the imaginary part of epsilon along."""
-    given = base.robot.mount_height
-    if given == "fitted":
-        return fitted_mount_height_bar(epsilon)
-    if given != "optimal":
-        return float(given) / base.robot.length_m + 0.0 * epsilon
-    _, depth = curve.values(epsilon.real)
-    _, slope = curve.slopes(epsilon.real)
-    return depth + 1j * epsilon.imag * slope

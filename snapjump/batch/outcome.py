@@ -1,19 +1,21 @@
 """What becomes of many jumps, as arrays with one row a jump."""
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from functools import cached_property
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.batch.prepare import Prepared
-from snapjump.batch.sensitivities import Sensitivities, apex_sensitivities
+from snapjump.batch.sensitivities import Sensitivities, Slopes, apex_sensitivities
 from snapjump.composition import Simulation
 from snapjump.engine import clock as c
 from snapjump.scenes.flight_check import checked_status
 from snapjump.scenes.jump_outputs import JumpOutputs
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.march_outputs import side_by_side
+from snapjump.units import Scales
 
 Array = NDArray[np.float64]
 
@@ -28,34 +30,46 @@ class Batch(JumpOutputs):
     """
 
     lane_passes: int
+    ready: Prepared
     sensitivities: Sensitivities | None = None
+
+    @cached_property
+    def scales(self) -> Any:
+        """Each robot's own."""
+        scales = [simulation.robot.scales for simulation in self.ready.simulations]
+        columns = ((s.length_m, s.time_s, s.mass_kg) for s in scales)
+        spread: Any = [self.ready.spread(np.array(each)) for each in zip(*columns, strict=True)]
+        return Scales(*spread)
+
+    @cached_property
+    def relaxation_s(self) -> Any:
+        """Each robot's own."""
+        damping = [simulation.damping.relaxation_s() for simulation in self.ready.simulations]
+        return self.ready.spread(np.array(damping))
 
 
 class Marched(NamedTuple):
-    """What M marches ended with: outcomes (M, ROWS), seconds of a core in the kernels, iterations
-    that lanes had time for; if asked for slopes of the flights (M, 4, 4), distances of grazes (M).
-    """
+    """Of M robots: outcomes (M, ROWS), the kernels' seconds, the iterations that lanes had time
+    for, and slopes where these were asked for."""
 
     outcome: Array
     kernel_seconds: float
     lane_passes: int
-    slopes: tuple[Array, Array] | None
+    slopes: Slopes | None
 
 
 def batch_of(base: Simulation, ready: Prepared, marched: Marched) -> Batch:
     """The batch of R designs, of which M were marched."""
-    rows, chosen = len(ready.status), ready.chosen
     # Where no design has a model, any gives the kinds of numbers that are not known.
     models = ready.models or [jump_model(Simulation())]
-    model = side_by_side(models, chosen, rows)
-    outcome = np.zeros((rows, c.ROWS))
+    model = side_by_side(models, ready.chosen, len(ready.status))
+    outcome = ready.spread(marched.outcome, 0.0)
     outcome[:, c.STATUS] = ready.status
-    outcome[chosen] = marched.outcome
+    outcome[ready.chosen, c.STATUS] = marched.outcome[:, c.STATUS]
     outcome[:, c.STATUS] = checked_status(model, float(base.discretization.masses().sum()), outcome)
     sensitivities = None
     if marched.slopes is not None:
-        flights, grazes = np.zeros((rows, 4, 4)), np.full(rows, np.nan)
-        flights[chosen], grazes[chosen] = marched.slopes
-        sensitivities = apex_sensitivities(outcome, model.load.acceleration, flights, grazes)
+        slopes = Slopes(*(ready.spread(values) for values in marched.slopes))
+        sensitivities = apex_sensitivities(outcome, model.load.acceleration, slopes)
     passes = marched.lane_passes
-    return Batch(base, model, outcome, marched.kernel_seconds, passes, sensitivities)
+    return Batch(base, model, outcome, marched.kernel_seconds, passes, ready, sensitivities)

@@ -1,7 +1,8 @@
 """Robots of many designs: their models, or why there is none."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 from snapjump.batch.variants import variant
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
+from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.engine.model import Model
 from snapjump.engine.status import BAD_DESIGN, NO_THRESHOLD, RUNNING
 from snapjump.scenes.frame_body import compression
@@ -32,35 +34,58 @@ class Prepared:
     chosen: NDArray[np.int64]
     status: NDArray[np.int64]
 
+    def spread(self, values: Array, otherwise: float = np.nan) -> Array:
+        """Values (M, ...) of the designs that are simulated among those of all (R, ...)."""
+        everyone = np.full((len(self.status), *values.shape[1:]), otherwise)
+        everyone[self.chosen] = values
+        return everyone
+
+
+def beam_of(simulation: Simulation) -> Any:
+    """The dimensionless beam, which thresholds are of."""
+    return simulation.discretization.beam(simulation.robot)
+
 
 def check_curve(base: Simulation, curve: ThresholdCurve | None) -> None:
     """Require a curve of a beam like the simulation's. Raises ParameterError."""
     if curve is None:
         return
     given = curve.discretization.beam(curve.robot)
-    needed = base.discretization.beam(base.robot)
+    needed = beam_of(base)
     if given != needed:
         raise ParameterError("curve", given, f"one of this robot and mesh, {needed}")
+
+
+def covered(simulation: Simulation, curve: ThresholdCurve | None) -> bool:
+    """Whether the curve is of the simulation's beam, and reaches its pre-compression."""
+    if curve is None:
+        return False
+    own = beam_of(simulation) == curve.discretization.beam(curve.robot)
+    return own and bool(curve.covers(compression(simulation)))
 
 
 def thresholds(
     simulations: list[Simulation], curve: ThresholdCurve | None
 ) -> Iterator[Threshold | None]:
-    """The threshold of each from the curve; None where that does not reach."""
+    """The threshold of each from the curve; None where that does not reach, or is of another
+    beam."""
     if curve is None:
         yield from (None for _ in simulations)
         return
     shortenings = np.array([compression(simulation) for simulation in simulations])
-    inside = curve.covers(shortenings)
     angles, depths = curve.values(np.clip(shortenings, curve.low, curve.high))
-    for covered, angle, depth in zip(inside, angles, depths, strict=True):
-        yield Threshold(float(angle), float(depth), curve.angle_error) if covered else None
+    for simulation, angle, depth in zip(simulations, angles, depths, strict=True):
+        known = Threshold(float(angle), float(depth), curve.angle_error)
+        yield known if covered(simulation, curve) else None
 
 
 def prepare_designs(
-    base: Simulation, designs: Array, curve: ThresholdCurve | None = None
+    base: Simulation,
+    designs: Array,
+    curve: ThresholdCurve | None = None,
+    inputs: Sequence[str] = DEFAULT_INPUTS,
 ) -> Prepared:
-    """Models of designs (R, 4): delta_alpha, epsilon, mass_bar, mu.
+    """Models of designs (R, I), whose columns are values of these inputs.
 
     Thresholds are taken from the curve where it reaches, and computed elsewhere. Refused designs
     get a status. Raises ParameterError for a curve of another robot or mesh.
@@ -70,7 +95,7 @@ def prepare_designs(
     possible, places = [], []
     for k, design in enumerate(designs):
         try:
-            simulation = variant(base, design)
+            simulation = variant(base, design, inputs)
             compression(simulation)
         except ParameterError:
             status[k] = BAD_DESIGN

@@ -1,6 +1,7 @@
 """Batches of jumps: on the processor, or on a card with ``backend=cuda``."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,12 +9,14 @@ from numpy.typing import NDArray
 from snapjump.backend.base import MOST_THREADS, WIDTHS
 from snapjump.backend.lanes import LanesBackend
 from snapjump.batch.alike import check_alike
-from snapjump.batch.derivatives import model_derivatives
+from snapjump.batch.derivatives import model_derivatives, place
 from snapjump.batch.outcome import Batch, Marched, batch_of
 from snapjump.batch.prepare import Prepared, prepare_designs
 from snapjump.batch.progress import BatchProgress, Progress
+from snapjump.batch.sensitivities import Slopes
 from snapjump.checks import ParameterError, check_integer
 from snapjump.composition import Simulation
+from snapjump.declare.inputs import DEFAULT_INPUTS, check_inputs
 from snapjump.ending.flight import FlightEnding
 from snapjump.engine import clock as c
 from snapjump.engine.model import Model
@@ -35,10 +38,13 @@ def marches(
     threads: int,
     most_iterations: float,
 ) -> list[tuple[list[int], March]]:
-    """Which jumps march together: those whose frames have one mesh."""
-    groups: dict[tuple[int, ...], list[int]] = {}
+    """Which jumps march together: those whose frames have one mesh, and one step control."""
+    groups: dict[tuple[Any, ...], list[int]] = {}
     for k, (simulation, model) in enumerate(zip(simulations, models, strict=True)):
-        groups.setdefault(tuple(simulation.frame.mesh(model.frame)), []).append(k)
+        # A fixed step in seconds is another one for a robot of another scale of time.
+        stepping = simulation.stepping.control(simulation.robot.scales)
+        kind = (stepping, *simulation.frame.mesh(model.frame))
+        groups.setdefault(kind, []).append(k)
     found = []
     for members in groups.values():
         ours = [models[k] for k in members]
@@ -48,7 +54,7 @@ def marches(
             masses=base.discretization.masses(),
             states=resting_guesses([simulations[k] for k in members], ours),
             simulation=base,
-            ending=FlightEnding(base.sim.time_limit_s / base.robot.scales.time_s),
+            ending=FlightEnding(),
             lanes=lanes,
             threads=threads,
             most_iterations=most_iterations,
@@ -59,31 +65,44 @@ def marches(
 
 
 def march_all(
-    simulations: Sequence[Simulation],
-    models: Sequence[Model],
+    ready: Prepared,
     lanes: int,
     threads: int,
     most_iterations: float,
     progress: Progress | None,
     numbers: Array | None = None,
 ) -> Marched:
-    """March all; with slopes (M, P, 4) of the models' ``numbers`` those of the flights, too."""
-    outcome = np.zeros((len(models), c.ROWS))
-    slopes = None if numbers is None else (np.zeros((len(models), 4, 4)), np.zeros(len(models)))
-    told = BatchProgress(len(models), progress or (lambda share, text: None))
+    """What becomes of prepared jumps; with slopes (M, P, I) of the models' ``numbers`` also those
+    of the flights."""
+    count = len(ready.models)
+    outcome, slopes = np.zeros((count, c.ROWS)), None
+    if numbers is not None:
+        inputs = numbers.shape[2]
+        slopes = Slopes(
+            np.zeros((count, 4, inputs)), gravity_slopes(ready, numbers), np.zeros(count)
+        )
+    told = BatchProgress(count, progress or (lambda share, text: None))
     kernel_seconds, lane_passes = 0.0, 0
-    for members, march in marches(simulations, models, lanes, threads, most_iterations):
+    for members, march in marches(ready.simulations, ready.models, lanes, threads, most_iterations):
         march.find_starts(told.starts(len(members)))
         recorded = None
         if numbers is not None:
             recorded = record_sensitivities(march, numbers[members])
         outcome[members] = march.run(told.jumps(len(members)))
         if slopes is not None and recorded is not None:
-            slopes[0][members], slopes[1][members] = recorded
+            slopes.flights[members] = recorded[0][:, :, : slopes.flights.shape[2]]
+            slopes.grazes[members] = recorded[1]
         told.finish(len(members))
         kernel_seconds += march.kernel_seconds
         lane_passes += march.lanes * march.passes
     return Marched(outcome, kernel_seconds, lane_passes, slopes)
+
+
+def gravity_slopes(ready: Prepared, numbers: Array) -> Array:
+    """Of the models' gravity (M, I), among the slopes (M, P, I) of all their numbers."""
+    if not ready.models:
+        return np.zeros((0, numbers.shape[2]))
+    return numbers[:, place(ready.models[0], "load", "acceleration")]
 
 
 def simulate_batch(
@@ -95,48 +114,53 @@ def simulate_batch(
 ) -> Batch:
     """Simulate jumps, ``lanes`` at a time in each thread, each for at most so many iterations.
 
-    They differ in numbers of the model only: design, environment, gravity, rotation, and values of
-    the contact, friction and damping laws. Frames whose mesh depends on the design march with
-    those of the same mesh. Results depend neither on lanes, threads nor order. With
-    ``backend=cuda`` they run on the card, one in each of its threads.
+    They differ in numbers only: of robot, design, environment, and the contact, friction and
+    damping laws. Frames whose mesh depends on the design march with those of the same mesh.
+    Results depend neither on lanes, threads nor order. With ``backend=cuda`` they run on the card,
+    one in each of its threads.
 
     Raises ParameterError where they differ in more than that.
     """
     check_backend(simulations[0])
     check_alike(simulations)
+    count = len(simulations)
     models = [jump_model(simulation) for simulation in simulations]
-    marched = march_all(simulations, models, lanes, threads, most_iterations, progress)
-    everyone = np.arange(len(models)), np.full(len(models), RUNNING)
-    return batch_of(simulations[0], Prepared(list(simulations), models, *everyone), marched)
+    ready = Prepared(list(simulations), models, np.arange(count), np.full(count, RUNNING))
+    marched = march_all(ready, lanes, threads, most_iterations, progress)
+    return batch_of(simulations[0], ready, marched)
 
 
 def simulate_designs(
     base: Simulation,
     designs: NDArray[np.float64],
     *,
+    inputs: Sequence[str] = DEFAULT_INPUTS,
     curve: ThresholdCurve | None = None,
     progress: Progress | None = None,
     threads: int | None = None,
     lanes: int | None = None,
     sensitivities: bool = False,
 ) -> Batch:
-    """Simulate designs (R, 4) of one robot: delta_alpha (rad), epsilon, mass_bar, mu.
+    """Simulate designs (R, I), whose columns are ``inputs``, by their paths.
 
+    By default these are delta_alpha (rad), epsilon, mass_bar, mu; all else is as in ``base``.
     ``threads`` (default: one a core) with ``lanes`` jumps in each; both default to what ``base``
     says if its backend is ``lanes``, and mean nothing with ``backend=cuda``.
     A curve spares a threshold for every epsilon in its range.
-    With ``sensitivities`` the batch has derivatives of every apex; the jumps are the same.
+    With ``sensitivities`` the batch has derivatives of every apex by the inputs, of which there
+    are at most four then; the jumps are the same.
     A design that is refused is a row with the status ``bad_design`` or ``no_threshold``.
 
-    Raises ParameterError for an array of another shape, a scene that is no jump, a number of lanes
-    or threads out of range, a curve of another robot or mesh, or a module that sensitivities do
-    not know.
+    Raises ParameterError for an array of another shape, a path that is no input, a scene that is no
+    jump, a number of lanes or threads out of range, a curve of another robot or mesh, or a module
+    that sensitivities do not know.
     """
     table = np.asarray(designs, dtype=float)
-    if table.ndim != 2 or table.shape[1] != 4:
+    if table.ndim != 2 or table.shape[1] != len(inputs):
         raise ParameterError(
-            "designs", table.shape, "rows of delta_alpha, epsilon, mass_bar, mu: shape (R, 4)"
+            "designs", table.shape, f"rows of {', '.join(inputs)}: shape (R, {len(inputs)})"
         )
+    check_inputs(base, inputs)
     if base.sim.name != "jump":
         raise ParameterError("sim", base.sim.name, "jump, for batches")
     check_backend(base)
@@ -147,19 +171,13 @@ def simulate_designs(
     crew = backend.thread_count if threads is None else threads
     check_integer("threads", crew, 1, MOST_THREADS)
     if sensitivities:
-        check_differentiable(base)
-        curve = curve or ThresholdCurve.over(base.robot, base.discretization, table[:, 1])
-    ready = prepare_designs(base, table, curve)
+        check_differentiable(base, inputs)
+        if curve is None and "design.epsilon" in inputs:
+            epsilons = table[:, list(inputs).index("design.epsilon")]
+            curve = ThresholdCurve.over(base.robot, base.discretization, epsilons)
+    ready = prepare_designs(base, table, curve, inputs)
     numbers = None
-    if sensitivities and curve is not None:
-        numbers = model_derivatives(base, table[ready.chosen], curve)
-    marched = march_all(
-        ready.simulations,
-        ready.models,
-        width,
-        crew,
-        MOST_ITERATIONS,
-        progress,
-        numbers,
-    )
+    if sensitivities:
+        numbers = model_derivatives(base, table[ready.chosen], curve, inputs)
+    marched = march_all(ready, width, crew, MOST_ITERATIONS, progress, numbers)
     return batch_of(base, ready, marched)

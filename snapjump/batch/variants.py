@@ -1,29 +1,26 @@
-"""A simulation with other designs."""
+"""A simulation with other inputs."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
+from snapjump.declare.inputs import DEFAULT_INPUTS, with_inputs
 
 Row = Sequence[float] | NDArray[np.float64]
 
 
-def variant(base: Simulation, design: Row) -> Simulation:
-    """The simulation with another (delta_alpha, epsilon, mass_bar, mu).
+def variant(base: Simulation, row: Row, paths: Sequence[str] = DEFAULT_INPUTS) -> Simulation:
+    """The simulation with other values of some inputs, by default of the four.
 
     Raises ParameterError for a value out of its range.
     """
-    delta_alpha, epsilon, mass_bar, mu = (float(value) for value in design)
-    return replace(
-        base,
-        design=replace(base.design, epsilon=epsilon, delta_alpha=delta_alpha),
-        environment=replace(base.environment, mu=mu, mass_bar=mass_bar),
-    )
+    return with_inputs(base, dict(zip(paths, row, strict=True)))
 
 
-def variants(base: Simulation, designs: Iterable[Row]) -> list[Simulation]:
-    """The simulation with other (delta_alpha, epsilon, mass_bar, mu), in this order."""
-    return [variant(base, design) for design in designs]
+def variants(
+    base: Simulation, rows: Iterable[Row], paths: Sequence[str] = DEFAULT_INPUTS
+) -> list[Simulation]:
+    """The simulation with other values of some inputs, one for each row, in this order."""
+    return [variant(base, row, paths) for row in rows]

@@ -1,7 +1,7 @@
 """The columns of a dataset: names, units, meanings; as numpy arrays, as Arrow, and as a hash."""
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from snapjump.batch import Batch
 from snapjump.declare.outputs import FLAG, INTEGER, NUMBER, WORD
+from snapjump.plan.parts.axes import Axis
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -30,28 +31,43 @@ class Column(NamedTuple):
     timing: bool = False
 
 
-OUTPUTS = Batch.declared()
-INPUTS = {"delta_alpha": "rad", "epsilon": "", "mass_bar": "", "mu": ""}
-COLUMNS = (
-    Column("index", "", "number of the design in the plan", INTEGER),
-    Column("delta_alpha_rad", "rad", "lag of the right clamp"),
-    Column("epsilon", "1", "pre-compression"),
-    Column("mass_bar", "1", "m g L^2/EI of the whole robot"),
-    Column("mu", "1", "friction coefficient"),
-    *(Column(each.name, each.unit, each.meaning, each.kind, each.timing) for each in OUTPUTS),
-    *(
-        Column(f"d{apex}_d_{name}", f"L/{unit}" if unit else "L", f"derivative of {apex} by {name}")
-        for apex in ("x_bar", "y_bar")
-        for name, unit in INPUTS.items()
-    ),
+APEX = ("x_bar", "y_bar")
+INDEX = Column("index", "", "number of the design in the plan", INTEGER)
+OUTPUTS = tuple(
+    Column(each.name, each.unit, each.meaning, each.kind, each.timing) for each in Batch.declared()
+)
+TIMINGS = {column.name for column in OUTPUTS if column.timing}
+JUDGED = (
     Column("graze_distance", "1", "change of a parameter that makes or breaks a contact"),
     Column("differentiable", "", "whether that is more than 1e-5: no contact is grazed", FLAG),
 )
-NAMES = tuple(column.name for column in COLUMNS)
-TIMINGS = {column.name for column in COLUMNS if column.timing}
 
 
-def schema() -> "pa.Schema":
+def columns_of(axes: Sequence[Axis]) -> tuple[Column, ...]:
+    """The columns of a dataset of these axes."""
+    return (
+        INDEX,
+        *(Column(axis.column, axis.unit or "1", axis.meaning) for axis in axes),
+        *OUTPUTS,
+        *(
+            Column(
+                name,
+                f"L/{axis.unit}" if axis.unit else "L",
+                f"derivative of {apex} by {axis.slope}",
+            )
+            for apex in APEX
+            for axis, name in zip(axes, slope_columns(apex, axes), strict=True)
+        ),
+        *JUDGED,
+    )
+
+
+def slope_columns(apex: str, axes: Sequence[Axis]) -> list[str]:
+    """Columns of the derivatives of x_bar or y_bar."""
+    return [f"d{apex}_d_{axis.slope}" for axis in axes]
+
+
+def schema(columns: Sequence[Column]) -> "pa.Schema":
     """The Arrow schema; unit and meaning are metadata of each field."""
     import pyarrow as pa
 
@@ -63,17 +79,17 @@ def schema() -> "pa.Schema":
     }
     return pa.schema(
         pa.field(c.name, types[c.kind], metadata={"unit": c.unit, "meaning": c.meaning})
-        for c in COLUMNS
+        for c in columns
     )
 
 
-def table_of(rows: Rows) -> "pa.Table":
+def table_of(columns: Sequence[Column], rows: Rows) -> "pa.Table":
     """Rows as an Arrow table; what is missing or not finite is null."""
     import pyarrow as pa
 
     count = len(rows["index"])
     arrays = []
-    for column, field in zip(COLUMNS, schema(), strict=True):
+    for column, field in zip(columns, schema(columns), strict=True):
         values = rows.get(column.name)
         if values is None:
             arrays.append(pa.nulls(count, field.type))
@@ -83,7 +99,7 @@ def table_of(rows: Rows) -> "pa.Table":
             arrays.append(pa.array(values.tolist(), pa.string()).dictionary_encode())
         else:
             arrays.append(pa.array(values, field.type))
-    return pa.Table.from_arrays(arrays, schema=schema())
+    return pa.Table.from_arrays(arrays, schema=schema(columns))
 
 
 def content_sha256(table: "pa.Table") -> str:

@@ -9,12 +9,15 @@ A shard counts once its entry lies beside it, and an entry is written after its 
 interrupted, there is an entry only of a shard that is whole.
 """
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.sealed import read_sealed, write_sealed
 from snapjump.dataset.specification import Specification, first_difference
 from snapjump.files.lock import FileLock
+from snapjump.plan.parts.axes import recorded_axes
 
 DIGITS = 8  # of hashes in names
 SPECIFICATION, MANIFEST, SHARDS = "dataset.json", "manifest.json", "shards"
@@ -66,13 +69,15 @@ class DatasetFolder:
             raise ParameterError(
                 "dataset.path", str(self.path), f"a folder whose {SPECIFICATION} is not damaged"
             )
-        found = first_difference(specification.plain, there)
+        mine = specification.plain
+        found = first_difference(by_path(mine), by_path(there)) or first_difference(mine, there)
         if found is None:
             return
         key, ours, theirs = found
         # As it is called on the command line.
         named = {"shard_size": "dataset.shard_size", "processor": "backend"}.get(key, key)
         named = named.removeprefix("configuration.")
+        named = f"plan.{named}" if named.startswith("inputs") else named
         allowed = f"{theirs!r} to go on with {self.path}, or another dataset.path"
         raise ParameterError(named, ours, allowed)
 
@@ -96,6 +101,11 @@ class DatasetFolder:
             raise ParameterError(
                 "dataset.path", str(self.path), f"a new folder, or one with a {SPECIFICATION}"
             )
+
+
+def by_path(plain: Mapping[str, Any]) -> dict[str, Any]:
+    """A plain specification with the ranges of its inputs by their paths."""
+    return {**plain, "inputs": {axis.path: list(axis.range) for axis in recorded_axes(plain)}}
 
 
 def default_path(specification: Specification) -> Path:

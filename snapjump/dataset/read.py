@@ -13,6 +13,7 @@ from snapjump.dataset.sealed import read_sealed, sha256_of
 from snapjump.dataset.shard import read_entry
 from snapjump.declare.members import check_known
 from snapjump.files import former_names
+from snapjump.plan.parts.axes import Axis, recorded_axes
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -37,6 +38,11 @@ class Dataset:
 
         names = pq.read_schema(self.folder.shard(0)).names
         return {former_names.COLUMNS.get(name, name): name for name in names}
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """The inputs that vary, and their ranges."""
+        return recorded_axes(self.specification)
 
     def shards(self, columns: Sequence[str] | None = None) -> "Iterator[pa.Table]":
         """One shard's rows after the other, in the plan's order; memory is that of one."""

@@ -6,7 +6,7 @@ from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from snapjump.dataset.columns import Rows, content_sha256, table_of
+from snapjump.dataset.columns import Rows, columns_of, content_sha256, table_of
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.sealed import read_sealed, sha256_of, write_sealed
 from snapjump.dataset.specification import Specification
@@ -24,7 +24,8 @@ def write_shard(
     folder: DatasetFolder, specification: Specification, number: int, rows: Rows
 ) -> Entry:
     """Write the rows of a shard, then its entry; returns the entry."""
-    return write_table(folder, specification, number, table_of(rows))
+    table = table_of(columns_of(specification.axes), rows)
+    return write_table(folder, specification, number, table)
 
 
 def write_table(
@@ -37,7 +38,7 @@ def write_table(
     content = content_sha256(table)
     about = {
         "specification": specification.plain,
-        "plan_sha256": sha256_of(specification.plain["plan"]),
+        "plan_sha256": sha256_of([specification.plain[key] for key in ("plan", "inputs")]),
         "shard": number,
         "content_sha256": content,
         "written_at": now(),

@@ -5,17 +5,16 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from snapjump.checks import ParameterError, check_choice, check_group, check_integer
+from snapjump.checks import ParameterError, check_integer
 from snapjump.composition import Simulation
 from snapjump.dataset.sealed import sha256_of
-from snapjump.declare.fields import construct
-from snapjump.declare.members import member_group
+from snapjump.declare.inputs import with_inputs
+from snapjump.declare.members import make_member, member_group
 from snapjump.files.provenance import BEYOND_DATASETS, source_hash
-from snapjump.options.plan import PLANS
-from snapjump.parameters.environment import Environment
-from snapjump.plan.base import Plan
+from snapjump.plan.base import Plan, PlanOptions
+from snapjump.plan.parts.axes import Axis, recorded_axes
 from snapjump.scenes.sensitivities import check_differentiable
-from snapjump.simulation import build
+from snapjump.simulation import PLAIN, build
 
 FORMAT = 1  # of the files; another number for another hash. Columns are told by each file
 LARGEST_SHARD = 1_000_000
@@ -23,12 +22,13 @@ LARGEST_SHARD = 1_000_000
 
 @dataclass(frozen=True)
 class Specification:
-    """``plain``: all of it as JSON; ``simulation``: that of its jumps, but for the design."""
+    """``plain``: all of it as JSON; ``simulation``: that of its jumps, in the middle of the
+    ``axes``, along which the designs of the ``plan`` differ."""
 
     plain: Mapping[str, Any]
     simulation: Simulation
     plan: Plan
-    ranges: tuple[tuple[float, float], ...]
+    axes: tuple[Axis, ...]
 
     @property
     def sha256(self) -> str:
@@ -54,20 +54,6 @@ class Specification:
         return first, min(first + self.shard_size, self.plan.count)
 
 
-def plan_of(values: Any) -> Any:
-    """Checked options of a plan, from its group. Raises ParameterError."""
-    check_group("plan", values)
-    values = dict(values)
-    name = values.pop("name", None)
-    check_choice("plan", name, tuple(PLANS))
-    return construct("plan", PLANS[name], values)
-
-
-def plan_name(options: Any) -> str:
-    """The name of a plan."""
-    return next(name for name, cls in PLANS.items() if cls is type(options))
-
-
 def specify(
     config: Mapping[str, Any], shard_size: int, sensitivities: bool = False
 ) -> Specification:
@@ -80,45 +66,51 @@ def specify(
     scene = (config.get("sim") or {}).get("name", "jump")
     if scene != "jump":
         raise ParameterError("sim", scene, "jump, which is what datasets are of")
-    simulation = build({**config, "design": {}, "environment": {}})
+    configured = build(config)
+    options: PlanOptions = make_member("plan", config.get("plan"))
+    axes = options.axes(configured)
+    # What varies is no part of the configuration: a dataset is the same whatever it was there.
+    middles = {axis.path: 0.5 * (axis.low + axis.high) for axis in axes}
+    simulation = with_inputs(configured, middles)
+    plan = options.plan(tuple(axis.range for axis in axes))
     if not isinstance(sensitivities, bool):
         raise ParameterError("dataset.sensitivities", sensitivities, "true or false")
     if sensitivities:
-        check_differentiable(simulation)
-    options = plan_of(config.get("plan"))
-    check_lightest(simulation, options)
-    configuration = {p.group: member_group(p) for p in simulation.parts if p.group != "backend"}
+        check_differentiable(simulation, [axis.path for axis in axes], "plan.inputs")
+    whole = {group: asdict(getattr(simulation, group)) for group in PLAIN} | {
+        part.group: member_group(part) for part in simulation.parts if part.group != "backend"
+    }
+    configuration = {
+        group: {key: v for key, v in values.items() if f"{group}.{key}" not in middles}
+        for group, values in whole.items()
+    }
     plain = {
         "format": FORMAT,
-        "plan": {"name": plan_name(options), **asdict(options)},
+        "plan": {"name": options.name, **options.settings},
+        "inputs": [asdict(axis) for axis in axes],
         "shard_size": shard_size,
         "sensitivities": sensitivities,
         "configuration": {
             "accuracy": {"name": simulation.accuracy},
-            "robot": asdict(simulation.robot),
             **configuration,
         },
         "processor": simulation.backend.processor,
         "source_sha256": source_hash(BEYOND_DATASETS),
     }
     plain = json.loads(json.dumps(plain))  # tuples become lists, as in the files
-    return Specification(plain, simulation, options.member(), options.ranges)
+    return Specification(plain, simulation, plan, axes)
 
 
 def restored(plain: Mapping[str, Any], backend: Mapping[str, Any]) -> Specification:
     """The specification that a plain one came from, to be computed by a backend."""
-    config = {**plain["configuration"], "plan": plain["plan"], "backend": backend}
+    axes = recorded_axes(plain)
+    given = {axis.path: list(axis.range) for axis in axes}
+    plan = {**plain["plan"], "inputs": given}
+    config = {**plain["configuration"], "plan": plan, "backend": backend}
+    for axis in axes:
+        group, _, name = axis.path.partition(".")
+        config[group] = {**config[group], name: 0.5 * (axis.low + axis.high)}
     return specify(config, plain["shard_size"], plain["sensitivities"])
-
-
-def check_lightest(simulation: Simulation, options: Any) -> None:
-    """Raise ParameterError for a range that has robots lighter than their beams."""
-    try:
-        Environment(mass_bar=options.mass_bar[0]).mass_kg(simulation.robot)
-    except ParameterError as error:
-        if error.key != "environment.mass_bar":
-            raise
-        raise ParameterError("plan.mass_bar", list(options.mass_bar), error.allowed) from None
 
 
 def first_difference(ours: Any, theirs: Any, key: str = "") -> tuple[str, Any, Any] | None:

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.dataset.read import Dataset
-from snapjump.plan.base import AXES, Range
+from snapjump.plan.base import Range
+from snapjump.plan.parts.axes import Axis
 
 Array = NDArray[np.float64]
 
 OUTCOMES = ("x_bar", "y_bar")
-PAIRS = tuple(combinations(range(len(AXES)), 2))
 KNOWN = ("ok", "no_jump")  # statuses with an apex
 FEWEST_BINS, MOST_BINS = 5, 24
 LEVELS = 500  # bins of an outcome, from which its quantiles are taken
@@ -24,12 +24,15 @@ LEVELS = 500  # bins of an outcome, from which its quantiles are taken
 class Statistics:
     """Counts and sums over bins.
 
-    ``edges``: bins of each input (4, B + 1); ``levels``: of each outcome (2, LEVELS + 1);
-    ``spread`` (2, 4, B, LEVELS): rows by outcome and bin of an input; over bins of each pair of
-    inputs (6, B, B): ``rows``, ``marked`` rows (failed, or less exact than their tier promises),
-    and ``known`` rows with the ``sums`` (2, 6, B, B) of their outcomes.
+    ``axes``: the I inputs; ``pairs``: the P pairs of them, of one alone with itself; ``edges``:
+    bins of each input (I, B + 1); ``levels``: of each outcome (2, LEVELS + 1); ``spread``
+    (2, I, B, LEVELS): rows by outcome and bin of an input; over bins of each pair of inputs
+    (P, B, B): ``rows``, ``marked`` rows (failed, or less exact than their tier promises), and
+    ``known`` rows with the ``sums`` (2, P, B, B) of their outcomes.
     """
 
+    axes: tuple[Axis, ...]
+    pairs: tuple[tuple[int, int], ...]
     edges: Array
     levels: Array
     spread: Array
@@ -60,13 +63,13 @@ class Statistics:
             return np.asarray(100.0 * self.marked[pair] / self.rows[pair])
 
 
-def bin_edges(plan: dict[str, Any], rows: int) -> Array:
-    """Bins of each input (4, B + 1): one a value of a grid, if these are not too many."""
+def bin_edges(axes: Sequence[Axis], plan: dict[str, Any], rows: int) -> Array:
+    """Bins of each input (I, B + 1): one a value of a grid, if these are not too many."""
     points = plan.get("points", MOST_BINS + 1)
     if points <= MOST_BINS:
-        return np.array([_around(plan[axis], points) for axis in AXES])
+        return np.array([_around(axis.range, points) for axis in axes])
     bins = int(np.clip(np.sqrt(rows) / 3.0, FEWEST_BINS, MOST_BINS))
-    low, high = np.array([plan[axis] for axis in AXES]).T
+    low, high = np.array([axis.range for axis in axes]).T
     return np.linspace(low, high, bins + 1, axis=1)
 
 
@@ -91,19 +94,23 @@ def outcome_levels(dataset: Dataset) -> Array:
 
 def gather(dataset: Dataset) -> Statistics:
     """The statistics of all rows, in two passes."""
-    edges = bin_edges(dataset.specification["plan"], dataset.rows)
+    axes = dataset.axes
+    edges = bin_edges(axes, dataset.specification["plan"], dataset.rows)
     bins = edges.shape[1] - 1
-    pairs = (len(PAIRS), bins, bins)
+    both = tuple(combinations(range(len(axes)), 2)) or ((0, 0),)
+    pairs = (len(both), bins, bins)
     found = Statistics(
+        axes=axes,
+        pairs=both,
         edges=edges,
         levels=outcome_levels(dataset),
-        spread=np.zeros((len(OUTCOMES), len(AXES), bins, LEVELS)),
+        spread=np.zeros((len(OUTCOMES), len(axes), bins, LEVELS)),
         rows=np.zeros(pairs),
         marked=np.zeros(pairs),
         known=np.zeros(pairs),
         sums=np.zeros((len(OUTCOMES), *pairs)),
     )
-    for table in dataset.shards([*AXES, *OUTCOMES, "status", "within_tier"]):
+    for table in dataset.shards([*(a.column for a in axes), *OUTCOMES, "status", "within_tier"]):
         _add(found, table)
     return found
 
@@ -112,14 +119,14 @@ def _add(found: Statistics, table: Any) -> None:
     """Count the rows of one shard."""
     bins = found.edges.shape[1] - 1
     places = [
-        _places(table[name].to_numpy(), edges)
-        for name, edges in zip(AXES, found.edges, strict=True)
+        _places(table[axis.column].to_numpy(), edges)
+        for axis, edges in zip(found.axes, found.edges, strict=True)
     ]
     status = np.array(table["status"].to_pylist())
     known = np.isin(status, KNOWN)
     marked = ~(known & table["within_tier"].to_numpy())
     values = [table[name].to_numpy() for name in OUTCOMES]
-    for k, (i, j) in enumerate(PAIRS):
+    for k, (i, j) in enumerate(found.pairs):
         cells = places[i] * bins + places[j]
         found.rows[k] += _counted(cells, bins)
         found.marked[k] += _counted(cells[marked], bins)

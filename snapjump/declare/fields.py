@@ -26,15 +26,21 @@ from snapjump.sources.files import PLUGINS
 
 
 class Number(NamedTuple):
-    """A finite number in [low, high], or in (low, high] when ``above``."""
+    """A finite number in [low, high], or in (low, high] when ``above``, or one of some words."""
 
     low: float
     high: float
     above: bool
     unit: str
+    words: tuple[str, ...] = ()
 
     def check(self, key: str, value: Any) -> None:
         """Raises ParameterError."""
+        if self.words and isinstance(value, str):
+            if value not in self.words:
+                allowed = f"a number ({self.unit}), or one of {', '.join(self.words)}"
+                raise ParameterError(key, value, allowed)
+            return
         check_number(key, value, self.low, self.high, above=self.above, unit=self.unit)
 
 
@@ -89,12 +95,13 @@ def number(
     above: float | None = None,
     most: float = math.inf,
     unit: str = "",
+    words: tuple[str, ...] = (),
     doc: str = "",
     **about: Unpack[About],
 ) -> Any:
-    """A field that holds a number: at least, or above, so much, and at most so much."""
+    """A field that holds a number: at least, or above, so much, and at most so much; or a word."""
     low = least if above is None else above
-    allowed = Number(low, most, above is not None, unit)
+    allowed = Number(low, most, above is not None, unit, words)
     return field(default=default, metadata={"allowed": allowed, "doc": doc, "about": about})
 
 

@@ -16,7 +16,7 @@ class ApexEnding(NamedTuple):
     duration: float
     height: float
 
-    def time_limit(self) -> Any:
+    def time_limit(self, model: Any) -> Any:
         return self.duration
 
     def leniency(self, model: Any, work: Any) -> float:

@@ -9,7 +9,7 @@ class Ending(Contract):
     """When a march ends: the contract that every ending fulfils (a ``NamedTuple`` of numbers)."""
 
     @required
-    def time_limit(self) -> Any:
+    def time_limit(self, model: Any) -> Any:
         """No step goes beyond this time (T)."""
 
     @required

@@ -27,12 +27,10 @@ FLIGHT_LENIENCY = 100.0
 
 @Ending.member
 class FlightEnding(NamedTuple):
-    """The last moment (T): a robot still on the ground then, its clamps turned, has not jumped."""
+    """At its time limit a robot still on the ground, its clamps turned, has not jumped."""
 
-    duration: float
-
-    def time_limit(self) -> Any:
-        return self.duration
+    def time_limit(self, model: Any) -> Any:
+        return model.time_limit.duration
 
     def leniency(self, model: Any, work: Any) -> Any:
         # In flight towards a high apex only the centre of mass counts, and every integrator moves
@@ -46,7 +44,7 @@ class FlightEnding(NamedTuple):
 
     def judge(self, model: Any, masses: Any, work: Any, ended: Any) -> Any:
         clock = work.clock
-        over = clock[TIME] >= self.duration * (1.0 - 1e-12)
+        over = clock[TIME] >= self.time_limit(model) * (1.0 - 1e-12)
         airborne = clock[GAP] >= model.ground.clearance
         turned = model.clamp.angles(clock[TIME]).left_rate == 0.0
         status = where(over, where(turned, 1.0 * NO_JUMP, 1.0 * TIME_LIMIT), 1.0 * RUNNING)

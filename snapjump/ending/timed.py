@@ -14,7 +14,7 @@ class TimedEnding(NamedTuple):
 
     duration: float
 
-    def time_limit(self) -> Any:
+    def time_limit(self, model: Any) -> Any:
         return self.duration
 
     def leniency(self, model: Any, work: Any) -> float:

@@ -95,26 +95,33 @@ def differentiate_starts(
         moving = with_numbers(template, work.numbers)
         model = with_angles(moving, moving.clamp.start, moving.clamp.delta_alpha)
         shadowed = shadow_model(template, shadow, 0)
-        twin_model = with_angles(shadowed, shadowed.clamp.start, shadowed.clamp.delta_alpha)
+        twin_start = shadowed.clamp.start
+        lag = shadowed.clamp.delta_alpha
+        twin_model = with_angles(shadowed, twin_start, lag)
         difference = DIFFERENCE_RAD / moving.clamp.rate
+        # Faster clamps pass the same angles on both sides, only sooner.
+        passing = DIFFERENCE_RAD / shadowed.clamp.rate
+        sooner = difference * (shadowed.clamp.rate - moving.clamp.rate)
+        earlier = with_angles(shadowed, twin_start + sooner, lag)
+        later = with_angles(shadowed, twin_start - sooner, lag)
 
         guess_at(memory, queue, robot, 0.0)
         differentiate_equilibrium(model, twin_model, masses, memory, shadow, chosen, 0.0)
         for i in range(twin.state.shape[0]):
             twin.start[i] = twin.state[i]
         guess_at(memory, queue, robot, -difference)
-        differentiate_equilibrium(model, twin_model, masses, memory, shadow, chosen, -difference)
+        differentiate_equilibrium(model, earlier, masses, memory, shadow, chosen, -difference)
         for i in range(twin.state.shape[0]):
             twin.velocity[0, i] = twin.state[i]
         guess_at(memory, queue, robot, difference)
-        differentiate_equilibrium(model, twin_model, masses, memory, shadow, chosen, difference)
+        differentiate_equilibrium(model, later, masses, memory, shadow, chosen, difference)
         for i in range(twin.state.shape[0]):
             before = twin.velocity[0, i]
             after = twin.state[i]
             now = twin.start[i]
             bend = after - 2.0 * now + before
-            twin.velocity[0, i] = (after - before) / (2.0 * difference)
-            twin.acceleration[0, i] = bend / (difference * difference)
+            twin.velocity[0, i] = (after - before) / (2.0 * passing)
+            twin.acceleration[0, i] = bend / (passing * passing)
         stay_in_place(shadowed, masses, twin)
         found = view_numbers(starts[robot], FOUR)
         for i in range(twin.state.shape[0]):

@@ -306,7 +306,7 @@ def finish_step(
         smallest = minimum(clock[SMALLEST_STABLE_STEP], stable)
         clock[SMALLEST_STABLE_STEP] = where(good, smallest, clock[SMALLEST_STABLE_STEP])
         proposed = minimum(proposed, STABILITY_MARGIN * stable)
-    remaining = maximum(ending.time_limit() - clock[TIME], stepping.smallest_step() + 0.0 * h)
+    remaining = maximum(ending.time_limit(model) - clock[TIME], stepping.smallest_step() + 0.0 * h)
     clock[STEP] = where(ended, minimum(proposed, remaining), clock[STEP])
     under = bad & (clock[STEP] < stepping.smallest_step())
     return where(under, 1.0 * STEP_UNDERFLOW, status)

@@ -10,13 +10,22 @@ from numpy.typing import NDArray
 from snapjump.contact.base import Ground
 from snapjump.number.array import INDEX, View
 
+
+class TimeLimit(NamedTuple):
+    """The last moment (T) of a robot's march."""
+
+    duration: Any
+
+
 NO_GROUND = Ground(1.0, 1.0, 0.0)
+NO_LIMIT = TimeLimit(1e300)
 
 
 class Model(NamedTuple):
     """One member of each family; every number is dimensionless (EI = rho A = L = 1).
 
     ``ground``: what points have of the contact law (:class:`snapjump.contact.base.Ground`).
+    ``time_limit``: of a jump, in its own unit of time.
     """
 
     discretization: Any
@@ -27,6 +36,7 @@ class Model(NamedTuple):
     damping: Any
     load: Any
     ground: Any = NO_GROUND
+    time_limit: Any = NO_LIMIT
 
 
 def numbers_of(model: Model) -> NDArray[np.float64]:

@@ -36,6 +36,7 @@ def with_angles(model: Any, left: Any, lag: Any) -> Any:
         model.damping,
         model.load,
         model.ground,
+        model.time_limit,
     )
 
 

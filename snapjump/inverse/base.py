@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import Part, flag, required
+from snapjump.plan.parts.axes import default_axes
 
 Array = NDArray[np.float64]
 Range = tuple[float, float]
-CONTROLS = ("delta_alpha_rad", "epsilon")
+CONTROLS = tuple(axis.column for axis in default_axes() if axis.kind == "control")
 # Apexes nearer to the target than this (L) have reached it, for a forward model's solutions.
 REACHED_BAR = 1.0e-3
 # Solutions nearer to each other than this share of the ranges are one.
@@ -22,7 +23,7 @@ class ForwardModel(Protocol):
     """A learned forward model. Designs (N, 4): delta_alpha (rad), epsilon, mass_bar, mu."""
 
     @property
-    def ranges(self) -> tuple[Range, Range, Range, Range]:
+    def ranges(self) -> tuple[Range, ...]:
         """The box it was trained in; outside of it nothing may be asked."""
 
     def predict(self, designs: Array) -> Array:

@@ -1,13 +1,13 @@
 """A trained forward model in one file: its weights as safetensors, and where they come from.
 
 The file's metadata have ``format``, ``about`` (JSON: the surrogate's group, the dataset's hash and
-specification, ranges, seed, training, versions, measures) and ``sha256``, of ``about`` and of every
+specification, inputs, seed, training, versions, measures) and ``sha256``, of ``about`` and of every
 tensor. Nothing in it is executed.
 """
 
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -20,7 +20,8 @@ from snapjump.checks import ParameterError
 from snapjump.dataset.sealed import canonical
 from snapjump.declare.members import make_member
 from snapjump.files.atomic import atomic_file
-from snapjump.surrogate.base import Surrogate
+from snapjump.plan.parts.axes import Axis, default_axes
+from snapjump.surrogate.base import Inputs, Surrogate
 
 FORMAT = "snapjump forward model 1"  # another number for other metadata
 
@@ -57,7 +58,9 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
     about = json.loads(text)
     try:
         with torch.device("meta"):  # neither time nor memory for weights that are replaced
-            network: Surrogate = make_member("surrogate", about["surrogate"]).network()
+            network: Surrogate = make_member("surrogate", about["surrogate"]).network(
+                learned_inputs(axes_in(about))
+            )
         network.load_state_dict(tensors, assign=True)
     except ParameterError as error:
         raise _refused(path, f"its surrogate is not one of this version: {error}") from error
@@ -68,6 +71,21 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
         if not torch.isfinite(value).all():
             raise _refused(path, f"{name} is not finite")
     return Checkpoint(network.requires_grad_(False).eval(), about)
+
+
+def axes_in(about: Mapping[str, Any]) -> tuple[Axis, ...]:
+    """The inputs of a checkpoint, over the ranges that it was trained in; the four, where it names
+    none."""
+    if "inputs" in about:
+        return tuple(Axis(**one) for one in about["inputs"])
+    return default_axes([(low, high) for low, high in about["ranges"]])
+
+
+def learned_inputs(axes: Sequence[Axis]) -> Inputs:
+    """What a surrogate has to know of its inputs."""
+    paths = [axis.path for axis in axes]
+    mass = "environment.mass_bar"
+    return Inputs(len(paths), paths.index(mass) if mass in paths else None)
 
 
 def _contents(path: Path) -> tuple[dict[str, str], dict[str, Tensor]]:

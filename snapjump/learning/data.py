@@ -9,14 +9,11 @@ from numpy.typing import NDArray
 from pytorch_lightning import LightningDataModule
 
 from snapjump.checks import ParameterError
-from snapjump.dataset.columns import INPUTS
+from snapjump.dataset.columns import APEX, slope_columns
 from snapjump.dataset.read import Dataset
 from snapjump.learning.training import Training
-from snapjump.plan.base import AXES
 from snapjump.surrogate.base import Rows
 
-APEXES = ("x_bar", "y_bar")
-SLOPES = tuple(f"d{apex}_d_{name}" for apex in APEXES for name in INPUTS)
 SMALLEST_PART = 10  # jumps; fewer say nothing of the rest
 WHOLE = 4096  # jumps of a batch that nothing is learned from
 
@@ -112,15 +109,17 @@ class JumpData(LightningDataModule):
 def read_rows(dataset: Dataset) -> Rows:
     """All jumps that are ok, as float32; slopes are NaN where the dataset has none, or where a
     grazed contact makes them those of one side only."""
-    slopes = list(SLOPES) if dataset.specification["sensitivities"] else []
-    frame = dataset.frame([*AXES, *APEXES, *slopes, "differentiable", "status"])
+    inputs, slopes = [axis.column for axis in dataset.axes], []
+    if dataset.specification["sensitivities"]:
+        slopes = [name for apex in APEX for name in slope_columns(apex, dataset.axes)]
+    frame = dataset.frame([*inputs, *APEX, *slopes, "differentiable", "status"])
     frame = frame[frame["status"] == "ok"]
 
     def tensor(columns: list[str]) -> torch.Tensor:
         return torch.tensor(frame[columns].to_numpy(dtype=np.float32))
 
-    designs, apexes = tensor(list(AXES)), tensor(list(APEXES))
-    shape = (len(frame), len(APEXES), len(AXES))
+    designs, apexes = tensor(inputs), tensor(list(APEX))
+    shape = (len(frame), len(APEX), len(inputs))
     if slopes:
         frame.loc[frame["differentiable"] != True, slopes] = np.nan  # noqa: E712  # null is none
         return Rows(designs, apexes, tensor(slopes).reshape(shape))

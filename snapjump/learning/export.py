@@ -17,7 +17,6 @@ from snapjump.files.atomic import atomic_file
 from snapjump.learning.forward_model import ForwardModel
 from snapjump.learning.threads import torch_threads
 from snapjump.learning.timing import microseconds
-from snapjump.plan.base import AXES
 
 Array = NDArray[np.float64]
 INPUT, OUTPUT = "designs", "apexes"
@@ -53,7 +52,7 @@ def export(model: ForwardModel, path: Path, seed: int = 0) -> Exported:
     session = one_core(content)
     low, high = np.array(model.ranges).T
     random = np.random.default_rng(seed)
-    designs = (low + (high - low) * random.random((EXAMPLES, len(AXES)))).astype(np.float32)
+    designs = (low + (high - low) * random.random((EXAMPLES, len(low)))).astype(np.float32)
     given = {INPUT: designs}
     torched = torch.from_numpy(designs)
     with torch.inference_mode(), torch_threads():
@@ -80,7 +79,7 @@ def one_core(content: bytes) -> Any:
 
 
 class Guarded(torch.nn.Module):
-    """A network that answers NaN outside of the box (4, 2) it was trained in."""
+    """A network that answers NaN outside of the box (I, 2) it was trained in."""
 
     low: torch.Tensor
     high: torch.Tensor
@@ -94,7 +93,7 @@ class Guarded(torch.nn.Module):
         self.register_buffer("high", (high + slack).float())
 
     def forward(self, designs: torch.Tensor) -> torch.Tensor:
-        """Apexes (N, 2) of designs (N, 4)."""
+        """Apexes (N, 2) of designs (N, I)."""
         inside = ((designs >= self.low) & (designs <= self.high)).all(dim=1, keepdim=True)
         return torch.where(inside, self.network(designs), torch.nan)
 
@@ -121,7 +120,7 @@ def _onnx(model: ForwardModel) -> bytes:
     assert program is not None
     proto = program.model_proto
     told = {
-        "inputs": ", ".join(AXES),
+        "inputs": ", ".join(axis.column for axis in model.axes),
         "outputs": "x_bar, y_bar (L); NaN outside of the ranges",
         "ranges": json.dumps(model.ranges),
         "dataset_sha256": model.about["dataset"]["sha256"],

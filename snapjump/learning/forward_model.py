@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -14,24 +14,23 @@ from torch import Tensor
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.dataset.specification import first_difference
-from snapjump.learning.checkpoint import read_checkpoint
+from snapjump.learning.checkpoint import axes_in, read_checkpoint
 from snapjump.learning.threads import torch_threads
-from snapjump.plan.base import AXES
 from snapjump.surrogate.base import Surrogate
 
 Array = NDArray[np.float64]
 Range = tuple[float, float]
 
 # What determines the physical model; all else determines how exactly it is solved.
-MODEL = ("robot", "frame", "contact", "friction", "damping")
+MODEL = ("robot", "design", "environment", "frame", "contact", "friction", "damping")
 CHUNK = 4096  # designs at a time, so that their activations stay in the processor's cache
 ROUNDING = 1e-9  # of a range: how far beyond its end a design may lie
 DIFFERENCE = 1e-3  # of a range: step of the slopes of networks that torch cannot differentiate
 
 
 class ForwardModel:
-    """Satisfies :class:`snapjump.inverse.base.ForwardModel`. Designs (N, 4): delta_alpha (rad),
-    epsilon, mass_bar, mu; apexes in L.
+    """Satisfies :class:`snapjump.inverse.base.ForwardModel`. Designs (N, I) are columns of its
+    ``axes``, by default delta_alpha (rad), epsilon, mass_bar, mu; apexes in L.
 
     ``about``: what the checkpoint says of it. Methods raise ParameterError, naming the column, for
     designs that are outside of the training ranges or no numbers.
@@ -39,13 +38,13 @@ class ForwardModel:
 
     def __init__(self, network: Surrogate, about: dict[str, Any]):
         self.network, self.about = network, about
-        self._low, self._high = np.array(about["ranges"], dtype=float).T
+        self.axes = axes_in(about)
+        self._low, self._high = np.array(self.ranges, dtype=float).T
 
     @property
-    def ranges(self) -> tuple[Range, Range, Range, Range]:
+    def ranges(self) -> tuple[Range, ...]:
         """The box of the designs that it was trained on."""
-        low, high = self._low.tolist(), self._high.tolist()
-        return tuple(zip(low, high, strict=True))  # type: ignore[return-value]
+        return tuple(axis.range for axis in self.axes)
 
     def predict(self, designs: Array) -> Array:
         """Apexes (N, 2)."""
@@ -59,7 +58,7 @@ class ForwardModel:
             return None if found[0] is None else _joined(found)
 
     def jacobian(self, designs: Array) -> Array:
-        """Derivatives (N, 2, 4) of the apexes by the design."""
+        """Derivatives (N, 2, I) of the apexes by the design."""
         if not self.network.differentiable:
             return self._differences(self._checked(designs))
         return _joined(self._asked(self._slopes, designs))
@@ -69,13 +68,20 @@ class ForwardModel:
 
         Mesh, integrator and step control may differ: they are errors, and no other robot.
         """
-        given = {part: asdict(getattr(simulation, part)) for part in MODEL}
-        for part in MODEL[1:]:
-            given[part] = {"name": getattr(simulation, part).name, **given[part]}
-        given["sim"] = {"name": simulation.sim.name}
         configuration = self.about["dataset"]["specification"]["configuration"]
-        learned = {part: configuration[part] for part in MODEL}
-        learned["sim"] = {"name": configuration["sim"]["name"]}
+        inputs = {axis.path for axis in self.axes}
+        given: dict[str, Any] = {"sim": simulation.sim.name}
+        learned: dict[str, Any] = {"sim": configuration["sim"]["name"]}
+        for part in MODEL:
+            known = configuration.get(part, {})
+            if "name" in known:
+                given[part], learned[part] = getattr(simulation, part).name, known["name"]
+            for field in fields(getattr(simulation, part)):
+                path = f"{part}.{field.name}"
+                if path not in inputs:
+                    given[path] = getattr(getattr(simulation, part), field.name)
+                    # What the dataset had no field for was as it is by default.
+                    learned[path] = known.get(field.name, field.default)
         # Tuples become lists, as in the checkpoint.
         found = first_difference(json.loads(json.dumps(given)), learned)
         if found is not None:
@@ -101,7 +107,7 @@ class ForwardModel:
         """Central ones, one-sided at the ends of the ranges."""
         step = DIFFERENCE * (self._high - self._low)
         columns = []
-        for axis in range(len(AXES)):
+        for axis in range(len(self.axes)):
             ahead, behind = designs.copy(), designs.copy()
             ahead[:, axis] = np.minimum(designs[:, axis] + step[axis], self._high[axis])
             behind[:, axis] = np.maximum(designs[:, axis] - step[axis], self._low[axis])
@@ -112,15 +118,15 @@ class ForwardModel:
     def _checked(self, designs: Array) -> Array:
         """Designs that may be asked, as an array."""
         designs = np.asarray(designs, dtype=float)
-        if designs.ndim != 2 or designs.shape[1] != len(AXES):
-            raise ParameterError("designs", designs.shape, f"a shape (N, {len(AXES)})")
+        if designs.ndim != 2 or designs.shape[1] != len(self.axes):
+            raise ParameterError("designs", designs.shape, f"a shape (N, {len(self.axes)})")
         slack = ROUNDING * (self._high - self._low)
         inside = (designs >= self._low - slack) & (designs <= self._high + slack)
         if not inside.all():
             row, axis = np.argwhere(~inside)[0]
             low, high = self._low[axis], self._high[axis]
             allowed = f"a number in [{low:g}, {high:g}], where the forward model was trained"
-            raise ParameterError(AXES[axis], float(designs[row, axis]), allowed)
+            raise ParameterError(self.axes[axis].column, float(designs[row, axis]), allowed)
         return designs
 
 

@@ -18,13 +18,17 @@ from snapjump.dataset.sealed import read_sealed, sha256_of, write_sealed
 from snapjump.declare.members import member_group
 from snapjump.files.lock import FileLock
 from snapjump.files.provenance import origin
-from snapjump.learning.checkpoint import Checkpoint, read_checkpoint, write_checkpoint
+from snapjump.learning.checkpoint import (
+    Checkpoint,
+    learned_inputs,
+    read_checkpoint,
+    write_checkpoint,
+)
 from snapjump.learning.data import RULE, JumpData
 from snapjump.learning.fit import STATE, Fitted, descend
 from snapjump.learning.keeper import Progress
 from snapjump.learning.measures import measures
 from snapjump.learning.threads import torch_threads
-from snapjump.plan.base import AXES
 from snapjump.sources.files import combined_hash, package_files, plugin_files
 from snapjump.surrogate.base import Surrogate, SurrogateOptions
 
@@ -113,7 +117,7 @@ def _fitted(
     """The network with all that it learns."""
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(data.seed)
-        network: Surrogate = options.network()
+        network: Surrogate = options.network(learned_inputs(data.dataset.axes))
     started = time.perf_counter()
     network.fit(data.train)
     fitted = Fitted([], time.perf_counter() - started)
@@ -133,7 +137,7 @@ def _about(data: JumpData, network: Surrogate, fitted: Fitted) -> dict[str, Any]
             "rows": dataset.rows,
             "specification": dataset.specification,
         },
-        "ranges": [dataset.specification["plan"][axis] for axis in AXES],
+        "inputs": [asdict(axis) for axis in dataset.axes],
         "split": RULE,
         "rows_train": len(data.train.designs),
         "rows_validation": len(data.validation.designs),

@@ -10,8 +10,13 @@ class Environment(Part):
 
     group = "environment"
 
-    mu: float = number(0.3, least=0.0)
-    mass_bar: float = number(0.768, above=0.0)
+    mu: float = number(
+        0.3, least=0.0, doc="friction coefficient", symbol="μ", plan=(0.1, 0.6), kind="environment"
+    )
+    mass_bar: float = number(
+        0.768, above=0.0, doc="m g L^2/EI of the whole robot", symbol="m̄", plan=(0.3, 2.0),
+        kind="environment",
+    )  # fmt: skip
 
     def mass_kg(self, robot: Robot) -> float:
         """The robot's whole mass.

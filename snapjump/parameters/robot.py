@@ -5,14 +5,16 @@ processor.
 """
 
 import math
+from functools import partial
 from typing import Literal
 
-from snapjump.checks import ParameterError, check_number
+from snapjump.checks import ParameterError
 from snapjump.declare.fields import Part, number
 from snapjump.units import Scales
 
 # Of every number that has to be positive: their products and powers remain numbers.
 SMALLEST, LARGEST = 1e-15, 1e20
+positive = partial(number, least=SMALLEST, most=LARGEST)
 
 
 class Robot(Part):
@@ -25,16 +27,39 @@ class Robot(Part):
 
     group = "robot"
 
-    length_m: float = number(0.02, least=SMALLEST, most=LARGEST, unit="m")
-    width_m: float = number(0.01, least=SMALLEST, most=LARGEST, unit="m")
-    thickness_m: float = number(5e-5, least=SMALLEST, most=LARGEST, unit="m")
-    youngs_modulus_Pa: float = number(2e11, least=SMALLEST, most=LARGEST, unit="Pa")  # noqa: N815 (the unit is a capital)
-    density_kg_m3: float = number(5000.0, least=SMALLEST, most=LARGEST, unit="kg/m^3")
-    frame_height_m: float = number(0.01, least=SMALLEST, most=LARGEST, unit="m")
-    gravity_m_s2: float = number(10.0, least=0.0, most=LARGEST, unit="m/s^2")
-    rotation_rate_rad_s: float = number(20.0, least=SMALLEST, most=LARGEST, unit="rad/s")
-    rotation_end_rad: float = number(1.5, least=0.0, most=math.pi / 2, unit="rad")
-    mount_height: float | Literal["optimal", "fitted"] = "optimal"
+    length_m: float = positive(
+        0.02, unit="m", doc="length of the beam", symbol="L", plan=(0.015, 0.03)
+    )
+    width_m: float = positive(
+        0.01, unit="m", doc="width of the beam", symbol="w", plan=(0.005, 0.02)
+    )
+    thickness_m: float = positive(
+        5e-5, unit="m", doc="thickness of the beam", symbol="b", plan=(3.5e-5, 7.5e-5)
+    )
+    youngs_modulus_Pa: float = positive(  # noqa: N815 (the unit is a capital)
+        2e11, unit="Pa", doc="Young's modulus", symbol="E", plan=(1e11, 3e11)
+    )
+    density_kg_m3: float = positive(
+        5000.0, unit="kg/m^3", doc="density of the beam", symbol="ρ", plan=(2000.0, 8000.0)
+    )
+    frame_height_m: float = positive(
+        0.01, unit="m", doc="height of the frame", symbol="l₂", plan=(0.005, 0.02)
+    )
+    gravity_m_s2: float = number(
+        10.0, least=0.0, most=LARGEST, unit="m/s^2", doc="gravity", symbol="g", plan=(1.6, 10.0),
+        kind="environment",
+    )  # fmt: skip
+    rotation_rate_rad_s: float = positive(
+        20.0, unit="rad/s", doc="rate of the clamps", symbol="Ω", plan=(5.0, 40.0), kind="control"
+    )
+    rotation_end_rad: float = number(
+        1.5, least=0.0, most=math.pi / 2, unit="rad", doc="angle at which the clamps stop",
+        symbol="α₁", plan=(1.3, 1.55), kind="control",
+    )  # fmt: skip
+    mount_height: float | Literal["optimal", "fitted"] = number(
+        "optimal", above=0.0, unit="m", words=("optimal", "fitted"), symbol="h",
+        plan=(1.5e-3, 4e-3), doc="height of the clamps above the feet",
+    )  # fmt: skip
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -44,18 +69,12 @@ class Robot(Part):
                 self.thickness_m,
                 f"a slender beam: at most a tenth of robot.length_m = {self.length_m:g} m",
             )
-        if isinstance(self.mount_height, str):
-            if self.mount_height not in ("optimal", "fitted"):
-                allowed = "'optimal', 'fitted' or a number of metres"
-                raise ParameterError("robot.mount_height", self.mount_height, allowed)
-        else:
-            check_number(
+        if not isinstance(self.mount_height, str) and self.mount_height > self.frame_height_m:
+            raise ParameterError(
                 "robot.mount_height",
                 self.mount_height,
-                0.0,
-                self.frame_height_m,
-                above=True,
-                unit="m (up to robot.frame_height_m), or 'optimal' or 'fitted'",
+                f"a number in (0, {self.frame_height_m:g}] m (up to robot.frame_height_m), or "
+                "'optimal' or 'fitted'",
             )
 
     @property

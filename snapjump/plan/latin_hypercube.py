@@ -4,7 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from snapjump.plan.base import AXES, Array, Range, check_stretch, stretched
+from snapjump.plan.base import Array, RandomPlanOptions, check_stretch, stretched
+from snapjump.plan.parts.axes import Range
 from snapjump.plan.parts.shuffle import keyed, shuffled
 
 FIRST_JITTER = 1000  # streams of random bits beyond those that shuffle
@@ -22,10 +23,18 @@ class LatinHypercubePlan:
     def designs(self, first: int, last: int) -> Array:
         check_stretch(first, last, self.count)
         numbers = np.arange(first, last, dtype=np.uint64)
-        unit = np.empty((last - first, len(AXES)))
-        for axis in range(len(AXES)):
+        unit = np.empty((last - first, len(self.ranges)))
+        for axis in range(len(self.ranges)):
             interval = shuffled(numbers, self.count, self.seed, axis)
             bits = keyed(self.seed, FIRST_JITTER + axis, numbers)
             within = (bits >> np.uint64(64 - MANTISSA_BITS)) * 2.0**-MANTISSA_BITS
             unit[:, axis] = (interval + within) / self.count
         return stretched(unit, self.ranges)
+
+
+class LatinHypercube(RandomPlanOptions):
+    """Random points, one in each of as many equal intervals of every input."""
+
+    def plan(self, ranges: tuple[Range, ...]) -> LatinHypercubePlan:
+        """The plan over these ranges."""
+        return LatinHypercubePlan(ranges, self.count, self.seed)

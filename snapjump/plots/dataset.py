@@ -2,79 +2,108 @@
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from snapjump.plan.parts.axes import labels_of
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
 
 if TYPE_CHECKING:
     from snapjump.dataset.statistics import Statistics
 
-# In the order of the plan's axes.
-LABELS = (
-    r"mismatch $\delta_\alpha$ (rad)",
-    r"pre-compression $\epsilon$",
-    r"mass $\bar m = m g L^2/EI$",
-    r"friction coefficient $\mu$",
-)
-SHORT = (r"$\delta_\alpha$ (rad)", r"$\epsilon$", r"$\bar m$", r"$\mu$")
 OUTCOMES = ("apex distance $x / L$", "apex height $y / L$")
 COLOURS = (palette.BEAM, palette.FORCE)
 SHARES = (0.05, 0.25, 0.5, 0.75, 0.95)
+Place = tuple[float, float, float, float]  # left, bottom, width, height: shares of a page
+WIDTH = 14.0  # inches of all pages
+MAPS_IN_A_ROW, MAP_ROW = 6, 2.835  # how many have room, and the inches of a row
 MEANS, MARKED = "viridis", "Oranges"  # maps of colours
 EMPTY = palette.PALE  # a bin without a jump
 
 
 def draw_dataset(statistics: "Statistics", title: str, path: Path) -> None:
     """Outcomes against each input, their distribution, and their means over pairs of inputs."""
-    with picture(path, (14.0, 12.6), title) as figure:
-        _heading(
-            figure, 0.947, "Against each input: median, middle half and 5 to 95 % of the jumps"
-        )
+    rows = rows_of_maps(statistics)
+    page = Page(12.6, 2 * (rows - 1) * MAP_ROW)
+    with picture(path, (WIDTH, page.height), title) as figure:
+        heading = "Against each input: median, middle half and 5 to 95 % of the jumps"
+        _heading(figure, page.up(0.947), heading)
+        stride = 0.78 / len(statistics.axes)
         for row, outcome in enumerate((1, 0)):
             bottom = 0.76 - 0.2 * row
-            for axis in range(4):
-                place = (0.055 + 0.195 * axis, bottom, 0.16, 0.16)
-                axes = figure.add_axes(place)
+            for axis, label in enumerate(labels_of(statistics.axes)):
+                place = (0.055 + stride * axis, bottom, stride - 0.035, 0.16)
+                axes = figure.add_axes(page.place(*place))
                 _spread(axes, statistics, outcome, axis)
                 axes.tick_params(labelleft=axis == 0, labelbottom=row == 1)
                 if axis == 0:
                     axes.set_ylabel(OUTCOMES[outcome])
                 if row == 1:
-                    axes.set_xlabel(LABELS[axis])
-            axes = figure.add_axes((0.835, bottom, 0.145, 0.16))
+                    axes.set_xlabel(label)
+            axes = figure.add_axes(page.place(0.835, bottom, 0.145, 0.16))
             _distribution(axes, statistics, outcome)
             axes.tick_params(labelleft=False, labelbottom=row == 1)
             if row == 1:
                 axes.set_xlabel("share of jumps (% per L)")
-        _heading(figure, 0.468, "Over each pair of inputs: mean of the jumps")
+        _heading(figure, page.up(0.468), "Over each pair of inputs: mean of the jumps")
         for row, outcome in enumerate((1, 0)):
-            _maps(
-                figure,
-                statistics,
-                [statistics.means(outcome, pair) for pair in range(6)],
-                0.275 - 0.225 * row,
-                (OUTCOMES[outcome], MEANS),
-            )
+            maps = [statistics.means(outcome, pair) for pair in range(len(statistics.pairs))]
+            places = page.maps(len(maps), 0.275 - 0.225 * row * rows, 0.165)
+            _maps(figure, statistics, maps, places, (OUTCOMES[outcome], MEANS))
 
 
 def draw_status(
     statistics: "Statistics", statuses: Mapping[str, int], title: str, path: Path
 ) -> None:
     """How many jumps ended how, and where those are that failed or are less exact than promised."""
-    with picture(path, (14.0, 6.4), title) as figure:
-        _heading(figure, 0.88, "Jumps by status")
-        _bars(figure.add_axes((0.16, 0.61, 0.8, 0.24)), statistics, statuses)
+    page = Page(6.4, (rows_of_maps(statistics) - 1) * MAP_ROW)
+    with picture(path, (WIDTH, page.height), title) as figure:
+        _heading(figure, page.up(0.88), "Jumps by status")
+        _bars(figure.add_axes(page.place(0.16, 0.61, 0.8, 0.24)), statistics, statuses)
         _heading(
             figure,
-            0.51,
+            page.up(0.51),
             "Over each pair of inputs: jumps that failed or estimate a larger error than their "
             "accuracy tier promises",
         )
-        maps = [statistics.marked_percent(pair) for pair in range(6)]
-        _maps(figure, statistics, maps, 0.11, ("share of jumps (%)", MARKED), 0.0, 0.34)
+        maps = [statistics.marked_percent(pair) for pair in range(len(statistics.pairs))]
+        places = page.maps(len(maps), 0.11, 0.34)
+        _maps(figure, statistics, maps, places, ("share of jumps (%)", MARKED), 0.0)
+
+
+def rows_of_maps(statistics: "Statistics") -> int:
+    """Rows that the maps of all pairs take."""
+    return -(-len(statistics.pairs) // MAPS_IN_A_ROW)
+
+
+class Page(NamedTuple):
+    """A page laid out in shares of ``usual`` inches of height, and ``more`` below that."""
+
+    usual: float
+    more: float
+
+    @property
+    def height(self) -> float:
+        return self.usual + self.more
+
+    def up(self, share: float) -> float:
+        """A height of the usual page on this one."""
+        return 1.0 - (1.0 - share) * self.usual / self.height
+
+    def place(self, left: float, bottom: float, width: float, height: float) -> Place:
+        """A place of the usual page on this one."""
+        return left, self.up(bottom), width, height * self.usual / self.height
+
+    def maps(self, count: int, bottom: float, height: float) -> list[Place]:
+        """Places of so many maps, the first row at the usual one, and of their bar of colours."""
+        found = []
+        for k in range(count):
+            row, column = divmod(k, MAPS_IN_A_ROW)
+            down = row * MAP_ROW / self.usual
+            found.append(self.place(0.055 + 0.147 * column, bottom - down, 0.105, height))
+        return [*found, self.place(0.94, bottom, 0.012, height)]
 
 
 def _bars(axes: Any, statistics: "Statistics", statuses: Mapping[str, int]) -> None:
@@ -154,28 +183,25 @@ def _maps(
     figure: Any,
     statistics: "Statistics",
     maps: list[Any],
-    bottom: float,
+    places: list[Place],
     scale: tuple[str, str],
     low: float | None = None,
-    height: float = 0.165,
 ) -> None:
-    """Six pairs of inputs in a row, on one scale of colours: its label and its name."""
-    from snapjump.dataset.statistics import PAIRS
-
+    """Pairs of inputs, on one scale of colours: its label and its name."""
     values = np.concatenate([np.ravel(one) for one in maps])
     values = values[np.isfinite(values)]
     least = (float(values.min()) if len(values) else 0.0) if low is None else low
     most = float(values.max()) if len(values) else 1.0
     most = most if most > least else least + 1.0
     mesh = None
-    for place, ((i, j), means) in enumerate(zip(PAIRS, maps, strict=True)):
-        axes = figure.add_axes((0.055 + 0.147 * place, bottom, 0.105, height))
+    for place, (i, j), means in zip(places[:-1], statistics.pairs, maps, strict=True):
+        axes = figure.add_axes(place)
         axes.set_facecolor(EMPTY)
         mesh = axes.pcolormesh(
             statistics.edges[i], statistics.edges[j], means.T, cmap=scale[1], vmin=least, vmax=most
         )
-        axes.set_xlabel(SHORT[i], labelpad=1)
-        axes.set_ylabel(SHORT[j], labelpad=1)
+        axes.set_xlabel(statistics.axes[i].short, labelpad=1)
+        axes.set_ylabel(statistics.axes[j].short, labelpad=1)
         axes.locator_params(nbins=3)
-    bar = figure.add_axes((0.94, bottom, 0.012, height))
+    bar = figure.add_axes(places[-1])
     figure.colorbar(mesh, cax=bar).set_label(scale[0])

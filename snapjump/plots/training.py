@@ -14,12 +14,6 @@ Array = NDArray[np.float64]
 
 NAMES = ("x", "y")
 COLOURS = (palette.BEAM, palette.FORCE)
-INPUTS = (
-    r"clamp mismatch $\delta_\alpha$ (rad)",
-    r"pre-compression $\epsilon$",
-    r"mass $\bar m = m g L^2/EI$",
-    r"friction coefficient $\mu$",
-)
 BINS = 15  # of each input
 SHOWN = 4000  # points of a parity plot
 TAIL = 0.995  # share of the errors that the histogram shows
@@ -27,14 +21,17 @@ TAIL = 0.995  # share of the errors that the histogram shows
 
 def draw_training(
     curves: Sequence[Mapping[str, float]],
+    labels: Sequence[str],
     designs: Array,
     apexes: Array,
     errors: Array,
     title: str,
     path: Path,
 ) -> None:
-    """Curves by epoch (none for what has no epochs); of the test set, ``designs`` (N, 4), simulated
-    ``apexes`` (N, 2) and ``errors`` (N, 2) of the prediction, in L."""
+    """Curves by epoch (none for what has no epochs); of the test set, ``designs`` (N, I), whose
+    columns have ``labels``, simulated ``apexes`` (N, 2) and ``errors`` (N, 2) of the prediction, in
+    L."""
+    stride = 0.96 / len(labels)
     with picture(path, (14.0, 8.4), title) as figure:
         _descent(figure.add_axes((0.055, 0.52, 0.225, 0.36)), curves)
         for i in (0, 1):
@@ -45,8 +42,8 @@ def draw_training(
         places = []
         heading = "Where the error sits: its mean over each value, or range of values, of an input"
         figure.text(0.013, 0.425, heading, fontsize=11.5, color=palette.QUIET, va="center")
-        for axis, label in enumerate(INPUTS):
-            axes = figure.add_axes((0.055 + 0.24 * axis, 0.075, 0.2, 0.315))
+        for axis, label in enumerate(labels):
+            axes = figure.add_axes((0.055 + stride * axis, 0.075, stride - 0.04, 0.315))
             most = max(most, _by_input(axes, designs[:, axis], np.abs(errors)))
             axes.set_xlabel(label)
             places.append(axes)

@@ -122,7 +122,8 @@ def marked(recorder: Any, work: Any, mask: Any) -> int:
 
 @kernel
 def graze(falling: Any, point: Any, gap: Any, rise: Any, reach: Any, nearest: Any) -> Any:
-    """How near the lowest place of a point was to touching: in parameters, by the gap's slopes.
+    """How near the lowest place of a point was to touching: in parameters, by the slopes of its
+    distance from there.
 
     The least of that and ``nearest``.
     """
@@ -130,11 +131,12 @@ def graze(falling: Any, point: Any, gap: Any, rise: Any, reach: Any, nearest: An
         falling[point] = 1.0
     elif falling[point] > 0.0:
         falling[point] = 0.0
-        slopes = slopes_of(gap)
+        distance = gap - reach
+        slopes = slopes_of(distance)
         steepest = 1e-300
         for k in range(PARAMETERS):
             steepest = max(steepest, abs(slope_at(slopes, k)))
-        nearest = min(nearest, abs(value_of(gap) - reach) / steepest)
+        nearest = min(nearest, abs(value_of(distance)) / steepest)
     return nearest
 
 
@@ -146,7 +148,7 @@ def look_for_grazes(
     mesh = memory.mesh
     work = view_shadow(shadow, lane, mesh)
     model = with_numbers(template, work.numbers)
-    reach = value_of(model.contact.reach() + constant(0.0))
+    reach = model.contact.reach() + constant(0.0)
     corners = model.frame.contact_points(mesh)
     falling = uncounted(recorder.falling[lane])
     nearest = recorder.nearest[lane]

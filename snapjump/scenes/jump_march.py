@@ -36,7 +36,7 @@ def jump_march(
         masses=simulation.discretization.masses(),
         states=state[None, :],
         simulation=simulation,
-        ending=FlightEnding(simulation.sim.time_limit_s / simulation.robot.scales.time_s),
+        ending=FlightEnding(),
         recorder=recorder(len(state)),
         lanes=lanes,
         mesh=simulation.frame.mesh(model.frame),

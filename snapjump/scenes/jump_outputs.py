@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,10 +33,16 @@ class JumpOutputs(GroundOutputs):
         return flight(begun, model.load.acceleration, self.outcome)
 
     @cached_property
+    def relaxation_s(self) -> Any:
+        """Relaxation time of the material damping (s)."""
+        return self.simulation.damping.relaxation_s()
+
+    @cached_property
     def estimate(self) -> ErrorEstimate:
         """Estimated errors; NaN, and not within the tier, where there is no apex."""
         steps = np.where(np.isin(self.status, ENDED), self.outcome[:, c.ERROR_SUM], np.nan)
-        return error_estimate(self.simulation, steps, 1.0 / self.model.frame.mass)
+        masses = 1.0 / self.model.frame.mass
+        return error_estimate(self.simulation, steps, masses, self.relaxation_s)
 
     @cached_property
     def apexes(self) -> Array:
@@ -56,22 +63,22 @@ class JumpOutputs(GroundOutputs):
     @output("s", of=FLOWN, show="apex: {} after the clamps begin to turn")
     def apex_time_s(self) -> Array:
         """Time of the apex, since the clamps began to turn."""
-        return self.flight.apex_time * self.simulation.robot.scales.time_s
+        return self.flight.apex_time * self.scales.time_s
 
     @output("m/s", of=FLOWN, show="lift-off: v_x {}")
     def liftoff_vx_m_s(self) -> Array:
         """Velocity of the centre of mass at the last contact, along the ground."""
-        return self.flight.liftoff_vx * self.simulation.robot.scales.velocity_m_s
+        return self.flight.liftoff_vx * self.scales.velocity_m_s
 
     @output("m/s", of=FLOWN, show="lift-off: v_y {}")
     def liftoff_vy_m_s(self) -> Array:
         """Velocity of the centre of mass at the last contact, upwards."""
-        return self.flight.liftoff_vy * self.simulation.robot.scales.velocity_m_s
+        return self.flight.liftoff_vy * self.scales.velocity_m_s
 
     @output("s", of=FLOWN, show="lift-off: {} after the clamps begin to turn")
     def liftoff_time_s(self) -> Array:
         """Time of the last contact, since the clamps began to turn."""
-        return self.flight.liftoff_time * self.simulation.robot.scales.time_s
+        return self.flight.liftoff_time * self.scales.time_s
 
     @output("L", of=FLOWN, show="")
     def liftoff_x_bar(self) -> Array:

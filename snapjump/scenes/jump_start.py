@@ -5,7 +5,7 @@ from typing import Any
 from snapjump.checks import ParameterError
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
-from snapjump.engine.model import Model
+from snapjump.engine.model import Model, TimeLimit
 from snapjump.load.gravity import Gravity
 from snapjump.scenes.frame_body import compression, frame_model
 from snapjump.statics.arch import StaticArch
@@ -78,8 +78,11 @@ def check_mount_height(simulation: Simulation, start: float) -> None:
 
 
 def jump_model(simulation: Simulation, threshold: Threshold | None = None) -> Model:
-    """The dimensionless robot; its threshold is computed where it is not given."""
-    robot, scales = simulation.robot, simulation.robot.scales
+    """The dimensionless robot; its threshold is computed where it is not given.
+
+    Raises ParameterError for a robot that cannot begin a jump.
+    """
+    robot = simulation.robot
     start = start_angle_rad(simulation, threshold)
     check_mount_height(simulation, start)
     if start >= robot.rotation_end_rad:
@@ -88,9 +91,15 @@ def jump_model(simulation: Simulation, threshold: Threshold | None = None) -> Mo
             robot.rotation_end_rad,
             f"above {start:.4g} rad, where the motion starts (sim.start_fraction)",
         )
+    return composed_model(simulation, start, mount_height_bar(simulation, threshold))
+
+
+def composed_model(simulation: Simulation, start: float, mount_height: float) -> Model:
+    """The dimensionless robot that starts at an angle (rad), its clamps at a height (in L)."""
+    robot, scales = simulation.robot, simulation.robot.scales
     return Model(
         discretization=simulation.discretization.beam(robot),
-        frame=frame_model(simulation, mount_height_bar(simulation, threshold)),
+        frame=frame_model(simulation, mount_height),
         clamp=ConstantRate(
             start=start,
             end=robot.rotation_end_rad,
@@ -102,4 +111,5 @@ def jump_model(simulation: Simulation, threshold: Threshold | None = None) -> Mo
         damping=simulation.damping.law(scales),
         load=Gravity(robot.gravity_m_s2 / scales.acceleration_m_s2),
         ground=simulation.contact.ground(scales, simulation.discretization.elements),
+        time_limit=TimeLimit(simulation.sim.time_limit_s / scales.time_s),
     )

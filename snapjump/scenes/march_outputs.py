@@ -15,6 +15,7 @@ from snapjump.engine import clock as c
 from snapjump.engine.model import Model
 from snapjump.engine.status import NAMES, OK, REASONS
 from snapjump.results import Result
+from snapjump.units import Scales
 
 Array = NDArray[np.float64]
 
@@ -80,6 +81,11 @@ class MarchOutputs(Outputs):
     march_seconds: float
 
     @cached_property
+    def scales(self) -> Scales:
+        """The units of its numbers."""
+        return self.simulation.robot.scales
+
+    @cached_property
     def codes(self) -> NDArray[np.int64]:
         """Statuses by number (R,)."""
         return self.outcome[:, c.STATUS].astype(np.int64)
@@ -90,7 +96,7 @@ class MarchOutputs(Outputs):
         status = int(self.codes[0])
         if status == OK:
             return ""
-        time_ms = 1e3 * self.outcome[0, c.TIME] * self.simulation.robot.scales.time_s
+        time_ms = 1e3 * self.outcome[0, c.TIME] * self.scales.time_s
         return f"{REASONS[status]} ({time_ms:.4g} ms after the start)"
 
     def statuses(self) -> list[str]:
@@ -127,7 +133,7 @@ class GroundOutputs(MarchOutputs):
         """Smallest distance from the ground at the end of any step."""
         gap = self.outcome[:, c.SMALLEST_GAP]
         known = np.isfinite(gap) & (self.outcome[:, c.STEPS] > 0.0)
-        return np.where(known, gap * self.simulation.robot.scales.length_m, np.nan)
+        return np.where(known, gap * self.scales.length_m, np.nan)
 
 
 @dataclass(frozen=True)

@@ -103,7 +103,8 @@ class March:
         """Share of the robots that have left the queue and their lanes; of one, its time's."""
         robots = len(self.models)
         if robots == 1:
-            return float(min(self.memory.clock[TIME, 0] / self.ending.duration, 1.0))
+            limit = self.ending.time_limit(self.models[0])
+            return float(min(self.memory.clock[TIME, 0] / limit, 1.0))
         under_way = sum(max(0, int(worker.queue.counts[0])) for worker in self.crew)
         return (min(int(self.queue.cursor[1]), robots) - under_way) / robots
 

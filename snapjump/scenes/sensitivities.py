@@ -1,5 +1,6 @@
-"""Marches with derivatives of their flights by delta_alpha, epsilon, mass_bar and mu."""
+"""Marches with derivatives of their flights by inputs, at most four at a time."""
 
+from collections.abc import Sequence
 from itertools import count
 
 import numpy as np
@@ -7,6 +8,7 @@ from numpy.typing import NDArray
 
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
+from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.declare.members import members_with
 from snapjump.engine.clock import ROWS
 from snapjump.engine.differentiate_start import differentiate_starts
@@ -28,8 +30,12 @@ SMALLEST_STICK_ZONE_M_S = 5.0e-3
 ROBOTS_PER_SLICE = 16
 
 
-def check_differentiable(simulation: Simulation) -> None:
+def check_differentiable(
+    simulation: Simulation, inputs: Sequence[str] = DEFAULT_INPUTS, key: str = "inputs"
+) -> None:
     """Require modules that sensitivities know. Raises ParameterError naming the first other."""
+    if len(inputs) > PARAMETERS:
+        raise ParameterError(key, list(inputs), f"at most {PARAMETERS} inputs with sensitivities")
     for part in simulation.parts:
         if not part.differentiable:
             able = " or ".join(members_with(part.group, "differentiable"))
@@ -93,13 +99,13 @@ def record_sensitivities(
 ) -> tuple[Array, Array]:
     """Let a march whose starts are found record derivatives; to be called before it runs.
 
-    numbers (R, P, 4): slopes of the models' numbers. Returns what the march will fill: the slopes
-    (R, 4, 4) of x, y, vx, vy of the centre of mass at the end (L, L/T), and (R) the change of
-    parameters that would make or break a contact.
+    numbers (R, P, I): slopes of the models' numbers by at most four inputs. Returns what the march
+    will fill: the slopes (R, 4, 4) of x, y, vx, vy of the centre of mass at the end
+    (L, L/T), and (R) the change of parameters that would make or break a contact.
     """
     robots, rows = march.numbers.shape
     given = aligned_zeros((robots, rows, PARAMETERS))
-    given[...] = numbers
+    given[:, :, : numbers.shape[2]] = numbers
     starts = differentiated_starts(march, given)
     flights = aligned_zeros((robots, 4, PARAMETERS))
     grazes = np.full(robots, FAR)

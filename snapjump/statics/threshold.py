@@ -24,15 +24,25 @@ class Threshold:
     alpha_error_rad: float
 
 
-@lru_cache(maxsize=65536)
 def symmetric_threshold(
     robot: Robot, discretization: DiscretizationOptions, epsilon: float
 ) -> Threshold:
-    """Threshold of the arch whose clamps turn alike; computed once for each argument.
+    """Threshold of the arch whose clamps turn alike; computed once for each beam.
 
     Its depth is the optimal mount height, its angle the scale that a jump's start is a share of.
     Raises ArithmeticError where no equilibrium is found, or where rounding spoils the angle.
     """
+    # Frame, weight and clamps' rate are not of the beam.
+    slender = Robot(length_m=robot.length_m, thickness_m=robot.thickness_m)
+    alike = discretization.member(slender) == discretization.member(robot)
+    return computed_threshold(slender if alike else robot, discretization, epsilon)
+
+
+@lru_cache(maxsize=65536)
+def computed_threshold(
+    robot: Robot, discretization: DiscretizationOptions, epsilon: float
+) -> Threshold:
+    """The threshold of this robot's beam. Raises ArithmeticError."""
     arch = StaticArch(robot, discretization, epsilon)
     # Shallow arches snap at 2 sqrt(epsilon); the next term is a fit of the elastica's values.
     estimate = math.sqrt(epsilon) * (2.0 + 0.193 * epsilon)

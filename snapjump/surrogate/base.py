@@ -1,8 +1,8 @@
 """The contract of a surrogate: the apex of a jump from its design and environment, learned.
 
 A member's module has its options, with a method ``network()``, and the :class:`Surrogate` which
-that returns. Everything a surrogate has learned is in its parameters
-and buffers, so that safetensors hold all of it. Designs are columns delta_alpha (rad), epsilon,
+that returns. Everything a surrogate has learned is in its parameters and buffers, so that
+safetensors hold all of it. Designs are columns of inputs, by default delta_alpha (rad), epsilon,
 mass_bar, mu; apexes are x_bar, y_bar in L.
 """
 
@@ -14,11 +14,21 @@ from torch import Tensor, nn
 
 from snapjump.declare.fields import Part, required
 
-INPUTS, OUTPUTS = 4, 2
+OUTPUTS = 2
+
+
+class Inputs(NamedTuple):
+    """How many columns designs have, and which is mass_bar (None: it does not vary)."""
+
+    columns: int = 4
+    mass: int | None = 2
+
+
+FOUR = Inputs()
 
 
 class Rows(NamedTuple):
-    """Jumps to learn from: designs (N, 4), apexes (N, 2), and their derivatives (N, 2, 4) by the
+    """Jumps to learn from: designs (N, I), apexes (N, 2), and their derivatives (N, 2, I) by the
     design, NaN where there are none."""
 
     designs: Tensor
@@ -32,7 +42,7 @@ class SurrogateOptions(Part):
     group = "surrogate"
 
     @required
-    def network(self) -> "Surrogate":
+    def network(self, inputs: Inputs = FOUR) -> "Surrogate":
         """A new surrogate, which has learned nothing yet; torch's generator seeds it."""
         raise NotImplementedError
 
@@ -65,7 +75,7 @@ class Standardisation(nn.Module):
 
 
 class Surrogate(nn.Module, ABC):
-    """A forward model (N, 4) -> (N, 2), with its standardisation inside.
+    """A forward model (N, I) -> (N, 2), with its standardisation inside.
 
     ``by_descent``: whether it is trained by gradient descent; otherwise ``fit`` does all of it.
     ``needs_slopes``: whether it learns from derivatives as well, and needs a dataset that has them.
@@ -76,14 +86,14 @@ class Surrogate(nn.Module, ABC):
     needs_slopes: ClassVar[bool] = False
     differentiable: ClassVar[bool] = True
 
-    def __init__(self) -> None:
+    def __init__(self, inputs: Inputs = FOUR) -> None:
         super().__init__()
-        self.inputs = Standardisation(INPUTS)
+        self.inputs = Standardisation(inputs.columns)
         self.outputs = Standardisation(OUTPUTS)
 
     @abstractmethod
     def forward(self, designs: Tensor) -> Tensor:
-        """Apexes (N, 2) in L of designs (N, 4)."""
+        """Apexes (N, 2) in L of designs (N, I)."""
 
     def fit(self, rows: Rows) -> None:
         """Take the standardisation, or everything, from the jumps of the training set."""
@@ -108,25 +118,27 @@ class MassScaled(Surrogate):
 
     A robot that stores the energy E jumps to about E/(m g): what is left to learn hardly depends
     on the mass. ``spread``: standard deviations of the apexes, which the loss is measured in.
+    Where mass_bar does not vary, it learns the apex as it is.
     """
 
     spread: Tensor
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, inputs: Inputs = FOUR) -> None:
+        super().__init__(inputs)
+        self.mass = inputs.mass
         self.register_buffer("spread", torch.ones(OUTPUTS))
 
     def scaled(self, designs: Tensor) -> Tensor:
-        """Standardised delta_alpha, epsilon, log(mass_bar) and mu (N, 4)."""
-        return self.inputs(_with_log_mass(designs))
+        """Standardised inputs (N, I), with log(mass_bar)."""
+        return self.inputs(self._with_log_mass(designs))
 
     def apexes(self, learned: Tensor, designs: Tensor) -> Tensor:
         """Apexes (..., N, 2) in L from their standardised products with mass_bar."""
-        return self.outputs.inverse(learned) / designs[:, 2:3]
+        return self.outputs.inverse(learned) / self.masses(designs)
 
     def fit(self, rows: Rows) -> None:
-        self.inputs.fit(_with_log_mass(rows.designs))
-        self.outputs.fit(rows.apexes * rows.designs[:, 2:3])
+        self.inputs.fit(self._with_log_mass(rows.designs))
+        self.outputs.fit(rows.apexes * self.masses(rows.designs))
         apexes = Standardisation(OUTPUTS)
         apexes.fit(rows.apexes)
         self.spread.copy_(apexes.deviation)
@@ -134,6 +146,14 @@ class MassScaled(Surrogate):
     def loss(self, rows: Rows) -> Tensor:
         return ((self(rows.designs) - rows.apexes) / self.spread).abs().mean()
 
+    def masses(self, designs: Tensor) -> Tensor:
+        """mass_bar (N, 1), or 1 where it does not vary."""
+        if self.mass is None:
+            return torch.ones_like(designs[:, :1])
+        return designs[:, self.mass : self.mass + 1]
 
-def _with_log_mass(designs: Tensor) -> Tensor:
-    return torch.cat([designs[:, :2], designs[:, 2:3].log(), designs[:, 3:]], dim=1)
+    def _with_log_mass(self, designs: Tensor) -> Tensor:
+        if self.mass is None:
+            return designs
+        before, after = designs[:, : self.mass], designs[:, self.mass + 1 :]
+        return torch.cat([before, self.masses(designs).log(), after], dim=1)

@@ -6,7 +6,14 @@ import torch
 from torch import Tensor, nn
 
 from snapjump.declare.fields import integer
-from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, Rows, SurrogateOptions
+from snapjump.surrogate.base import (
+    FOUR,
+    OUTPUTS,
+    Inputs,
+    MassScaled,
+    Rows,
+    SurrogateOptions,
+)
 
 CONFIDENCE = 0.9
 
@@ -18,9 +25,9 @@ class EnsembleOptions(SurrogateOptions):
     width: int = integer(64, least=1, most=4096)
     blocks: int = integer(4, least=1, most=64)
 
-    def network(self) -> "Ensemble":
+    def network(self, inputs: Inputs = FOUR) -> "Ensemble":
         """A new ensemble."""
-        return Ensemble(self.members, self.width, self.blocks)
+        return Ensemble(self.members, self.width, self.blocks, inputs)
 
 
 class Layers(nn.Module):
@@ -59,11 +66,11 @@ class Ensemble(MassScaled):
     scale: Tensor
     least: Tensor
 
-    def __init__(self, members: int, width: int, blocks: int):
-        super().__init__()
+    def __init__(self, members: int, width: int, blocks: int, inputs: Inputs = FOUR):
+        super().__init__(inputs)
         self.members = members
         self.body = nn.Sequential(
-            Layers(members, INPUTS, width),
+            Layers(members, inputs.columns, width),
             *[Block(members, width) for _ in range(blocks)],
             nn.SiLU(),
             Layers(members, width, OUTPUTS),

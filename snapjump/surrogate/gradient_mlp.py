@@ -4,7 +4,14 @@ import torch
 from torch import Tensor, nn
 
 from snapjump.declare.fields import integer, number
-from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, Rows, SurrogateOptions
+from snapjump.surrogate.base import (
+    FOUR,
+    OUTPUTS,
+    Inputs,
+    MassScaled,
+    Rows,
+    SurrogateOptions,
+)
 
 
 class GradientMlpOptions(SurrogateOptions):
@@ -14,9 +21,9 @@ class GradientMlpOptions(SurrogateOptions):
     layers: int = integer(4, least=1, most=64)
     slope_weight: float = number(0.1, least=0.0, most=1e6)
 
-    def network(self) -> "GradientMlp":
+    def network(self, inputs: Inputs = FOUR) -> "GradientMlp":
         """A new network."""
-        return GradientMlp(self.width, self.layers, self.slope_weight)
+        return GradientMlp(self.width, self.layers, self.slope_weight, inputs)
 
 
 class GradientMlp(MassScaled):
@@ -29,10 +36,10 @@ class GradientMlp(MassScaled):
 
     needs_slopes = True
 
-    def __init__(self, width: int, layers: int, slope_weight: float):
-        super().__init__()
+    def __init__(self, width: int, layers: int, slope_weight: float, inputs: Inputs = FOUR):
+        super().__init__(inputs)
         self.slope_weight = slope_weight
-        sizes = [INPUTS, *[width] * layers]
+        sizes = [inputs.columns, *[width] * layers]
         parts: list[nn.Module] = []
         for here, there in zip(sizes[:-1], sizes[1:], strict=True):
             parts += [nn.Linear(here, there), nn.SiLU()]
@@ -55,6 +62,7 @@ class GradientMlp(MassScaled):
         known = torch.isfinite(rows.slopes)
         # What a standard deviation of a scaled input is in the design's own unit; d log(m) = dm/m.
         strides = self.inputs.deviation.repeat(len(designs), 1)
-        strides[:, 2] *= rows.designs[:, 2]
+        if self.mass is not None:
+            strides[:, self.mass] *= rows.designs[:, self.mass]
         error = (slopes - rows.slopes) * strides[:, None] / self.spread[:, None]
         return values + self.slope_weight * error[known].abs().sum() / known.sum().clamp(min=1)

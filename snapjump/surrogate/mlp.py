@@ -3,7 +3,7 @@
 from torch import Tensor, nn
 
 from snapjump.declare.fields import integer
-from snapjump.surrogate.base import INPUTS, OUTPUTS, Surrogate, SurrogateOptions
+from snapjump.surrogate.base import FOUR, OUTPUTS, Inputs, Surrogate, SurrogateOptions
 
 
 class MlpOptions(SurrogateOptions):
@@ -12,17 +12,17 @@ class MlpOptions(SurrogateOptions):
     width: int = integer(372, least=1, most=4096)
     layers: int = integer(3, least=1, most=64)
 
-    def network(self) -> "Mlp":
+    def network(self, inputs: Inputs = FOUR) -> "Mlp":
         """A new network."""
-        return Mlp(self.width, self.layers)
+        return Mlp(self.width, self.layers, inputs)
 
 
 class Mlp(Surrogate):
     """Source: the paper, section on the forward model (3 hidden layers of 372)."""
 
-    def __init__(self, width: int, layers: int):
-        super().__init__()
-        sizes = [INPUTS, *[width] * layers]
+    def __init__(self, width: int, layers: int, inputs: Inputs = FOUR):
+        super().__init__(inputs)
+        sizes = [inputs.columns, *[width] * layers]
         parts: list[nn.Module] = []
         for here, there in zip(sizes[:-1], sizes[1:], strict=True):
             parts += [nn.Linear(here, there), nn.ReLU()]

@@ -10,7 +10,14 @@ from torch import Tensor
 
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import choice, integer, number
-from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, Rows, SurrogateOptions
+from snapjump.surrogate.base import (
+    FOUR,
+    OUTPUTS,
+    Inputs,
+    MassScaled,
+    Rows,
+    SurrogateOptions,
+)
 
 KERNELS = ("linear", "thin_plate_spline", "cubic")
 
@@ -23,23 +30,23 @@ class RbfOptions(SurrogateOptions):
     kernel: str = choice("cubic", KERNELS)
     smoothing: float = number(0.0, least=0.0, most=1e6)
 
-    def network(self) -> "Rbf":
+    def network(self, inputs: Inputs = FOUR) -> "Rbf":
         """A new interpolation, through nothing yet."""
-        return Rbf(self)
+        return Rbf(self, inputs)
 
 
 class Rbf(MassScaled):
-    """All training jumps are its buffers: ``points`` (N, 4) and ``values`` (N, 2), standardised."""
+    """All training jumps are its buffers: ``points`` (N, I) and ``values`` (N, 2), standardised."""
 
     by_descent = False
     differentiable = False
     points: Tensor
     values: Tensor
 
-    def __init__(self, options: RbfOptions):
-        super().__init__()
+    def __init__(self, options: RbfOptions, inputs: Inputs = FOUR):
+        super().__init__(inputs)
         self.options = options
-        self.register_buffer("points", torch.empty(0, INPUTS))
+        self.register_buffer("points", torch.empty(0, inputs.columns))
         self.register_buffer("values", torch.empty(0, OUTPUTS))
         self.register_load_state_dict_pre_hook(_make_room)
 
@@ -68,7 +75,7 @@ class Rbf(MassScaled):
     def fit(self, rows: Rows) -> None:
         super().fit(rows)
         self.points = self.scaled(rows.designs)
-        self.values = self.outputs(rows.apexes * rows.designs[:, 2:3])
+        self.values = self.outputs(rows.apexes * self.masses(rows.designs))
 
 
 def _make_room(network: Rbf, state: dict[str, Any], prefix: str, *others: Any) -> None:

@@ -3,7 +3,7 @@
 from torch import Tensor, nn
 
 from snapjump.declare.fields import integer
-from snapjump.surrogate.base import INPUTS, OUTPUTS, MassScaled, SurrogateOptions
+from snapjump.surrogate.base import FOUR, OUTPUTS, Inputs, MassScaled, SurrogateOptions
 
 
 class ResnetOptions(SurrogateOptions):
@@ -12,9 +12,9 @@ class ResnetOptions(SurrogateOptions):
     width: int = integer(128, least=1, most=4096)
     blocks: int = integer(4, least=1, most=64)
 
-    def network(self) -> "Resnet":
+    def network(self, inputs: Inputs = FOUR) -> "Resnet":
         """A new network."""
-        return Resnet(self.width, self.blocks)
+        return Resnet(self.width, self.blocks, inputs)
 
 
 class Block(nn.Module):
@@ -33,10 +33,10 @@ class Block(nn.Module):
 class Resnet(MassScaled):
     """Smooth, so that its slopes can be trusted as its values can."""
 
-    def __init__(self, width: int, blocks: int):
-        super().__init__()
+    def __init__(self, width: int, blocks: int, inputs: Inputs = FOUR):
+        super().__init__(inputs)
         self.body = nn.Sequential(
-            nn.Linear(INPUTS, width),
+            nn.Linear(inputs.columns, width),
             *[Block(width) for _ in range(blocks)],
             nn.SiLU(),
             nn.Linear(width, OUTPUTS),

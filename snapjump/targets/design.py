@@ -9,10 +9,14 @@ from snapjump.checks import check_choice
 from snapjump.composition import Simulation, with_tier
 from snapjump.inverse.base import Array, ForwardModel, InverseOptions, Problem
 from snapjump.inverse.physics import PhysicsOptions
-from snapjump.learning.forward_model import open_forward_model
 from snapjump.parameters.environment import Environment
 from snapjump.targets.answer import Answer, answer
-from snapjump.targets.request import checked_target, checkpoint_path, usable_forward
+from snapjump.targets.request import (
+    checked_target,
+    checkpoint_path,
+    trained_forward,
+    usable_forward,
+)
 from snapjump.targets.simulator import JumpSimulator
 from snapjump.tiers import TIERS
 
@@ -60,7 +64,7 @@ def design_for(
     place = checked_target(target)
     base = with_tier(accuracy, environment=environment or Environment())
     way = method or PhysicsOptions()
-    trained = open_forward_model(checkpoint_path(checkpoint))
+    trained = trained_forward(checkpoint_path(checkpoint))
     forward, warning = usable_forward(base, trained, way)
     if warning:
         warnings.warn(warning, stacklevel=2)

@@ -7,11 +7,10 @@ from typing import Any
 import numpy as np
 
 from snapjump.inverse.base import Array, Problem, Solution
+from snapjump.plan.parts.axes import default_axes
 from snapjump.results import Result
 from snapjump.targets.answer import Answer
 from snapjump.targets.robust import Comparison, Scatter
-
-PARAMETERS = ("delta_alpha", "epsilon", "mass_bar", "mu")
 
 
 @dataclass(frozen=True)
@@ -77,8 +76,8 @@ class Designed:
             "forward_model_accuracy": dataset["specification"]["configuration"]["accuracy"]["name"],
             **({"warning": self.warning} if self.warning else {}),
         }
-        for name, cost in zip(PARAMETERS, self.costs_bar.tolist(), strict=True):
-            known = np.isfinite(cost)
+        for axis, cost in zip(default_axes(), self.costs_bar.tolist(), strict=True):
+            known, name = np.isfinite(cost), axis.slope
             found[f"one_percent_{name}_bar"] = cost if known else None
             found[f"one_percent_{name}_m"] = cost * length_m if known else None
         if self.robust is not None:

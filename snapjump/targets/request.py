@@ -9,6 +9,7 @@ import numpy as np
 from snapjump import learning
 from snapjump.checks import ParameterError, is_finite_number
 from snapjump.composition import Simulation
+from snapjump.declare.inputs import DEFAULT_INPUTS, value_at
 from snapjump.inverse.base import Array, InverseOptions
 
 if TYPE_CHECKING:
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
 
 SHIPPED = Path(learning.__file__).parent / "trained" / "standard.safetensors"
 FARTHEST_BAR = 1.0e6
-ENVIRONMENT = ("mass_bar", "mu")
 
 
 def checked_target(value: Any) -> Array:
@@ -41,17 +41,34 @@ def checkpoint_path(value: Any) -> Path:
     return Path(value) if value else SHIPPED
 
 
+def trained_forward(path: Path) -> "ForwardModel":
+    """The forward model of a checkpoint. Raises ParameterError for one that has other inputs than
+    the two controls and the two of the environment."""
+    from snapjump.learning.forward_model import open_forward_model
+
+    model = open_forward_model(path)
+    paths = tuple(axis.path for axis in model.axes)
+    if paths != DEFAULT_INPUTS:
+        allowed = (
+            f"one of {', '.join(DEFAULT_INPUTS)} for inverse design, not of {', '.join(paths)}"
+        )
+        raise ParameterError("checkpoint", str(path), allowed)
+    return model
+
+
 def outside(base: Simulation, forward: "ForwardModel") -> ParameterError | None:
     """The first parameter of physical model or environment that it was not trained with."""
     try:
         forward.check_model(base)
     except ParameterError as error:
         return error
-    for name, (low, high) in zip(ENVIRONMENT, forward.ranges[2:], strict=True):
-        value = getattr(base.environment, name)
+    for axis in forward.axes:
+        if axis.kind != "environment":
+            continue
+        value, (low, high) = value_at(base, axis.path), axis.range
         if not low <= value <= high:
             allowed = f"a number in [{low:g}, {high:g}], where the forward model was trained"
-            return ParameterError(f"environment.{name}", value, allowed)
+            return ParameterError(axis.path, value, allowed)
     return None
 
 

@@ -8,13 +8,14 @@ from numpy.typing import NDArray
 from snapjump.batch import simulate_designs
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
+from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.scenes.sensitivities import SMALLEST_STICK_ZONE_M_S, check_differentiable
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 Array = NDArray[np.float64]
 LANES = 8  # even for one jump, which takes a third longer so: every width is compiled anew
 RESOLVED_STICK_ZONE_M_S = 0.01
-EPSILON = 1
+EPSILON = DEFAULT_INPUTS.index("design.epsilon")
 # Of thresholds that a curve goes through; fewer serve where the compressions hardly differ.
 NODES, FEW_NODES, NARROW = 20, 4, 0.01
 

@@ -42,7 +42,6 @@ class InverseDesign:
         """Check every value, the forward model, and that it is one of this physical model."""
         from snapjump.declare.fields import construct
         from snapjump.declare.members import make_member
-        from snapjump.learning.forward_model import open_forward_model
         from snapjump.simulation import build
         from snapjump.targets import request
         from snapjump.targets.robust import Tolerance
@@ -61,7 +60,7 @@ class InverseDesign:
         self._base.sim.check_start(self._base)
         if self._method.needs_slopes:
             differentiable(self._base)
-        self._trained = open_forward_model(path)
+        self._trained = request.trained_forward(path)
         self._forward, self._warning = request.usable_forward(
             self._base, self._trained, self._method
         )

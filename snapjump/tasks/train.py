@@ -118,6 +118,7 @@ class Train:
 
     def _draw(self, folder: ResultFolder, learned: "Learned") -> None:
         from snapjump.learning.measures import errors
+        from snapjump.plan.parts.axes import labels_of
         from snapjump.plots.training import draw_training
 
         test = self._data.test
@@ -126,10 +127,13 @@ class Train:
             f"{self._config['surrogate']['name']}: MAE {learned.about['measures']['mae_bar']:.4f} L"
             f" on {len(off):,} jumps it has not seen, dataset {self._data.dataset.sha256[:8]}"
         )
+        labels = labels_of(self._data.dataset.axes)
         designs, apexes = (part.double().numpy() for part in (test.designs, test.apexes))
 
         def draw(path: Path) -> None:
-            draw_training(learned.curves, designs, apexes, off, title, path / "training.png")
+            draw_training(
+                learned.curves, labels, designs, apexes, off, title, path / "training.png"
+            )
 
         folder.write_figures(draw)
 

@@ -3,15 +3,10 @@
 from collections.abc import Mapping
 from typing import Any
 
+from snapjump.plan.parts.axes import default_axes
 from snapjump.terminal.block import number
 from snapjump.terminal.scene_report import accuracy_line
 
-PARAMETERS = {
-    "delta_alpha": "delta_alpha",
-    "epsilon": "epsilon",
-    "mass_bar": "m_bar",
-    "mu": "mu",
-}
 MOST_LISTED = 5
 NAMES = ("robust", "plain")
 
@@ -67,9 +62,9 @@ def controls(summary: Mapping[str, Any], prefix: str) -> str:
 def costs(summary: Mapping[str, Any], length_mm: float) -> str:
     """What errors of one percent cost."""
     told = [
-        f"{label} {length(summary[f'one_percent_{name}_bar'], length_mm)}"
-        for name, label in PARAMETERS.items()
-        if summary[f"one_percent_{name}_bar"] is not None
+        f"{axis.slope} {length(summary[f'one_percent_{axis.slope}_bar'], length_mm)}"
+        for axis in default_axes()
+        if summary[f"one_percent_{axis.slope}_bar"] is not None
     ]
     return ", ".join(told)
 

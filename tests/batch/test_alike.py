@@ -1,15 +1,17 @@
-"""Robots of other programs, meshes or clocks are refused; numbers may differ, none is dropped."""
+"""Robots of other programs or meshes are refused; numbers may differ, none is dropped."""
 
 from dataclasses import fields, replace
 
+import numpy as np
 import pytest
 
 from snapjump.batch import simulate_batch, variants
 from snapjump.batch.alike import check_alike
 from snapjump.checks import ParameterError
-from snapjump.composition import with_tier
+from snapjump.composition import Simulation, with_tier
 from snapjump.declare.members import member_class
 from snapjump.parameters.environment import Environment
+from snapjump.stepping.fixed import FixedStep
 
 BASE = with_tier("draft")
 OTHERS = {
@@ -20,7 +22,6 @@ OTHERS = {
     "discretization": member_class("discretization", "der")(elements=58),
     "stepping": member_class("stepping", "adaptive")(tolerance=2e-6),
     "sim": replace(BASE.sim, time_limit_s=0.2),
-    "robot": replace(BASE.robot, thickness_m=6e-5),
 }
 
 
@@ -34,6 +35,26 @@ def test_other_numbers_march_together() -> None:
     contact = replace(BASE.contact, stiffness_N_m=2e4)
     robot = replace(BASE.robot, mount_height=2e-3, gravity_m_s2=9.8)
     check_alike([BASE, replace(BASE, contact=contact), replace(BASE, robot=robot)])
+
+
+@pytest.mark.parametrize("stepping", ["adaptive", "fixed"])
+def test_robots_of_other_scales_march_together(stepping: str, base: Simulation) -> None:
+    """Each as if it were alone, to the last bit, up to its own time limit."""
+    if stepping == "fixed":
+        base = replace(base, stepping=FixedStep(step_s=4e-5))
+    base = replace(base, sim=replace(base.sim, time_limit_s=0.012))
+    paths = ("robot.thickness_m", "damping.relaxation_time_s", "robot.length_m")
+    rows = ((5e-5, 1e-5, 0.02), (3.5e-5, 1e-7, 0.02), (7.5e-5, 1e-5, 0.03), (6e-5, 0.0, 0.01))
+    simulations = variants(base, rows, paths)
+    together = simulate_batch(simulations)
+    alone = [simulate_batch([one]) for one in simulations]
+    assert {"ok", "time_limit"} <= set(together.status)
+    for name, values in vars(together).items():
+        if isinstance(values, np.ndarray) and name != "kernel_seconds_each":
+            expected = np.concatenate([getattr(one, name) for one in alone])
+            np.testing.assert_array_equal(values, expected, err_msg=name)
+    expected = np.concatenate([one.estimate.x_percent for one in alone])
+    np.testing.assert_array_equal(together.estimate.x_percent, expected)
 
 
 def test_a_variant_keeps_what_it_does_not_change() -> None:

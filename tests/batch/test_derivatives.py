@@ -8,6 +8,7 @@ import pytest
 from snapjump.batch import model_derivatives, variant
 from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
+from snapjump.declare.inputs import with_inputs
 from snapjump.engine.model import numbers_of
 from snapjump.parameters.robot import Robot
 from snapjump.scenes.jump_start import jump_model
@@ -40,6 +41,39 @@ def richardson(base, design):
         first, second = (4.0 * middle - coarse) / 3.0, (4.0 * fine - middle) / 3.0
         columns.append((16.0 * second - first) / 15.0)
     return np.array(columns).T
+
+
+@pytest.mark.parametrize(
+    ("path", "value"),
+    [
+        ("robot.length_m", 0.022),
+        ("robot.thickness_m", 6e-5),
+        ("robot.youngs_modulus_Pa", 1.8e11),
+        ("robot.density_kg_m3", 4000.0),
+        ("robot.width_m", 0.012),
+        ("robot.frame_height_m", 0.012),
+        ("robot.gravity_m_s2", 9.0),
+        ("robot.rotation_rate_rad_s", 30.0),
+        ("robot.rotation_end_rad", 1.4),
+        ("robot.mount_height", 2e-3),
+        ("contact.stiffness_N_m", 2e4),
+        ("contact.distance_m", 4e-4),
+        ("contact.damping_s", 1e-6),
+        ("friction.velocity_threshold_m_s", 2e-4),
+        ("damping.relaxation_time_s", 2e-5),
+    ],
+)
+def test_any_input_against_direct_differences(path, value, curve):
+    """Of every number, to 1e-6 of it: the largest that any change of the input by itself makes."""
+    found = model_derivatives(BASE, np.array([[value]]), curve, (path,))[0, :, 0]
+
+    def numbers(factor):
+        return numbers_of(jump_model(with_inputs(BASE, {path: value * factor})))
+
+    coarse, fine = ((numbers(1.0 + h) - numbers(1.0 - h)) / (2.0 * h * value) for h in (8e-3, 4e-3))
+    scale = np.maximum(np.abs(numbers(1.0)), 1e-3) / value
+    np.testing.assert_allclose(found / scale, (4.0 * fine - coarse) / 3.0 / scale, atol=1e-6)
+    assert np.abs(found / scale).max() > 0.01
 
 
 @pytest.mark.parametrize("design", DESIGNS)
@@ -80,8 +114,19 @@ def test_the_kink_where_the_clamps_change_places(curve):
     assert lags == pytest.approx(1.0, rel=1e-9)
 
 
+def test_beyond_the_curve_and_of_another_beam_thresholds_are_computed(curve):
+    beyond = (0.1, 0.32, 0.768, 0.3)
+    numbers = numbers_of(jump_model(variant(BASE, beyond)))
+    scale = np.maximum(np.abs(numbers), 1.0)[:, None]
+    found = model_derivatives(BASE, np.array([beyond]), curve)[0]
+    np.testing.assert_allclose(found / scale, richardson(BASE, beyond) / scale, atol=1e-6)
+    # Thin as the robot of the curve is not: what its thresholds do with the compression is alike.
+    inputs = ("design.epsilon", "robot.thickness_m")
+    near, far = model_derivatives(BASE, np.array([(0.2, 5e-5), (0.2, 4e-5)]), curve, inputs)
+    start = len(jump_model(BASE).discretization) + len(jump_model(BASE).frame)
+    assert near[start, 0] == pytest.approx(far[start, 0], rel=1e-3)
+
+
 def test_refusals(curve):
-    with pytest.raises(ParameterError, match="design.epsilon = 0.32"):
-        model_derivatives(BASE, np.array([(0.1, 0.32, 0.768, 0.3)]), curve)
     with pytest.raises(ParameterError, match="curve = "):
         model_derivatives(replace(BASE, robot=Robot(length_m=0.03)), np.array(DESIGNS[:1]), curve)

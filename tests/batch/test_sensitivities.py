@@ -7,10 +7,13 @@ import pytest
 from robots import small_simulation
 
 from snapjump.batch import simulate_designs
-from snapjump.batch.sensitivities import NEAREST
+from snapjump.batch.sensitivities import NEAREST, Slopes, apex_sensitivities
 from snapjump.checks import ParameterError
 from snapjump.declare.members import member_class
+from snapjump.engine import clock as c
+from snapjump.engine.status import OK
 from snapjump.friction.implicit import ImplicitFriction
+from snapjump.scenes.flight import flight
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 FINE = small_simulation(0.2, 0.1, 0.3, 0.768)
@@ -63,6 +66,39 @@ def test_what_has_no_apex_has_none(batch):
     assert np.isnan(found.dx_bar[6]).all() and np.isnan(found.graze_distance[6])
     assert not found.differentiable[6]
     np.testing.assert_array_equal(found.differentiable[:6], found.graze_distance[:6] > NEAREST)
+
+
+def test_nothing_that_can_be_built(curve):
+    found = simulate_designs(BASE, DESIGNS[6:], curve=curve, sensitivities=True)
+    assert found.status == ["bad_design"] and np.isnan(found.sensitivities.dx_bar).all()
+
+
+def test_gravity_moves_the_ballistic_flight_too():
+    """Of an apex that is read off as flights are, with made-up slopes of all that it depends on."""
+    slopes = np.array([0.3, -0.2, 1.5, 0.7, 0.9])  # of x, y, vx, vy and gravity
+
+    def at(way):
+        outcome = np.zeros((1, c.ROWS))
+        outcome[0, c.STATUS] = OK
+        values = np.array([0.1, 0.6, 2.0, 5.0, 3.0]) + way * slopes
+        outcome[0, [c.COM_X, c.COM_Y, c.COM_VX, c.COM_VY]] = values[:4]
+        return outcome, values[4:]
+
+    outcome, fall = at(0.0)
+    ahead, behind = (flight(0.0, there[1], there[0]) for there in (at(1e-6), at(-1e-6)))
+    given = Slopes(slopes[None, :4, None], slopes[None, 4:], np.ones(1))
+    found = apex_sensitivities(outcome, fall, given)
+    assert found.dx_bar[0, 0] == pytest.approx((ahead.apex_x - behind.apex_x)[0] / 2e-6, rel=1e-8)
+    assert found.dy_bar[0, 0] == pytest.approx((ahead.apex_y - behind.apex_y)[0] / 2e-6, rel=1e-8)
+
+
+def test_inputs_that_are_none_of_the_four():
+    """Without a curve, of one robot and all others alike."""
+    inputs = ("robot.gravity_m_s2", "robot.rotation_rate_rad_s")
+    found = simulate_designs(BASE, np.array([[10.0, 20.0]]), inputs=inputs, sensitivities=True)
+    assert found.status == ["ok"] and found.sensitivities.dy_bar.shape == (1, 2)
+    alone = simulate_designs(BASE, np.array([[20.0]]), inputs=inputs[1:], sensitivities=True)
+    assert alone.sensitivities.dx_bar[0, 0] == found.sensitivities.dx_bar[0, 1]
 
 
 def test_more_compression_is_more_energy(batch):

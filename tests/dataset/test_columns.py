@@ -6,9 +6,11 @@ import pytest
 from small_datasets import made_up_rows, small
 
 from snapjump.batch import Batch
-from snapjump.dataset.columns import COLUMNS, NAMES, content_sha256, schema, table_of
+from snapjump.dataset.columns import columns_of, content_sha256, schema, table_of
 
 SPECIFICATION = small()
+COLUMNS = columns_of(SPECIFICATION.axes)
+NAMES = [column.name for column in COLUMNS]
 
 
 def rows():
@@ -16,10 +18,10 @@ def rows():
 
 
 def test_every_column_has_its_unit_and_meaning_in_the_schema():
-    for field in schema():
+    for field in schema(COLUMNS):
         assert field.metadata[b"meaning"]
         assert b"unit" in field.metadata
-    units = {field.name: field.metadata[b"unit"].decode() for field in schema()}
+    units = {field.name: field.metadata[b"unit"].decode() for field in schema(COLUMNS)}
     for name in NAMES:
         suffix = {"_s": "s", "_m_s": "m/s", "_rad": "rad", "_percent": "%"}
         expected = [unit for end, unit in suffix.items() if name.endswith(end)]
@@ -38,8 +40,8 @@ def test_what_is_not_finite_or_left_out_is_null():
     given = rows()
     given["x_bar"] = np.array([np.nan, np.inf, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0])
     del given["differentiable"], given["dx_bar_d_mu"]
-    table = table_of(given)
-    assert table.schema.equals(schema())
+    table = table_of(COLUMNS, given)
+    assert table.schema.equals(schema(COLUMNS))
     assert table["x_bar"].null_count == 2
     assert table["differentiable"].null_count == table["dx_bar_d_mu"].null_count == 8
     assert pa.types.is_dictionary(table["status"].type)
@@ -48,19 +50,19 @@ def test_what_is_not_finite_or_left_out_is_null():
 @pytest.mark.parametrize("column", COLUMNS, ids=lambda column: column.name)
 def test_the_hash_tells_any_change_but_that_of_a_time(column):
     given = rows()
-    before = content_sha256(table_of(given))
+    before = content_sha256(table_of(COLUMNS, given))
     values = given[column.name].copy()
     values[2] = {"word": "no_jump", "flag": not values[2]}.get(column.kind, 12345)
-    after = content_sha256(table_of(given | {column.name: values}))
+    after = content_sha256(table_of(COLUMNS, given | {column.name: values}))
     assert (after == before) is column.timing
     if column.kind != "word":
-        without = content_sha256(table_of({k: v for k, v in given.items() if k != column.name})) \
-            if column.name != "index" else ""  # fmt: skip
+        others = {k: v for k, v in given.items() if k != column.name}
+        without = content_sha256(table_of(COLUMNS, others)) if column != COLUMNS[0] else ""
         assert (without == before) is column.timing
 
 
 def test_the_hash_does_not_depend_on_how_words_are_encoded():
-    table = table_of(rows())
+    table = table_of(COLUMNS, rows())
     words = pa.array(table["status"].to_pylist()[::-1]).dictionary_encode()
     other = table.set_column(
         NAMES.index("status"), "status", words.take(pa.array(range(len(table))[::-1]))

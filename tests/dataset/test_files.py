@@ -9,7 +9,7 @@ import pytest
 from small_datasets import made_up, made_up_rows, small
 
 from snapjump.checks import ParameterError
-from snapjump.dataset.columns import content_sha256, schema
+from snapjump.dataset.columns import columns_of, content_sha256, schema
 from snapjump.dataset.folder import DatasetFolder, default_path
 from snapjump.dataset.manifest import write_manifest
 from snapjump.dataset.read import open_dataset
@@ -17,6 +17,8 @@ from snapjump.dataset.sealed import read_sealed, write_sealed
 from snapjump.dataset.shard import read_entry, write_shard
 
 SPECIFICATION = small()
+PLAN = {"name": "latin_hypercube", "count": 24}
+COLUMNS = columns_of(SPECIFICATION.axes)
 
 
 def whole(folder, number=1):
@@ -31,7 +33,7 @@ def test_a_shard_tells_where_it_comes_from(tmp_path):
     assert about["shard"] == 2 and about["plan_sha256"]
     assert {"git_revision", "versions", "machine", "source_sha256", "written_at"} <= set(about)
     table = file.read()
-    assert table.schema.remove_metadata().equals(schema().remove_metadata())
+    assert table.schema.remove_metadata().equals(schema(COLUMNS).remove_metadata())
     assert table.schema.field("x_bar").metadata[b"unit"] == b"L"
     entry, reason = whole(folder, 2)
     assert reason == "" and entry["content_sha256"] == content_sha256(table)
@@ -143,6 +145,8 @@ def test_a_folder_of_another_dataset_is_refused_with_the_first_difference(tmp_pa
         "dataset.shard_size": small(shard_size=4),
         "accuracy.name": small(accuracy={"name": "standard"}),
         "plan.name": small(plan={"name": "sobol", "count": 24}),
+        "plan.inputs.environment.mu": small(plan={**PLAN, "mu": [0.1, 0.5]}),
+        "plan.inputs.design.delta_alpha": small(plan={**PLAN, "inputs": {"design.epsilon": None}}),
     }
     for key, other in changes.items():
         with pytest.raises(ParameterError) as caught:

@@ -11,9 +11,9 @@ from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.generate import GenerationError
 from snapjump.dataset.read import open_dataset
 from snapjump.dataset.sealed import read_sealed
+from snapjump.dataset.statistics import gather
 from snapjump.dataset.work import job_of, make_shard
 from snapjump.executor.local import LocalExecutor
-from snapjump.plan.base import AXES
 
 SPECIFICATION = small()
 
@@ -33,7 +33,7 @@ def same(path: Path, whole: Path) -> bool:
 def test_rows_are_those_of_the_designs(whole):
     frame = open_dataset(whole).frame()
     designs = SPECIFICATION.plan.designs(0, 24)
-    assert (frame[list(AXES)].to_numpy() == designs).all()
+    assert (frame[[axis.column for axis in SPECIFICATION.axes]].to_numpy() == designs).all()
     assert frame["index"].tolist() == list(range(24))
     jumped = frame["status"] == "ok"
     assert jumped.sum() >= 20
@@ -74,6 +74,45 @@ def test_derivatives_of_every_apex(tmp_path, whole):
     assert (flags == (jumped & (frame["graze_distance"] > 1e-5))).all()
     # Nobody asked for them in the other one.
     assert open_dataset(whole).frame()[columns].isna().to_numpy().all()
+
+
+def test_any_inputs_are_axes(tmp_path):
+    """Also those that change the beam, its scales, or are words otherwise."""
+    ranges = {
+        "robot.thickness_m": None,
+        "robot.mount_height": [2e-3, 3e-3],
+        "contact.stiffness_N_m": [5e3, 2e4],
+        "damping.relaxation_time_s": [1e-6, 1e-5],
+    }
+    plan = {"name": "latin_hypercube", "count": 8, "inputs": ranges}
+    friction = {"name": "implicit", "velocity_threshold_m_s": 0.01}
+    design, environment = {"epsilon": 0.25}, {"mass_bar": 1.0}
+    given = {"plan": plan, "friction": friction, "design": design, "environment": environment}
+    asked = small(shard_size=4, sensitivities=True, **given)
+    assert asked.simulation.design.epsilon == 0.25
+    assert small(shard_size=4, sensitivities=True, **given, robot={"thickness_m": 6e-5}) == asked
+    generated(tmp_path, asked)
+    dataset = open_dataset(tmp_path)
+    assert dataset.axes == asked.axes and [axis.path for axis in asked.axes] == list(ranges)
+    frame = dataset.frame()
+    columns = ["thickness_m", "mount_height", "stiffness_N_m", "relaxation_time_s"]
+    assert list(frame.columns)[:6] == ["index", *columns, "h_bar"]
+    assert (frame[columns].to_numpy() == asked.plan.designs(0, 8)).all()
+    np.testing.assert_allclose(frame["h_bar"], frame["mount_height"] / 0.02, rtol=1e-12)
+    jumped = frame["status"] == "ok"
+    slopes = [f"dy_bar_d_{name}" for name in columns]
+    assert jumped.sum() >= 6 and np.isfinite(frame.loc[jumped, slopes].to_numpy(float)).all()
+    assert gather(dataset).edges.shape[0] == 4
+
+
+def test_no_more_than_four_with_derivatives():
+    ranges = {f"robot.{name}": None for name in ("length_m", "width_m", "thickness_m")}
+    ranges |= {"design.epsilon": None, "environment.mu": None}
+    plan = {"name": "sobol", "count": 8, "inputs": ranges}
+    friction = {"name": "implicit", "velocity_threshold_m_s": 0.01}
+    assert len(small(plan=plan, friction=friction).axes) == 5
+    with pytest.raises(ParameterError, match=r"plan\.inputs = .* at most 4"):
+        small(plan=plan, friction=friction, sensitivities=True)
 
 
 def test_designs_that_cannot_be_are_rows_with_a_status(tmp_path):

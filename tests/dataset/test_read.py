@@ -9,13 +9,16 @@ import pytest
 from small_datasets import made_up, made_up_rows, small
 
 from snapjump.checks import ParameterError
-from snapjump.dataset.columns import NAMES, content_sha256, table_of
+from snapjump.dataset.columns import columns_of, content_sha256, table_of
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.manifest import write_manifest
 from snapjump.dataset.read import open_dataset
 from snapjump.dataset.shard import write_table
-from snapjump.dataset.statistics import PAIRS, gather
-from snapjump.plan.base import AXES
+from snapjump.dataset.statistics import gather
+from snapjump.plan.parts.axes import default_axes
+
+NAMES = [column.name for column in columns_of(default_axes())]
+COLUMNS = [axis.column for axis in default_axes()]
 
 
 @pytest.fixture(scope="module")
@@ -59,7 +62,11 @@ def test_a_dataset_of_before_has_its_columns_under_names_of_today(tmp_path):
     former = ["index", "h_bar", "x_bar", "status", "kernel_seconds"]
     hashes = {}
     for number in range(specification.shards):
-        table = table_of(made_up_rows(specification, number)).select(kept).rename_columns(former)
+        table = (
+            table_of(columns_of(specification.axes), dict(made_up_rows(specification, number)))
+            .select(kept)
+            .rename_columns(former)
+        )
         hashes[number] = write_table(folder, specification, number, table)["content_sha256"]
     write_manifest(folder, specification)
     found = open_dataset(tmp_path)
@@ -90,9 +97,9 @@ def test_statistics_are_those_of_the_rows(dataset):
     statistics = gather(found)
     ok = written["status"] == "ok"
     for o, name in enumerate(("x_bar", "y_bar")):
-        for pair, (i, j) in enumerate(PAIRS):
+        for pair, (i, j) in enumerate(statistics.pairs):
             place = [
-                np.clip(np.digitize(written[AXES[a]], statistics.edges[a]) - 1, 0, 4)
+                np.clip(np.digitize(written[COLUMNS[a]], statistics.edges[a]) - 1, 0, 4)
                 for a in (i, j)
             ]
             means = statistics.means(o, pair)
@@ -103,14 +110,14 @@ def test_statistics_are_those_of_the_rows(dataset):
                         assert means[a, b] == pytest.approx(written[name][inside].mean())
                     else:
                         assert np.isnan(means[a, b])
-        first = np.digitize(written[AXES[0]], statistics.edges[0]) - 1 == 0
+        first = np.digitize(written[COLUMNS[0]], statistics.edges[0]) - 1 == 0
         values = written[name][ok & first]
         width = np.diff(statistics.levels[o])[0]
         (median,) = statistics.quantiles(o, 0, [0.5])
         assert abs(median[0] - np.sort(values)[(len(values) - 1) // 2]) <= width
     marked = ~(ok & written["within_tier"])
     assert statistics.marked[0].sum() == marked.sum()
-    assert statistics.rows.sum() == 100 * len(PAIRS)
+    assert statistics.rows.sum() == 100 * len(statistics.pairs)
 
 
 def test_bins_of_a_grid_are_its_values(tmp_path):

@@ -39,6 +39,8 @@ def test_lanes_design_and_environment_do_not():
     backends = ({"name": "scalar"}, {"name": "lanes", "width": 4})
     others = [small(backend=backend) for backend in backends]
     others.append(small(design={"epsilon": 0.3}, environment={"mu": 0.5}))
+    axes = ("delta_alpha", "epsilon", "mass_bar", "mu")
+    assert [axis.slope for axis in small().axes] == list(axes)
     assert {one.sha256 for one in others} == {small().sha256}
 
 

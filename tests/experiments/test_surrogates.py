@@ -14,7 +14,7 @@ from experiments.surrogates.study import CompareSurrogates, training_of
 from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
 from snapjump.learning.training import Training
-from snapjump.plan.base import AXES
+from snapjump.plan.parts.axes import default_axes
 from snapjump.simulation import build
 
 RANGES = ((0.01, 0.19), (0.1, 0.3), (0.3, 2.0), (0.1, 0.6))
@@ -83,7 +83,7 @@ def test_a_cubic_leaves_nothing_of_a_cubic_and_all_of_noise() -> None:
 def test_the_floor_is_measured_in_cells_of_the_grid() -> None:
     rows = floor_rows(build(CONFIG), RANGES, 2, 0)
     low, high = np.array(RANGES).T
-    corners = np.array([[row[f"{name}_low"] for name in AXES] for row in rows])
+    corners = np.array([[row[f"{axis.column}_low"] for axis in default_axes()] for row in rows])
     places = (corners - low) / (high - low) * INTERVALS
     assert places == pytest.approx(np.round(places), abs=1e-9)
     assert all(row["jumps"] > 100 and 0.0 < row["x_bar"] < 5.0 for row in rows)
@@ -94,7 +94,7 @@ def test_errors_are_where_they_are() -> None:
     low, high = np.array(RANGES).T
     designs = low + (high - low) * rng.random((2000, 4))
     errors = np.where(designs[:, 3:] > 0.5, [0.2, -0.1], [0.01, 0.01])
-    rows = by_input(designs, errors, RANGES)
+    rows = by_input(designs, errors, default_axes())
     assert len(rows) == 4 * BINS
     worst = max(rows, key=lambda row: row["mae_x_bar"])
     assert (worst["input"], worst["from"]) == ("mu", pytest.approx(0.5))

@@ -96,7 +96,7 @@ def test_the_same_physical_model_at_other_numerics(model: ForwardModel) -> None:
         ({"robot": Robot(width_m=0.02)}, "robot.width_m"),
         ({"damping": KelvinVoigt(1e-6)}, "damping.relaxation_time_s"),
         ({"contact": with_tier("draft").contact}, "contact.distance_m"),
-        ({"friction": with_tier("paper").friction}, "friction.name"),
+        ({"friction": with_tier("paper").friction}, "friction"),
     ],
 )
 def test_another_physical_model_is_refused(model: ForwardModel, part: dict, key: str) -> None:

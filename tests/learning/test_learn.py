@@ -7,16 +7,18 @@ from typing import Any
 import numpy as np
 import pytest
 from forward_models import RANGES, RESNET
-from small_datasets import CONFIG, small, smooth_dataset
+from small_datasets import CONFIG, made_up, small, smooth_dataset
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.read import open_dataset
-from snapjump.declare.members import make_member, member_class
+from snapjump.declare.members import make_member, member_class, member_names
 from snapjump.learning.data import JumpData
 from snapjump.learning.forward_model import open_forward_model
 from snapjump.learning.learn import CURVES, DETERMINES, FORWARD_MODEL, check_slopes, learn
 from snapjump.learning.training import Training
+from snapjump.simulation import build
 from snapjump.sources.files import package_files
+from snapjump.targets.request import trained_forward
 
 Data = Callable[..., JumpData]
 OPTIONS = make_member("surrogate", RESNET)
@@ -102,3 +104,30 @@ def test_slopes_must_be_there_for_what_needs_them(data: Data, tmp_path: Path) ->
 
 def _backend() -> dict[str, Any]:
     return {"backend": CONFIG["backend"]}
+
+
+@pytest.mark.parametrize("name", member_names("surrogate"))
+def test_a_forward_model_has_the_inputs_of_its_dataset(name: str, tmp_path: Path) -> None:
+    inputs = {"robot.thickness_m": None, "environment.mass_bar": None, "design.epsilon": None}
+    changes: dict[str, Any] = {
+        "plan": {"name": "latin_hypercube", "count": 160, "inputs": inputs},
+        "friction": {"name": "implicit", "velocity_threshold_m_s": 0.01},
+    }
+    specification = small(160, 160, sensitivities=True, **changes)
+    made_up(tmp_path / "data", specification)
+    options = member_class("surrogate", name)()
+    data = JumpData(open_dataset(tmp_path / "data"), Training(epochs=1), 0)
+    learned = learn(data, options, silent, None, tmp_path)
+    model = open_forward_model(learned.file)
+    assert [axis.path for axis in model.axes] == list(inputs)
+    designs = specification.plan.designs(0, 5)
+    assert model.predict(designs).shape == (5, 2)
+    assert model.jacobian(designs).shape == (5, 2, 3)
+    with pytest.raises(ParameterError, match=r"thickness_m = 0.001"):
+        model.predict(np.array([[1e-3, 1.0, 0.2]]))
+    robot = {"thickness_m": 6e-5}  # an input, whatever it is in the configuration
+    model.check_model(build({**CONFIG, **changes, "plan": {}, "robot": robot}))
+    with pytest.raises(ParameterError, match="environment.mu = 0.4"):
+        model.check_model(build({**CONFIG, **changes, "environment": {"mu": 0.4}}))
+    with pytest.raises(ParameterError, match="for inverse design"):
+        trained_forward(learned.file)

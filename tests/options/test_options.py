@@ -23,11 +23,13 @@ FURTHER = {
     ("backend", "cuda", "threads_per_block"): (0, 16, 33, 288, 64.0),
     ("plan", "grid", "points"): (1, 1001, 15.0),
 }
+# Whether the ends of a range are robots is told by the simulation: tests/plan/test_axes.py.
 RANGE_OF = {
-    "delta_alpha_rad": ([-0.51, 0.1], [0.1, 0.51], [0.1, 0.1], [0.2, 0.1], [0.1, math.nan]),
-    "epsilon": ([0.0, 0.2], [0.1, 0.41], [0.1, 0.2, 0.3], {"low": 0.1}),
-    "mass_bar": ([0.0, 1.0], [1.0, math.inf], [0.5, "2"]),
-    "mu": ([-1e-9, 0.5], [True, 2.0]),
+    "inputs": ({}, [0.1, 0.3]),
+    "delta_alpha_rad": ([0.1, 0.1], [0.2, 0.1], [0.1, math.nan]),
+    "epsilon": ([0.1, 0.2, 0.3], {"low": 0.1}),
+    "mass_bar": ([1.0, math.inf], [0.5, "2"]),
+    "mu": ([True, 2.0],),
 }
 for name in ("grid", "sobol", "latin_hypercube"):
     FURTHER |= {("plan", name, field): values for field, values in RANGE_OF.items()}
@@ -44,7 +46,7 @@ ROW_OF = {
 for name, cls in EVERY["integrator"].items():
     if isinstance(cls(), RungeKutta):
         FURTHER |= {("integrator", name, field): values for field, values in ROW_OF.items()}
-MAY_BE_NONE = ("weights", "embedded", "threads", "scheduler")
+MAY_BE_NONE = ("weights", "embedded", "threads", "scheduler", *RANGE_OF)
 WRONG = (math.nan, math.inf, "much", None, [1.0])
 
 

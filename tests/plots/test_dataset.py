@@ -43,6 +43,16 @@ def test_both_pictures(tmp_path, plan):
         assert has(pictures["status"], colour)
 
 
+@pytest.mark.parametrize("count", [1, 7])
+def test_any_number_of_inputs(tmp_path, count):
+    names = ("length_m", "width_m", "thickness_m", "density_kg_m3", "frame_height_m")
+    paths = ["design.epsilon", "environment.mu", *(f"robot.{name}" for name in names)]
+    plan = {"name": "sobol", "count": 64, "inputs": dict.fromkeys(paths[:count])}
+    made_up(tmp_path, small(shard_size=64, plan=plan))
+    pictures = drawn(open_dataset(tmp_path), tmp_path)
+    assert has(pictures["dataset"], palette.BEAM) and has(pictures["status"], palette.CENTRE)
+
+
 def test_a_dataset_of_nothing_but_failures(tmp_path):
     specification = small(16, 16)
     folder = DatasetFolder(tmp_path)

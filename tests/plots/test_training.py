@@ -34,7 +34,9 @@ def test_it_is_drawn(tmp_path: Path, curves: list, points: int) -> None:
         designs = np.round(designs * (points - 1)) / (points - 1)
     apexes = random.normal(size=(500, 2))
     errors = 0.05 * random.normal(size=(500, 2))
-    draw_training(curves, designs, apexes, errors, "title", tmp_path / "training.png")
+    draw_training(
+        curves, ["a", "b", "c", "d"], designs, apexes, errors, "title", tmp_path / "training.png"
+    )
     picture = np.asarray(Image.open(tmp_path / "training.png").convert("RGB"))
     assert shares(picture, palette.BEAM) > 500 and shares(picture, palette.FORCE) > 500
     assert (shares(picture, palette.CENTRE) > 200) == bool(curves)
@@ -43,5 +45,13 @@ def test_it_is_drawn(tmp_path: Path, curves: list, points: int) -> None:
 def test_a_model_without_errors_is_drawn(tmp_path: Path) -> None:
     random = np.random.default_rng(0)
     designs, apexes = random.random((50, 4)), random.normal(size=(50, 2))
-    draw_training([], designs, apexes, np.zeros((50, 2)), "title", tmp_path / "training.png")
+    draw_training(
+        [],
+        ["a", "b", "c", "d"],
+        designs,
+        apexes,
+        np.zeros((50, 2)),
+        "title",
+        tmp_path / "training.png",
+    )
     assert (tmp_path / "training.png").stat().st_size > 10_000

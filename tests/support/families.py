@@ -2,12 +2,10 @@
 
 from snapjump.declare import members
 from snapjump.declare.members import member_class, member_names
-from snapjump.options.plan import PLANS
 
 # Those of a simulation.
 FAMILIES = {f: {n: member_class(f, n) for n in member_names(f)} for f in members.FAMILIES}
 # And of a dataset.
 EVERY = FAMILIES | {
-    "plan": PLANS,
-    "executor": {n: member_class("executor", n) for n in member_names("executor")},
+    f: {n: member_class(f, n) for n in member_names(f)} for f in ("plan", "executor")
 }

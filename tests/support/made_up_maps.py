@@ -8,6 +8,7 @@ import numpy as np
 
 from snapjump.checks import ParameterError
 from snapjump.inverse.base import Problem
+from snapjump.plan.parts.axes import default_axes
 
 RANGES = ((0.01, 0.19), (0.1, 0.3), (0.3, 2.0), (0.1, 0.6))
 TINY = 1e-30
@@ -39,6 +40,10 @@ class MadeUpModel:
 
     map: Callable[[Any], Any] = straight
     ranges: Any = RANGES
+
+    @property
+    def axes(self) -> Any:
+        return default_axes(self.ranges)
 
     def predict(self, designs: Any) -> Any:
         low, high = np.array(self.ranges).T

@@ -9,7 +9,7 @@ from snapjump.composition import Simulation, with_tier
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.ending.flight import FlightEnding
-from snapjump.engine.model import Model
+from snapjump.engine.model import Model, TimeLimit
 from snapjump.load.gravity import Gravity
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
@@ -77,13 +77,14 @@ def small_march(
 ) -> March:
     """A march of robots of these designs; ``starts``: a queue's state, velocity, acceleration."""
     simulation = small_simulation(*designs[0])
+    limit = TimeLimit(duration)
     robots = [small_robot(design) for design in designs]
     march = March(
-        models=[model for model, _ in robots],
+        models=[model._replace(time_limit=limit) for model, _ in robots],
         masses=simulation.discretization.masses(),
         states=np.array([guess for _, guess in robots]),
         simulation=simulation,
-        ending=FlightEnding(duration),
+        ending=FlightEnding(),
         lanes=lanes,
         threads=threads,
     )

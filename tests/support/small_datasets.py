@@ -5,7 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.dataset.columns import COLUMNS, INPUTS, Rows
+from snapjump.dataset.columns import (
+    Rows,
+    columns_of,
+    slope_columns,
+)
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.generate import Generation, generate
 from snapjump.dataset.manifest import write_manifest
@@ -13,7 +17,6 @@ from snapjump.dataset.shard import write_shard
 from snapjump.dataset.specification import Specification, specify
 from snapjump.declare.outputs import FLAG, INTEGER, NUMBER
 from snapjump.executor.local import LocalExecutor
-from snapjump.plan.base import AXES
 
 BACKEND = {"name": "lanes"}
 CONFIG: dict[str, Any] = {
@@ -68,7 +71,7 @@ def made_up_rows(specification: Specification, number: int) -> Rows:
     count = last - first
     random = np.random.default_rng(number)
     rows: dict[str, Any] = {}
-    for column in COLUMNS:
+    for column in columns_of(specification.axes):
         if column.kind == NUMBER:
             rows[column.name] = random.normal(size=count)
         elif column.kind == INTEGER:
@@ -76,7 +79,8 @@ def made_up_rows(specification: Specification, number: int) -> Rows:
         elif column.kind == FLAG:
             rows[column.name] = random.random(count) < 0.9
     rows["index"] = np.arange(first, last)
-    rows |= dict(zip(AXES, specification.plan.designs(first, last).T, strict=True))
+    columns = [axis.column for axis in specification.axes]
+    rows |= dict(zip(columns, specification.plan.designs(first, last).T, strict=True))
     failed = np.arange(first, last) % 10 == 3
     rows["status"] = np.where(failed, "step_underflow", "ok").astype(object)
     for name in ("x_bar", "y_bar"):
@@ -109,9 +113,9 @@ def smooth_dataset(path: Path, specification: Specification, **columns: Any) -> 
         rows["status"] = np.full(len(apexes), "ok", dtype=object)
         rows |= {"x_bar": apexes[:, 0], "y_bar": apexes[:, 1]}
         for i, apex in enumerate(("x_bar", "y_bar")):
-            for j, name in enumerate(INPUTS):
+            for j, name in enumerate(slope_columns(apex, specification.axes)):
                 known = slopes[:, i, j] if specification.sensitivities else np.nan
-                rows[f"d{apex}_d_{name}"] = np.full(len(apexes), known)
+                rows[name] = np.full(len(apexes), known)
         for name, value in columns.items():
             rows[name] = np.full(len(apexes), value, rows[name].dtype)
         write_shard(folder, specification, number, rows)

@@ -33,7 +33,7 @@ def start_row(simulation: Any) -> Row:
         masses=simulation.discretization.masses(),
         states=resting_guesses([simulation], [model]),
         simulation=simulation,
-        ending=FlightEnding(simulation.sim.time_limit_s / simulation.robot.scales.time_s),
+        ending=FlightEnding(),
         lanes=1,
         mesh=mesh,
     )

@@ -28,7 +28,6 @@ from experiments.paper.learned import shipped_inputs
 from experiments.paper.unfinished import unfinished
 from snapjump.declare.members import member_class, member_group
 from snapjump.learning.training import Training
-from snapjump.options.plan import PLANS
 from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
 
 DATASET, NETWORK_CELL = "dataset", "forward model"
@@ -56,7 +55,7 @@ class ForwardModels(Part):
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
         """The dataset, the network, then each method on its targets, ten at a time."""
-        options = PLANS[PLAN["name"]]()
+        options = member_class("plan", PLAN["name"])()
         data = {
             "groups": groups,
             "plan": {**PLAN, **asdict(options)},

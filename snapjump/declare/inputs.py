@@ -1,0 +1,128 @@
+"""Inputs of a simulation: every number of its physical parts, by its path (``robot.thickness_m``).
+
+An input is a field that :func:`snapjump.declare.fields.number` declares; nothing lists it a second
+time. Numerical settings (mesh, tolerance, steps) are none.
+"""
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, fields, replace
+from typing import Any, TypeVar
+
+from snapjump.checks import ParameterError
+from snapjump.declare.fields import Number
+
+S = TypeVar("S")
+# The parts of a simulation whose numbers are inputs.
+PARTS = ("robot", "design", "environment", "frame", "contact", "friction", "damping")
+DEFAULT_INPUTS = (
+    "design.delta_alpha",
+    "design.epsilon",
+    "environment.mass_bar",
+    "environment.mu",
+)
+
+
+@dataclass(frozen=True)
+class Input:
+    """A number that a robot, its design, environment or laws are described by.
+
+    ``path``; ``column``: its name in files; ``allowed``: its range of validity and unit;
+    ``meaning``, ``symbol``: for people; ``plan``: low and high of a dataset, None if it has to be
+    said; ``kind``: control, environment or property, of the robot; ``default``.
+    """
+
+    path: str
+    column: str
+    allowed: Number
+    meaning: str
+    symbol: str
+    plan: tuple[float, float] | None
+    kind: str
+    default: Any
+
+    @property
+    def name(self) -> str:
+        """The last word of the path."""
+        return self.path.rpartition(".")[2]
+
+    @property
+    def unit(self) -> str:
+        return self.allowed.unit
+
+
+def inputs_of(parts: Mapping[str, Any] | Any) -> dict[str, Input]:
+    """The inputs, by path, of a simulation, or of parts or their classes by name."""
+    found = {}
+    for group in PARTS:
+        part = parts.get(group) if isinstance(parts, Mapping) else getattr(parts, group)
+        for field in () if part is None else fields(part):
+            allowed = field.metadata.get("allowed")
+            if isinstance(allowed, Number):
+                about = field.metadata["about"]
+                path = f"{group}.{field.name}"
+                found[path] = Input(
+                    path,
+                    about.get("column", field.name),
+                    allowed,
+                    field.metadata["doc"] or field.name,
+                    about.get("symbol", field.name),
+                    about.get("plan"),
+                    about.get("kind", "property"),
+                    field.default,
+                )
+    return found
+
+
+def input_at(parts: Mapping[str, Any] | Any, path: str, key: str = "inputs") -> Input:
+    """The input at a path. Raises ParameterError, which names those that there are."""
+    found = inputs_of(parts)
+    if path not in found:
+        raise ParameterError(key, path, "one of " + ", ".join(found))
+    return found[path]
+
+
+def column_names(inputs: Sequence[Input]) -> list[str]:
+    """Their names in files: the whole path where two would be called alike."""
+    uses = Counter(one.column for one in inputs)
+    return [one.column if uses[one.column] == 1 else flat(one.path) for one in inputs]
+
+
+def slope_names(inputs: Sequence[Input]) -> list[str]:
+    """What derivatives by them are called after: the last word of the path, if it is enough."""
+    uses = Counter(one.name for one in inputs)
+    return [one.name if uses[one.name] == 1 else flat(one.path) for one in inputs]
+
+
+def flat(path: str) -> str:
+    """A path as one word."""
+    return path.replace(".", "_")
+
+
+def value_at(simulation: Any, path: str) -> Any:
+    """The value of an input: a number, or the word that stands for one."""
+    group, _, name = path.partition(".")
+    return getattr(getattr(simulation, group), name)
+
+
+def with_inputs(simulation: S, values: Mapping[str, float]) -> S:
+    """The simulation with other values of some inputs, by path.
+
+    Raises ParameterError for a value out of its range, or one that does not go with the others.
+    """
+    changes: dict[str, dict[str, float]] = {}
+    for path, value in values.items():
+        group, _, name = path.partition(".")
+        changes.setdefault(group, {})[name] = float(value)
+    parts = {group: replace(getattr(simulation, group), **new) for group, new in changes.items()}
+    return replace(simulation, **parts)  # type: ignore[type-var]
+
+
+def check_inputs(simulation: Any, paths: Iterable[str]) -> None:
+    """Raise ParameterError for a path that is no input of the simulation, or is there twice."""
+    seen = set()
+    for path in paths:
+        input_at(simulation, path)
+        if path in seen:
+            raise ParameterError("inputs", path, "every input once")
+        seen.add(path)
