@@ -9,7 +9,7 @@ import numpy as np
 from experiments.compositions import composed
 from experiments.scenes.jumps import timed
 from snapjump.clamp.smooth_start import SmoothStart
-from snapjump.declare.members import member_class
+from snapjump.declare.members import make_member
 from snapjump.ending.timed import TimedEnding
 from snapjump.engine import clock as c
 from snapjump.engine.model import Model
@@ -37,9 +37,7 @@ def snap_rows(
 def snaps(groups: Mapping[str, Any], designs: list[tuple[float, float]], contact: str) -> list[Row]:
     """Outcomes of snaps one after the other, with a contact law that never acts or with none."""
     simulation = composed(groups)
-    law = member_class("contact", contact)().member(
-        simulation.robot.scales, simulation.discretization
-    )
+    law = make_member("contact", {"name": contact}).law(simulation.robot.scales)
     rows = []
     for lag, epsilon in designs:
         one = replace(simulation, design=replace(simulation.design, epsilon=epsilon,

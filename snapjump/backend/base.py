@@ -1,6 +1,6 @@
 """Backends: the contract that every one fulfils."""
 
-from typing import ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from snapjump.declare.fields import Part
 
@@ -23,3 +23,7 @@ class BackendOptions(Part):
     def thread_count(self) -> int:
         """Threads of the processor that a batch is simulated with."""
         return 1
+
+    if TYPE_CHECKING:  # fields of a member that only its family is known of
+
+        def __getattr__(self, name: str) -> Any: ...

@@ -10,7 +10,6 @@ from dataclasses import MISSING, dataclass, field, fields, replace
 from importlib import import_module
 from pathlib import Path
 from typing import (
-    TYPE_CHECKING,
     Any,
     ClassVar,
     NamedTuple,
@@ -190,10 +189,6 @@ class Part:
         part = replace(self, **other)  # type: ignore[type-var]
         object.__setattr__(part, "given", self.given)
         return part
-
-    if TYPE_CHECKING:  # fields of a member that only its family is known of
-
-        def __getattr__(self, name: str) -> Any: ...
 
     def __post_init__(self) -> None:
         for declared in fields(self):  # type: ignore[arg-type]

@@ -1,7 +1,7 @@
 """Scenes: the contract that every one fulfils."""
 
 from collections.abc import Callable, Mapping
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import Need, Part, required
@@ -35,6 +35,10 @@ class SceneOptions(Part):
     @required
     def simulate(self, simulation: Any, progress: Progress | None = None) -> Any:
         """The :class:`~snapjump.results.Result` of a simulation of this scene."""
+
+    if TYPE_CHECKING:  # fields of a member that only its family is known of
+
+        def __getattr__(self, name: str) -> Any: ...
 
 
 WITHOUT_GROUND = {"frame": "fixed", "contact": "none", "friction": "none"}

@@ -34,7 +34,7 @@ def symmetric_threshold(
     """
     # Frame, weight and clamps' rate are not of the beam.
     slender = Robot(length_m=robot.length_m, thickness_m=robot.thickness_m)
-    alike = discretization.member(slender) == discretization.member(robot)
+    alike = discretization.beam(slender) == discretization.beam(robot)
     return computed_threshold(slender if alike else robot, discretization, epsilon)
 
 
