@@ -15,16 +15,14 @@ import numpy as np
 
 from snapjump.batch import variants
 from snapjump.composition import Simulation, with_tier
-from snapjump.ending.flight import FlightEnding
 from snapjump.engine import clock as c
 from snapjump.engine import march as engine
 from snapjump.engine.march import Limits
 from snapjump.engine.model import Model
 from snapjump.engine.work import System, Work
 from snapjump.recorder.none import NoRecorder
+from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
-from snapjump.scenes.resting import resting_guess
-from snapjump.scenes.runner import March
 
 BASELINE = (0.1, 0.2, 0.768, 0.3)
 CACHES = {"l1": 128, "l1_and_l2": 350}
@@ -106,13 +104,7 @@ class Traffic(NamedTuple):
 def measure(simulation: Simulation, passes: int) -> dict[str, Traffic]:
     """Traffic of a jump's first ``passes`` passes for every size of cache."""
     model = jump_model(simulation)
-    march = March(
-        models=[model],
-        masses=simulation.discretization.masses(),
-        states=resting_guess(simulation, model)[None, :],
-        simulation=simulation,
-        ending=FlightEnding(),
-    )
+    march = jump_march([simulation], [model])
     march.find_starts()
     caches = {name: Cache(numbers) for name, numbers in CACHES.items()}
     all_of_them = list(caches.values())

@@ -12,16 +12,11 @@ from numpy.typing import NDArray
 
 from snapjump.clamp.smooth_start import SmoothStart
 from snapjump.composition import Simulation
-from snapjump.ending.timed import TimedEnding
 from snapjump.engine import clock as c
-from snapjump.engine.model import Model
 from snapjump.engine.status import NAMES
-from snapjump.frame.fixed import FixedFrame
-from snapjump.load.none import NoLoad
 from snapjump.recorder.trajectory import make_recorder
-from snapjump.scenes.runner import March
+from snapjump.scenes.snap_march import snap_march
 from snapjump.scenes.trajectory import samples_of
-from snapjump.statics.arch import StaticArch
 
 Array = NDArray[np.float64]
 INTERVAL_S = 9e-6  # below the fixed step of the paper, and the steps of a snap at standard
@@ -70,46 +65,22 @@ class Swing:
 
 def follow(simulation: Simulation) -> Swing:
     """Turn the clamps of the arch at rest from flat, for the duration of ``sim=snap``."""
-    robot, scene, scales = simulation.robot, simulation.sim, simulation.robot.scales
-    epsilon, lag = simulation.design.epsilon, simulation.design.delta_alpha
-    model = Model(
-        discretization=simulation.discretization.beam(robot),
-        frame=FixedFrame.Body(0.5 * (1.0 - epsilon), 0.0),
-        clamp=SmoothStart(
-            start=0.0,
-            end=robot.rotation_end_rad,
-            rate=robot.rotation_rate_rad_s * scales.time_s,
-            delta_alpha=lag,
-            rise_time=scene.rise_time_s / scales.time_s,
-        ),
-        contact=simulation.contact.law(scales),
-        friction=simulation.friction.law(scales, simulation.environment.mu),
-        damping=simulation.damping.law(scales),
-        load=NoLoad(),
-    )
-    arch = StaticArch(robot, simulation.discretization, epsilon)
-    state = arch.flat(lag)
-    duration, interval = scene.duration_s / scales.time_s, INTERVAL_S / scales.time_s
-    march = March(
-        models=[model],
-        masses=simulation.discretization.masses(),
-        states=state[None, :],
-        simulation=simulation,
-        ending=TimedEnding(duration),
-        recorder=make_recorder(len(state), min(duration, MOST_SAMPLES * interval), interval),
-    )
+    scales = simulation.robot.scales
+    duration, interval = simulation.sim.duration_s / scales.time_s, INTERVAL_S / scales.time_s
+    kept = min(duration, MOST_SAMPLES * interval)
+    march = snap_march(simulation, lambda size: make_recorder(size, kept, interval))
     outcome = march.run()[0]
     times, states, velocities, _ = samples_of(march)
     if len(times) > MOST_SAMPLES:
         raise RuntimeError(f"a snap of more than {MOST_SAMPLES} steps")
-    stride = arch.node_dofs
+    stride = march.models[0].discretization.node_dofs()
     return Swing(
         status=NAMES[int(outcome[c.STATUS])],
         time_s=times * scales.time_s,
         x=states[:, 0::stride],
         y=states[:, 1::stride],
         speed_m_s=velocities[:, 1::stride] * scales.velocity_m_s,
-        clamp=model.clamp,
+        clamp=march.models[0].clamp,
         unit_s=scales.time_s,
     )
 

@@ -18,9 +18,8 @@ from snapjump.declare.members import member_names
 from snapjump.ending.apex import ApexEnding
 from snapjump.engine import clock as c
 from snapjump.engine.status import NAMES, OK
+from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
-from snapjump.scenes.resting import resting_guesses
-from snapjump.scenes.runner import March
 from snapjump.simulation import simulate
 from snapjump.studies.base import Row
 
@@ -53,14 +52,8 @@ def flown(simulation: Simulation, designs: Designs) -> list[Row]:
     """The same jumps followed through the air until the centre of mass sinks."""
     simulations = variants(simulation, designs)
     models = [jump_model(one) for one in simulations]
-    march = March(
-        models=models,
-        masses=simulation.discretization.masses(),
-        states=resting_guesses(simulations, models),
-        simulation=simulation,
-        ending=ApexEnding(FLIGHT_LIMIT_S / simulation.robot.scales.time_s, FLOWN_HEIGHT),
-        lanes=LANES,
-    )
+    ending = ApexEnding(FLIGHT_LIMIT_S / simulation.robot.scales.time_s, FLOWN_HEIGHT)
+    march = jump_march(simulations, models, ending=ending, lanes=LANES)
     march.find_starts()
     rows = []
     for model, outcome in zip(models, march.run(), strict=True):

@@ -17,11 +17,10 @@ from snapjump.batch.derivatives import place
 from snapjump.batch.sensitivities import Slopes, apex_sensitivities
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS
-from snapjump.ending.flight import FlightEnding
 from snapjump.ending.timed import TimedEnding
 from snapjump.engine import clock as c
 from snapjump.engine.status import OK
-from snapjump.scenes.resting import resting_guesses
+from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.runner import March
 from snapjump.scenes.sensitivities import record_sensitivities
 from snapjump.statics.threshold_curve import ThresholdCurve
@@ -39,13 +38,7 @@ def jump_of(
 ) -> March:
     """The march of one robot, whose inputs have the values of ``design``; its start is found."""
     ready = prepare_designs(base, np.array([design]), curve, inputs)
-    march = March(
-        models=ready.models,
-        masses=base.discretization.masses(),
-        states=resting_guesses(ready.simulations, ready.models),
-        simulation=base,
-        ending=FlightEnding(),
-    )
+    march = jump_march(ready.simulations, ready.models)
     march.find_starts()
     return march
 

@@ -17,13 +17,12 @@ from snapjump.batch.sensitivities import Slopes
 from snapjump.checks import ParameterError, check_integer
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS, check_inputs
-from snapjump.ending.flight import FlightEnding
 from snapjump.engine import clock as c
 from snapjump.engine.model import Model
 from snapjump.engine.status import RUNNING
-from snapjump.scenes.card_march import check_backend, march_on
+from snapjump.scenes.card_march import check_backend
+from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
-from snapjump.scenes.resting import resting_guesses
 from snapjump.scenes.runner import MOST_ITERATIONS, March
 from snapjump.scenes.sensitivities import check_differentiable, record_sensitivities
 from snapjump.statics.threshold_curve import ThresholdCurve
@@ -45,23 +44,14 @@ def marches(
         stepping = simulation.stepping.control(simulation.robot.scales)
         kind = (stepping, *simulation.frame.mesh(model.frame))
         groups.setdefault(kind, []).append(k)
-    found = []
-    for members in groups.values():
-        ours = [models[k] for k in members]
-        base = simulations[members[0]]
-        march = march_on(base)(
-            models=ours,
-            masses=base.discretization.masses(),
-            states=resting_guesses([simulations[k] for k in members], ours),
-            simulation=base,
-            ending=FlightEnding(),
-            lanes=lanes,
-            threads=threads,
-            most_iterations=most_iterations,
-            mesh=base.frame.mesh(ours[0].frame),
+    crew: dict[str, Any] = {"lanes": lanes, "threads": threads, "most_iterations": most_iterations}
+    return [
+        (
+            members,
+            jump_march([simulations[k] for k in members], [models[k] for k in members], **crew),
         )
-        found.append((members, march))
-    return found
+        for members in groups.values()
+    ]
 
 
 def march_all(

@@ -1,6 +1,6 @@
-"""The march of one robot that jumps: what is the same whatever is recorded of it."""
+"""The march of robots that jump: what is the same whatever is recorded of them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from snapjump.composition import Simulation
@@ -11,8 +11,11 @@ from snapjump.recorder.none import NoRecorder
 from snapjump.scenes.card_march import march_on
 from snapjump.scenes.flight_check import checked_status
 from snapjump.scenes.march_outputs import side_by_side
-from snapjump.scenes.resting import resting_guess
+from snapjump.scenes.resting import resting_guesses
 from snapjump.scenes.runner import Array, March, Progress
+
+
+UNTIL_FLIGHT = FlightEnding()
 
 
 def no_recorder(coordinates: int) -> NoRecorder:
@@ -21,28 +24,29 @@ def no_recorder(coordinates: int) -> NoRecorder:
 
 
 def jump_march(
-    simulation: Simulation,
-    model: Model,
+    simulations: Sequence[Simulation],
+    models: Sequence[Model],
+    *,
+    ending: Any = UNTIL_FLIGHT,
     recorder: Callable[[int], Any] = no_recorder,
-    lanes: int = 1,
+    **settings: Any,
 ) -> March:
-    """A robot at the start of its motion, which is found, on the simulation's backend.
+    """Robots of one composition and mesh, about to be put at the start of their motion.
 
-    ``recorder`` makes a recorder for so many coordinates.
+    ``recorder`` makes a recorder for so many coordinates; ``settings``: lanes, threads and most
+    iterations of the march, which is on the first simulation's backend.
     """
-    state = resting_guess(simulation, model)
-    march = march_on(simulation)(
-        models=[model],
-        masses=simulation.discretization.masses(),
-        states=state[None, :],
-        simulation=simulation,
-        ending=FlightEnding(),
-        recorder=recorder(len(state)),
-        lanes=lanes,
-        mesh=simulation.frame.mesh(model.frame),
+    base, states = simulations[0], resting_guesses(simulations, models)
+    return march_on(base)(
+        models=list(models),
+        masses=base.discretization.masses(),
+        states=states,
+        simulation=base,
+        ending=ending,
+        recorder=recorder(states.shape[1]),
+        mesh=base.frame.mesh(models[0].frame),
+        **settings,
     )
-    march.find_starts()
-    return march
 
 
 def jumped(march: March, progress: Progress | None = None) -> tuple[Model, Array]:

@@ -49,7 +49,8 @@ def observe_jump(simulation: Simulation) -> dict[str, Any]:
     """Simulate a jump; its figures by name, those of :class:`ObservedJump` among them, NaN where
     there is none."""
     model = jump_model(simulation)
-    march = jump_march(simulation, model, lambda coordinates: make_observables(MOST_STEPS))
+    march = jump_march([simulation], [model], recorder=lambda size: make_observables(MOST_STEPS))
+    march.find_starts()
     (side, outcome), recorder = jumped(march), march.recorder
     count = min(int(recorder.filled[0]), MOST_STEPS)
     watched = (recorder.times[:count], recorder.heights[:count], recorder.forces[:count])

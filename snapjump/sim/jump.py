@@ -58,7 +58,8 @@ class Jump(SceneOptions):
         begun = time.perf_counter()
         model, alone = jump_model(simulation), simulation.backend.one_at_a_time
         recorder = partial(trajectory_recorder, simulation) if alone else no_recorder
-        march = jump_march(simulation, model, recorder, simulation.backend.width)
+        march = jump_march([simulation], [model], recorder=recorder, lanes=simulation.backend.width)
+        march.find_starts()
         outcomes = jumped(march, progress)
         kind = RecordedJump if alone else JumpRun
         outputs = kind(simulation, begun, *outcomes, march.kernel_seconds)

@@ -9,18 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.clamp.smooth_start import SmoothStart
 from snapjump.composition import Simulation
 from snapjump.declare.fields import number
 from snapjump.declare.outputs import output
-from snapjump.ending.timed import TimedEnding
-from snapjump.engine.model import Model
-from snapjump.frame.fixed import FixedFrame
-from snapjump.load.none import NoLoad
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
 from snapjump.scenes.march_outputs import RecordedOutputs, side_by_side
-from snapjump.scenes.runner import March
+from snapjump.scenes.snap_march import snap_march
 from snapjump.scenes.trajectory import trajectory_arrays
 from snapjump.sim.base import (
     HELD,
@@ -31,7 +26,6 @@ from snapjump.sim.base import (
     SceneOptions,
     check_samples,
 )
-from snapjump.statics.arch import StaticArch
 
 Array = NDArray[np.float64]
 
@@ -132,37 +126,10 @@ class Snap(SceneOptions):
 
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
         """Turn the clamps of the arch at rest from flat and follow it through the snap."""
-        begun = time.perf_counter()
-        robot, scene = simulation.robot, simulation.sim
-        scales = robot.scales
-        arch = StaticArch(robot, simulation.discretization, simulation.design.epsilon)
-        lag = simulation.design.delta_alpha
-        state = arch.flat(lag)
-        model = Model(
-            discretization=simulation.discretization.beam(robot),
-            frame=FixedFrame.Body(0.5 * (1.0 - simulation.design.epsilon), 0.0),
-            clamp=SmoothStart(
-                start=0.0,
-                end=robot.rotation_end_rad,
-                rate=robot.rotation_rate_rad_s * scales.time_s,
-                delta_alpha=lag,
-                rise_time=scene.rise_time_s / scales.time_s,
-            ),
-            contact=simulation.contact.law(scales),
-            friction=simulation.friction.law(scales, simulation.environment.mu),
-            damping=simulation.damping.law(scales),
-            load=NoLoad(),
-        )
-        duration = scene.duration_s / scales.time_s
-        march = March(
-            models=[model],
-            masses=simulation.discretization.masses(),
-            states=state[None, :],
-            simulation=simulation,
-            ending=TimedEnding(duration),
-            recorder=make_recorder(len(state), duration, scene.sample_interval_s / scales.time_s),
-        )
-        outcome = march.run(progress)
+        begun, time_s = time.perf_counter(), simulation.robot.scales.time_s
+        duration, interval = self.duration_s / time_s, self.sample_interval_s / time_s
+        march = snap_march(simulation, lambda size: make_recorder(size, duration, interval))
+        outcome, model = march.run(progress), march.models[0]
         arrays = trajectory_arrays(simulation, model, march)
         side, seconds = side_by_side([model]), march.kernel_seconds
         return SnapOutputs(simulation, begun, side, outcome, seconds, arrays).result(arrays)

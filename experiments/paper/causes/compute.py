@@ -6,10 +6,8 @@ from typing import Any
 from experiments.compositions import composed
 from experiments.paper.jumps import jump_rows
 from snapjump.batch import variants
-from snapjump.ending.flight import FlightEnding
+from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
-from snapjump.scenes.resting import resting_guesses
-from snapjump.scenes.runner import March
 from snapjump.studies.base import Row
 
 
@@ -27,18 +25,9 @@ def rows_of(inputs: Mapping[str, Any]) -> list[Row]:
 def start_row(simulation: Any) -> Row:
     """The equilibrium that the motion starts from: the clear span between the beam's ends (L)."""
     model = jump_model(simulation)
-    mesh = simulation.frame.mesh(model.frame)
-    march = March(
-        models=[model],
-        masses=simulation.discretization.masses(),
-        states=resting_guesses([simulation], [model]),
-        simulation=simulation,
-        ending=FlightEnding(),
-        lanes=1,
-        mesh=mesh,
-    )
+    march = jump_march([simulation], [model])
     march.find_starts()
-    nodes = march.queue.state[0, model.frame.dofs(mesh) :]
+    nodes = march.queue.state[0, model.frame.dofs(march.mesh) :]
     x, y = nodes[:: model.discretization.node_dofs()], nodes[1 :: model.discretization.node_dofs()]
     span = float(((x[-1] - x[0]) ** 2 + (y[-1] - y[0]) ** 2) ** 0.5)
     return {"clear_span_bar": span, "epsilon_left": 1.0 - span}
