@@ -73,9 +73,9 @@ def derivatives(jump: March, numbers: Any, steps: Any, solutions: Any, correctio
     outcome = np.zeros((1, c.ROWS))
     outcome[0, c.STATUS] = OK
     outcome[0, c.COM_VX], outcome[0, c.COM_VY] = flight_of(jump)[2:]
-    fall = numbers[:, place(jump.models[0], "load", "acceleration")]
-    slopes = Slopes(flights[:, :, : numbers.shape[2]], fall, grazes)
-    found = apex_sensitivities(outcome, np.array([jump.models[0].load.acceleration]), slopes)
+    first = place(jump.models[0], "load", "acceleration")
+    slopes = Slopes(flights[:, :, : numbers.shape[2]], numbers[:, first : first + 3], grazes)
+    found = apex_sensitivities(outcome, jump.models[0].load, slopes)
     return np.vstack([found.dx_bar, found.dy_bar]).T
 
 

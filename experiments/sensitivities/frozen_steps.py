@@ -167,8 +167,14 @@ def flight_of(jump: March) -> Any:
 def apex(jump: March) -> Any:
     """Apex (x, y) of the flight after the last step."""
     x, y, vx, vy = flight_of(jump)
-    ahead = max(vy, 0.0) / jump.models[0].load.acceleration
-    return np.array([x + vx * ahead, y + 0.5 * max(vy, 0.0) * ahead])
+    load = jump.models[0].load
+    ahead = max(load.time_to_apex(vx, vy), 0.0)
+    return np.array(
+        [
+            x + (vx + 0.5 * load.pull() * ahead) * ahead,
+            y + (vy - 0.5 * load.gravity() * ahead) * ahead,
+        ]
+    )
 
 
 def march_along(jump: March, steps: Any, solutions: Any) -> None:

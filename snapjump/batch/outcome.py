@@ -11,6 +11,7 @@ from snapjump.batch.prepare import Prepared
 from snapjump.batch.sensitivities import Sensitivities, Slopes, apex_sensitivities
 from snapjump.composition import Simulation
 from snapjump.engine import clock as c
+from snapjump.load.gravity import Gravity
 from snapjump.scenes.flight_check import checked_status
 from snapjump.scenes.jump_outputs import JumpOutputs
 from snapjump.scenes.jump_start import jump_model
@@ -70,6 +71,8 @@ def batch_of(base: Simulation, ready: Prepared, marched: Marched) -> Batch:
     sensitivities = None
     if marched.slopes is not None:
         slopes = Slopes(*(ready.spread(values) for values in marched.slopes))
-        sensitivities = apex_sensitivities(outcome, model.load.acceleration, slopes)
+        sensitivities = apex_sensitivities(
+            outcome, Gravity(*(n[:, None] for n in model.load)), slopes
+        )
     passes = marched.lane_passes
     return Batch(base, model, outcome, marched.kernel_seconds, passes, ready, sensitivities)

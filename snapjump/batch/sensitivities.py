@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from snapjump.engine import clock as c
 from snapjump.engine.status import NO_JUMP, OK
+from snapjump.load.gravity import Gravity
 
 Array = NDArray[np.float64]
 # A change of a parameter that makes or breaks a contact: nearer than this, on one side only are
@@ -33,29 +34,36 @@ class Sensitivities:
 
 class Slopes(NamedTuple):
     """Of M marched robots: ``flights`` (M, 4, I), of x, y, vx, vy of the centre of mass at the end;
-    ``fall`` (M, I), of gravity; and the distances of ``grazes`` (M)."""
+    ``load`` (M, 3, I), of gravity's acceleration, cosine and downhill; the distances of ``grazes``
+    (M)."""
 
     flights: Array
-    fall: Array
+    load: Array
     grazes: Array
 
 
-def apex_sensitivities(outcome: Array, fall: Array, slopes: Slopes) -> Sensitivities:
-    """Sensitivities from outcomes (R, ROWS) and gravity (R) in L/T^2; all rows are marched."""
+def apex_sensitivities(outcome: Array, load: Gravity, slopes: Slopes) -> Sensitivities:
+    """Sensitivities from outcomes (R, ROWS) and gravity, arrays (R, 1)."""
     status = outcome[:, c.STATUS]
-    flew = status == OK
-    rise = np.where(flew, np.maximum(outcome[:, c.COM_VY], 0.0), 0.0)[:, None]
-    ahead = rise / fall[:, None]
-    x, y, vx, vy = (slopes.flights[:, k] for k in range(4))
-    longer = np.where(flew[:, None], (vy - ahead * slopes.fall) / fall[:, None], 0.0)
+    flew = (status == OK)[:, None]
+    vx, vy = outcome[:, c.COM_VX, None], outcome[:, c.COM_VY, None]
+    rise = np.where(flew, np.maximum(load.rise(vx, vy), 0.0), 0.0)
+    ahead = rise / load.acceleration
+    dx, dy, dvx, dvy = (slopes.flights[:, k] for k in range(4))
+    stronger, cosine, downhill = (slopes.load[:, k] for k in range(3))
+    faster = load.rise(dvx, dvy) + vy * cosine - vx * downhill
+    longer = np.where(rise > 0.0, (faster - ahead * stronger) / load.acceleration, 0.0)
+    # The apex is at x + (vx + downhill rise / 2) ahead, y + (vy - cosine rise / 2) ahead.
+    along = dvx + 0.5 * (downhill * rise + load.downhill * faster)
+    across = dvy - 0.5 * (cosine * rise + load.cosine * faster)
     known = np.isin(status, (OK, NO_JUMP))
 
     def of_known(values: Any) -> Array:
         return np.where(known[:, None], values, np.nan)
 
     return Sensitivities(
-        dx_bar=of_known(x + vx * ahead + outcome[:, c.COM_VX, None] * longer),
-        dy_bar=of_known(y + rise * longer + 0.5 * ahead * ahead * slopes.fall),
+        dx_bar=of_known(dx + along * ahead + (vx + 0.5 * load.downhill * rise) * longer),
+        dy_bar=of_known(dy + across * ahead + (vy - 0.5 * load.cosine * rise) * longer),
         graze_distance=np.where(known, slopes.grazes, np.nan),
         differentiable=known & (slopes.grazes > NEAREST),
     )

@@ -89,10 +89,11 @@ def march_all(
 
 
 def gravity_slopes(ready: Prepared, numbers: Array) -> Array:
-    """Of the models' gravity (M, I), among the slopes (M, P, I) of all their numbers."""
+    """Of the models' gravity (M, 3, I), among the slopes (M, P, I) of all their numbers."""
     if not ready.models:
-        return np.zeros((0, numbers.shape[2]))
-    return numbers[:, place(ready.models[0], "load", "acceleration")]
+        return np.zeros((0, 3, numbers.shape[2]))
+    first = place(ready.models[0], "load", "acceleration")
+    return numbers[:, first : first + 3]
 
 
 def simulate_batch(

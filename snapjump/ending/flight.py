@@ -55,13 +55,13 @@ class FlightEnding(NamedTuple):
             clock[COM_Y] = where(known, y, clock[COM_Y])
             clock[COM_VX] = where(known, vx, clock[COM_VX])
             clock[COM_VY] = where(known, vy, clock[COM_VY])
-            clear = airborne & clear_of_ground(model, work, x, y, vy)
+            clear = airborne & clear_of_ground(model, work, x, y, vx, vy)
             status = where(clear, 1.0 * OK, status)
         return status
 
 
 @kernel
-def clear_of_ground(model: Any, work: Any, com_x: Any, com_y: Any, rise: Any) -> Any:
+def clear_of_ground(model: Any, work: Any, com_x: Any, com_y: Any, along: Any, rise: Any) -> Any:
     """Whether the box cannot touch the ground before the apex (see the module's text)."""
     frame = model.frame.box(work.mesh, work.state, work.velocity[0])
     fall = model.load.gravity()
@@ -95,4 +95,7 @@ def clear_of_ground(model: Any, work: Any, com_x: Any, com_y: Any, rise: Any) ->
         bend = fall + turn * turn * radius
         later = height + climb * horizon - 0.5 * bend * horizon * horizon
         clear = clear & (height > 0.0) & (later > 0.0)
-    return clear
+    # Up a slope the highest point against gravity comes after the one above the ground.
+    late = model.load.time_to_apex(along, rise)
+    height = com_y + late * (rise - 0.5 * fall * late)
+    return clear & ((late <= apex) | (height > radius + reach))

@@ -11,11 +11,9 @@ from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.equilibrium import settle
 from snapjump.engine.model import Model
 from snapjump.engine.status import NO_EQUILIBRIUM, RUNNING
-from snapjump.friction.none import NoFriction
+from snapjump.friction.parts.holding import Holding
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import negate, where
-
-FRICTIONLESS = NoFriction.Law  # a name that kernels can call
 
 CONTINUATION_STEPS = 16
 FIRST_TURN = 0.02  # of a step
@@ -24,15 +22,15 @@ DIFFERENCE_RAD = 2e-3  # clamp angle between the equilibria that velocity is tak
 
 @kernel
 def with_angles(model: Any, left: Any, lag: Any) -> Any:
-    """The model with other clamp angles at time 0, and without friction: slow loading has no
-    sliding velocity, and a lagged law would look for one that is not there yet."""
+    """The model with other clamp angles at time 0, and friction that holds it on its slope: slow
+    loading has no sliding velocity, and a lagged law would look for one that is not there yet."""
     clamp = ConstantRate(left, model.clamp.end, model.clamp.rate, lag)
     return Model(
         model.discretization,
         model.frame,
         clamp,
         model.contact,
-        FRICTIONLESS(),
+        Holding(model.load.pull() / model.load.gravity()),
         model.damping,
         model.load,
         model.ground,
@@ -42,13 +40,14 @@ def with_angles(model: Any, left: Any, lag: Any) -> Any:
 
 @kernel
 def stay_in_place(model: Any, masses: Any, work: Any) -> None:
-    """Where no friction holds the frame, keep the centre of mass in place instead of it."""
+    """Where no friction holds the frame, keep the centre of mass in place instead of it; let what
+    friction holds on a slope creep."""
     free = negate(model.friction.holds())
     mesh = work.mesh
     _, _, speed, _ = centre_of_mass(model, masses, mesh, work.start, work.velocity[0])
     _, _, push, _ = centre_of_mass(model, masses, mesh, work.start, work.acceleration[0])
     zero = 0.0 * speed
-    speed = where(free, speed, zero)
+    speed = where(free, speed, zero - model.load.creep())
     push = where(free, push, zero)
     model.frame.slide(mesh, work.velocity[0], -speed)
     model.frame.slide(mesh, work.acceleration[0], -push)

@@ -110,6 +110,7 @@ class ElasticFrame(FrameOptions):
             rate = motion.rate_factor
             drag = model.damping.drag()
             fall = model.load.gravity()
+            tug = model.load.pull()
             zero = 0.0 * rate
             clear_mounts(work.system, zero)
             figures = FrameForces(zero, zero + 1.0e30, zero)
@@ -120,7 +121,7 @@ class ElasticFrame(FrameOptions):
                 vy = (state[i + 1] - work.origin[i + 1]) * rate
                 ax = (vx - work.drift[i]) * motion.inertia_rate
                 ay = (vy - work.drift[i + 1]) * motion.inertia_rate
-                residual[i] = mass * (ax + drag * vx)
+                residual[i] = mass * (ax + drag * vx - tug)
                 residual[i + 1] = mass * (ay + drag * vy + fall)
                 band[i, 0] = mass * (motion.inertia_rate + drag) * rate
                 band[i + 1, 0] = mass * (motion.inertia_rate + drag) * rate

@@ -113,6 +113,7 @@ class RigidFrame(FrameOptions):
                 square[k, k] += mass * (motion.inertia_rate + drag) * rate
                 largest = maximum(largest, absolute(inertial))
             weight = self.mass * model.load.gravity()
+            residual[0] -= self.mass * model.load.pull()
             residual[1] += weight
             largest = maximum(largest, 0.0 * rate + weight)
             # Statics leaves x undetermined: a spring that ends up without force holds it.

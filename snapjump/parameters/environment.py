@@ -1,12 +1,15 @@
 """The environment: what a jump meets."""
 
+import math
+
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import Part, number
 from snapjump.parameters.robot import SMALLEST, Robot
 
 
 class Environment(Part):
-    """Friction coefficient mu, and the robot's whole mass as m_bar = m g L^2 / EI."""
+    """Friction coefficient mu, the robot's whole mass as m_bar = m g L^2 / EI, and the slope of the
+    ground, positive where it rises towards +x."""
 
     group = "environment"
 
@@ -17,6 +20,24 @@ class Environment(Part):
         0.768, above=0.0, doc="m g L^2/EI of the whole robot", symbol="m̄", plan=(0.3, 2.0),
         kind="environment",
     )  # fmt: skip
+
+    slope_rad: float = number(
+        0.0, least=-1.5, most=1.5, unit="rad", doc="slope of the ground, which rises towards +x",
+        symbol="σ", plan=(-0.05, 0.05), kind="environment",
+    )  # fmt: skip
+
+    def check_slope(self, mu: float) -> None:
+        """Raises ParameterError for a slope on which friction of a coefficient holds nothing."""
+        if self.slope_rad != 0.0 and abs(math.tan(self.slope_rad)) >= mu:
+            steepest = math.atan(mu)
+            raise ParameterError(
+                "environment.slope_rad",
+                self.slope_rad,
+                f"between {-steepest:.6g} and {steepest:.6g} rad, where friction of coefficient "
+                f"{mu:g} holds the robot"
+                if mu > 0.0
+                else "0 without friction",
+            )
 
     def mass_kg(self, robot: Robot) -> float:
         """The robot's whole mass.

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from snapjump.engine import clock as c
 from snapjump.engine.status import OK
+from snapjump.load.gravity import Gravity
 
 Array = NDArray[np.float64]
 
@@ -28,25 +29,30 @@ class Flight(NamedTuple):
     liftoff_time: Array
 
 
-def flight(begun: Any, fall: Any, outcome: Array) -> Flight:
+def flight(begun: Any, load: Gravity, outcome: Array) -> Flight:
     """The flight of outcomes (..., ROWS) of marches that began at times ``begun`` (T) of the
-    rotation, under gravity ``fall`` (L/T^2).
+    rotation. The apex is the highest point against gravity.
 
     Whatever has not jumped has its apex where it is.
     """
     x, y = outcome[..., c.COM_X], outcome[..., c.COM_Y]
     vx, vy = outcome[..., c.COM_VX], outcome[..., c.COM_VY]
-    time = outcome[..., c.TIME]
-    rise = np.where(outcome[..., c.STATUS] == OK, np.maximum(vy, 0.0), 0.0)
-    ahead = rise / fall
+    time, fall, tug = outcome[..., c.TIME], load.gravity(), load.pull()
+    rise = np.where(outcome[..., c.STATUS] == OK, np.maximum(load.rise(vx, vy), 0.0), 0.0)
+    ahead = rise / load.acceleration
     aloft = time - outcome[..., c.LAST_CONTACT]
     return Flight(
-        x + vx * ahead,
-        y + 0.5 * rise * ahead,
+        x + (vx + 0.5 * load.downhill * rise) * ahead,
+        y + (vy - 0.5 * load.cosine * rise) * ahead,
         begun + time + ahead,
-        x - vx * aloft,
+        x - (vx - 0.5 * tug * aloft) * aloft,
         y - (vy + 0.5 * fall * aloft) * aloft,
-        vx,
+        vx - tug * aloft,
         vy + fall * aloft,
         begun + outcome[..., c.LAST_CONTACT],
     )
+
+
+def world(load: Gravity, x: Any, y: Any) -> tuple[Any, Any]:
+    """Places along and across the ground as level and plumb ones."""
+    return x * load.cosine + y * load.downhill, y * load.cosine - x * load.downhill

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from snapjump.engine import clock as c
 from snapjump.engine.status import ENERGY_GAINED, OK
+from snapjump.scenes.flight import flight, world
 
 Array = NDArray[np.float64]
 
@@ -32,10 +33,9 @@ def farthest_apex(model: Any, beam_mass: float) -> Any:
 def checked_status(model: Any, beam_mass: float, outcome: Array) -> Array:
     """The statuses (R) of jumps that ended with outcomes (R, ROWS); a flight that cannot be true
     is no success."""
-    time = np.maximum(outcome[:, c.COM_VY], 0.0) / model.load.acceleration
-    height = outcome[:, c.COM_Y] + 0.5 * outcome[:, c.COM_VY] * time
-    distance = np.abs(outcome[:, c.COM_X] + outcome[:, c.COM_VX] * time)
+    flown = flight(0.0, model.load, outcome)
+    distance, height = world(model.load, flown.apex_x, flown.apex_y)
     # Thrown at the best angle, the apex is half as high as straight up, and as far as that.
-    gained = np.maximum(height, distance) > farthest_apex(model, beam_mass)
+    gained = np.maximum(height, np.abs(distance)) > farthest_apex(model, beam_mass)
     status = outcome[:, c.STATUS]
     return np.where((status == OK) & gained, float(ENERGY_GAINED), status)

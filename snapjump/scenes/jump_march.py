@@ -14,7 +14,6 @@ from snapjump.scenes.march_outputs import side_by_side
 from snapjump.scenes.resting import resting_guesses
 from snapjump.scenes.runner import Array, March, Progress
 
-
 UNTIL_FLIGHT = FlightEnding()
 
 

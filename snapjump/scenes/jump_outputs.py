@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from snapjump.declare.outputs import FLAG, output
 from snapjump.engine import clock as c
 from snapjump.error_estimate import ErrorEstimate, error_estimate
-from snapjump.scenes.flight import Flight, flight
+from snapjump.scenes.flight import Flight, flight, world
 from snapjump.scenes.march_outputs import GroundOutputs, RecordedOutputs, RunOutputs
 
 Array = NDArray[np.float64]
@@ -30,7 +30,7 @@ class JumpOutputs(GroundOutputs):
         """Apex and lift-off, dimensionless, whatever the status."""
         model = self.model
         begun = model.clamp.start / model.clamp.rate
-        return flight(begun, model.load.acceleration, self.outcome)
+        return flight(begun, model.load, self.outcome)
 
     @cached_property
     def relaxation_s(self) -> Any:
@@ -52,13 +52,23 @@ class JumpOutputs(GroundOutputs):
 
     @output("L", of=ENDED, show="apex: x {}")
     def x_bar(self) -> Array:
-        """Apex of the centre of mass, from where it started."""
+        """Apex of the centre of mass along the ground, from where it started."""
         return self.flight.apex_x
 
     @output("L", of=ENDED, show="apex: y {}")
     def y_bar(self) -> Array:
         """Apex of the centre of mass, above the ground."""
         return self.flight.apex_y
+
+    @output("L", of=ENDED, show="")
+    def x_world_bar(self) -> Array:
+        """Apex of the centre of mass on the level, from where it started."""
+        return world(self.model.load, self.flight.apex_x, self.flight.apex_y)[0]
+
+    @output("L", of=ENDED, show="")
+    def y_world_bar(self) -> Array:
+        """Apex of the centre of mass along the plumb, above where it started on the ground."""
+        return world(self.model.load, self.flight.apex_x, self.flight.apex_y)[1]
 
     @output("s", of=FLOWN, show="apex: {} after the clamps begin to turn")
     def apex_time_s(self) -> Array:

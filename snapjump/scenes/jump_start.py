@@ -1,5 +1,6 @@
 """A robot at the beginning of its jump: its model, and what refuses to jump."""
 
+import math
 from typing import Any
 
 from snapjump.checks import ParameterError
@@ -7,6 +8,7 @@ from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
 from snapjump.engine.model import Model, TimeLimit
 from snapjump.load.gravity import Gravity
+from snapjump.number.functions import cos, sin
 from snapjump.scenes.frame_body import compression, frame_model
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.rounding import LostToRoundingError
@@ -97,6 +99,7 @@ def jump_model(simulation: Simulation, threshold: Threshold | None = None) -> Mo
 def composed_model(simulation: Simulation, start: float, mount_height: float) -> Model:
     """The dimensionless robot that starts at an angle (rad), its clamps at a height (in L)."""
     robot, scales = simulation.robot, simulation.robot.scales
+    friction = simulation.friction.law(scales, simulation.environment.mu)
     return Model(
         discretization=simulation.discretization.beam(robot),
         frame=frame_model(simulation, mount_height),
@@ -107,9 +110,29 @@ def composed_model(simulation: Simulation, start: float, mount_height: float) ->
             delta_alpha=simulation.design.delta_alpha,
         ),
         contact=simulation.contact.law(scales),
-        friction=simulation.friction.law(scales, simulation.environment.mu),
+        friction=friction,
         damping=simulation.damping.law(scales),
-        load=Gravity(robot.gravity_m_s2 / scales.acceleration_m_s2),
+        load=weight(simulation, friction),
         ground=simulation.contact.ground(scales, simulation.discretization.elements),
         time_limit=TimeLimit(simulation.sim.time_limit_s / scales.time_s),
     )
+
+
+def weight(simulation: Simulation, friction: Any) -> Gravity:
+    """Gravity on the environment's slope, where friction holds a robot that creeps."""
+    slope = simulation.environment.slope_rad
+    fall = simulation.robot.gravity_m_s2 / simulation.robot.scales.acceleration_m_s2
+    cosine, downhill = cos(slope), 0.0 - sin(slope)
+    creep = creep_velocity(friction, downhill / cosine) if slope != 0.0 else 0.0
+    return Gravity(fall, cosine, downhill, creep)
+
+
+def creep_velocity(friction: Any, ratio: float) -> float:
+    """Sliding velocity (in L/T) at which a law gives a friction force of so many normal forces."""
+    from scipy.optimize import brentq
+
+    fast = 1e-9
+    while friction.ratio(fast) < abs(ratio):
+        fast *= 2.0
+    found = brentq(lambda v: friction.ratio(v) - abs(ratio), 0.0, fast, xtol=1e-20)
+    return math.copysign(found, ratio)

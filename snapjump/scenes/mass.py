@@ -1,6 +1,5 @@
 """Verification: one mass on the ground, bouncing in the barrier or sliding to rest."""
 
-import math
 import time
 from dataclasses import dataclass
 from typing import Any
@@ -15,7 +14,8 @@ from snapjump.discretization.parts.loose_nodes import LooseNodes
 from snapjump.ending.timed import TimedEnding
 from snapjump.engine.model import Model
 from snapjump.frame.parts.no_frame import NoFrame
-from snapjump.load.inclined import InclinedGravity
+from snapjump.load.gravity import Gravity
+from snapjump.number.functions import cos, sin
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
 from snapjump.scenes.march_outputs import GroundOutputs, RecordedOutputs, side_by_side
@@ -23,10 +23,9 @@ from snapjump.scenes.runner import March, Progress
 from snapjump.scenes.trajectory import trajectory_arrays
 
 
-def mass_model(simulation: Simulation, gravity_m_s2: float, incline: float) -> Model:
-    """One loose node with the law's plain stiffness, gravity tilted by the incline."""
+def mass_model(simulation: Simulation, gravity_m_s2: float, slope_rad: float) -> Model:
+    """One loose node with the law's plain stiffness, on ground that rises along +x."""
     scales = simulation.robot.scales
-    angle = math.atan(incline)
     fall = gravity_m_s2 / scales.acceleration_m_s2
     return Model(
         LooseNodes(),
@@ -35,7 +34,7 @@ def mass_model(simulation: Simulation, gravity_m_s2: float, incline: float) -> M
         simulation.contact.law(scales),
         simulation.friction.law(scales, simulation.environment.mu),
         NoDamping.Law(),
-        InclinedGravity(fall * math.cos(angle), fall * math.sin(angle)),
+        Gravity(fall, cos(slope_rad), 0.0 - sin(slope_rad)),
         simulation.contact.ground(scales, None),
     )
 
@@ -47,7 +46,7 @@ def beginning(
     approach = Approach(velocity[1], 0.0, state[1], velocity[1], 0.0)
     normal = float(force_if_acting(model.contact, state[1], approach)[1]) / mass_bar
     ratio = model.friction.ratio(velocity[0])
-    return model.load.tangential - float(ratio) * normal, normal - model.load.normal
+    return model.load.pull() - float(ratio) * normal, normal - model.load.gravity()
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,7 @@ def resting_guesses(simulations: Sequence[Simulation], models: Sequence[Model]) 
     rows = []
     for k, (simulation, model) in enumerate(zip(simulations, models, strict=True)):
         frame = model.frame
-        weight = (frame.mass + beam_mass) * model.load.acceleration
+        weight = (frame.mass + beam_mass) * model.load.gravity()
         gap = resting_gap(model.contact, weight, 2.0 * model.ground.corner_share)
         mesh = simulation.frame.mesh(frame)
         beam = chain_state(rod, x[k], y[k] + (gap - frame.foot_y) + frame.mount_y)

@@ -186,7 +186,8 @@ def energy_arrays(
         mass = float(model.frame.mass_of(mesh, k))
         kinetic = kinetic + 0.5 * mass * velocities[:, k] ** 2
     if dofs:
-        potential = potential + fall * model.frame.moments(mesh, states.T)[1]
+        along, across = model.frame.moments(mesh, states.T)
+        potential = potential + fall * across - tug * along
     elastic = np.zeros(len(times))
     if model.discretization.has_elements():
         for n, (time, state) in enumerate(zip(times, states, strict=True)):

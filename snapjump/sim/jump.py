@@ -43,6 +43,8 @@ class Jump(SceneOptions):
 
     def check_with(self, simulation: Any) -> None:
         simulation.environment.mass_kg(simulation.robot)
+        environment = simulation.environment
+        environment.check_slope(0.0 if simulation.friction.absent else environment.mu)
 
     def check_start(self, simulation: Simulation) -> None:
         check_backend(simulation)

@@ -31,17 +31,17 @@ class SlideOutputs(MassOutputs):
 class Slide(SceneOptions):
     """Verification: one mass slides on the ground until friction stops it.
 
-    ``incline`` is the tangent of the slope down which gravity also pulls.
+    On a slope of the environment, of any steepness, gravity pulls it downhill too.
     """
 
     chooses = {"frame": "fixed", "friction": "implicit", "damping": "none"}
+    tells = ("environment.slope_rad", "sim.mass_kg", "sim.speed_m_s", "sim.duration_s")
     outputs = SlideOutputs
     needs = (Need("contact", "pushes"), HELD, ONE_AT_A_TIME)
 
     mass_kg: float = number(4.0e-3, above=0.0, unit="kg")
     speed_m_s: float = number(0.1, least=0.0, unit="m/s")
     duration_s: float = number(0.05, above=0.0, unit="s")
-    incline: float = number(0.0, least=0.0, most=1.0)
     sample_interval_s: float = number(1.0e-5, above=0.0, unit="s")
 
     def __post_init__(self) -> None:
@@ -51,8 +51,10 @@ class Slide(SceneOptions):
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
         """Let a mass slide from its resting gap; smoothed Coulomb friction brings it to a creep."""
         scene, scales = simulation.sim, simulation.robot.scales
-        model = mass_model(simulation, simulation.robot.gravity_m_s2, scene.incline)
-        weight = scene.mass_kg / scales.mass_kg * model.load.normal
+        model = mass_model(
+            simulation, simulation.robot.gravity_m_s2, simulation.environment.slope_rad
+        )
+        weight = scene.mass_kg / scales.mass_kg * model.load.gravity()
         start = (0.0, resting_gap(model.contact, weight, 1.0))
         velocity = (scene.speed_m_s / scales.velocity_m_s, 0.0)
         return march_mass(simulation, model, start, velocity, SlideOutputs, progress)

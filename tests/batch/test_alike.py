@@ -58,12 +58,12 @@ def test_robots_of_other_scales_march_together(stepping: str, base: Simulation) 
 
 
 def test_a_variant_keeps_what_it_does_not_change() -> None:
-    class Sloping(Environment):
+    class Windy(Environment):
         """An environment with one field more."""
 
-        slope_rad: float = 0.0
+        wind_rad: float = 0.0
 
-    base = replace(BASE, environment=Sloping(slope_rad=0.1))
+    base = replace(BASE, environment=Windy(wind_rad=0.1))
     (other,) = variants(base, [(0.05, 0.25, 1.2, 0.4)])
-    assert other.environment == Sloping(mu=0.4, mass_bar=1.2, slope_rad=0.1)
-    assert {f.name for f in fields(other.environment)} == {"mu", "mass_bar", "slope_rad"}
+    assert other.environment == Windy(mu=0.4, mass_bar=1.2, wind_rad=0.1)
+    assert {f.name for f in fields(other.environment)} == {"mu", "mass_bar", "wind_rad"}

@@ -13,7 +13,7 @@ from snapjump.engine.assemble import Motion
 from snapjump.engine.model import Model
 from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.friction.implicit import ImplicitFriction
-from snapjump.load.inclined import InclinedGravity
+from snapjump.load.gravity import Gravity
 
 MASSES = np.array([0.3, 0.5, 0.2])
 MOTION = Motion(0.0, 40.0, 40.0, 0.0)
@@ -24,7 +24,7 @@ MODEL = Model(
     LogBarrier.Law(4e3, 0.025, 0.0),
     ImplicitFriction.Law(0.4, 0.25),
     NoDamping.Law(),
-    InclinedGravity(20.0, 6.0),
+    Gravity(1.0, 20.0, 6.0),
     Ground(7.0, 1.5, 0.025),
 )
 STATE = np.array([0.0, 0.01, 0.1, 0.02, 0.2, 0.5])  # two in the barrier, one above it

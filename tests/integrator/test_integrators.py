@@ -24,7 +24,7 @@ from snapjump.engine.newton import newton_iteration
 from snapjump.engine.stage import begin_stage, commit_step, keep_stage, reach_end, stage_motion
 from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.friction.none import NoFriction
-from snapjump.load.inclined import InclinedGravity
+from snapjump.load.gravity import Gravity
 
 MEMBERS = FAMILIES["integrator"]
 VARIANTS = {
@@ -95,7 +95,7 @@ def test_what_is_declared_fits_the_scheme(name):
 
 
 # A mass that oscillates in the barrier under a slope's gravity: smooth, nonlinear, damped.
-MODEL = model_of(LogBarrier.Law(40.0, 1.0, 0.0), MassProportional.Law(0.3), InclinedGravity(10, 1))
+MODEL = model_of(LogBarrier.Law(40.0, 1.0, 0.0), MassProportional.Law(0.3), Gravity(1.0, 10, 1))
 DURATION = 0.3
 BEGIN = np.array([0.0, 0.75, 0.2, 0.3])
 
@@ -201,7 +201,7 @@ def amplification(name, omega_h):
     """
     stiffness = omega_h**2
     size = 1e-3 / (1.0 + stiffness)  # no guess may be farther off than Newton's method goes
-    spring = model_of(Spring(MASSES[0] * stiffness), NoDamping.Law(), InclinedGravity(0.0, 0.0))
+    spring = model_of(Spring(MASSES[0] * stiffness), NoDamping.Law(), Gravity(1.0, 0.0, 0.0))
 
     def parts(run):
         work = run.work
@@ -296,7 +296,7 @@ PENDULUM_ERRORS = {
 
 @pytest.mark.parametrize("name", sorted(PENDULUM_ERRORS))
 def test_errors_of_a_pendulum(name):
-    model = model_of(Pendulum(MASSES[0]), NoDamping.Law(), InclinedGravity(0.0, 0.0))
+    model = model_of(Pendulum(MASSES[0]), NoDamping.Law(), Gravity(1.0, 0.0, 0.0))
     for steps, error in zip((50, 200), PENDULUM_ERRORS[name], strict=True):
         run = Integration(name, model, (0.0, 2.0), (0.0, 0.0), (0.0, -math.sin(2.0)))
         for _ in range(steps):
@@ -309,7 +309,7 @@ def test_no_contact_is_free_flight():
     for name in sorted(VARIANTS.keys() - {"bdf2"}):  # its first step is implicit Euler's
         run = Integration(
             name,
-            model_of(NoContact.Law(), NoDamping.Law(), InclinedGravity(10.0, 0.0)),
+            model_of(NoContact.Law(), NoDamping.Law(), Gravity(1.0, 10.0, 0.0)),
             (0.0, 2.0),
             (1.0, 3.0),
             (0.0, -10.0),

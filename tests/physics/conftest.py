@@ -123,11 +123,16 @@ def single_mass() -> Callable[..., Simulation]:
     """A simulation of one mass on the barrier, at a fixed step (s)."""
 
     def compose(
-        scene: str, step_s: float, integrator: str = "tr_bdf2", mu: float = 0.3, **numbers: float
+        scene: str,
+        step_s: float,
+        integrator: str = "tr_bdf2",
+        mu: float = 0.3,
+        slope_rad: float = 0.0,
+        **numbers: float,
     ) -> Simulation:
         return Simulation(
             sim=member_class("sim", scene)(**numbers),
-            environment=Environment(mu=mu),
+            environment=Environment(mu=mu, slope_rad=slope_rad),
             frame=member_class("frame", "fixed")(),
             integrator=member_class("integrator", integrator)(),
             stepping=member_class("stepping", "fixed")(step_s=step_s),

@@ -19,7 +19,9 @@ def test_slide_to_rest(single_mass, run, reference):
 def test_creep_on_an_incline(slope, single_mass, run, reference):
     row = next(r for r in reference("C5_incline") if r["tan"] == slope)
     result = run(
-        single_mass("slide", 1e-5, mu=row["mu"], speed_m_s=0.0, incline=slope, duration_s=0.01)
+        single_mass(
+            "slide", 1e-5, mu=row["mu"], speed_m_s=0.0, slope_rad=-np.arctan(slope), duration_s=0.01
+        )
     )
     assert result.final_speed_m_s == pytest.approx(row["creep_v"], rel=1e-6)
 
@@ -28,7 +30,14 @@ def test_slip_on_an_incline(single_mass, run, reference):
     row = next(r for r in reference("C5_incline") if "accel_over_gcos" in r)
     slope, start = row["tan"], 0.1
     result = run(
-        single_mass("slide", 1e-5, mu=row["mu"], speed_m_s=start, incline=slope, duration_s=0.01)
+        single_mass(
+            "slide",
+            1e-5,
+            mu=row["mu"],
+            speed_m_s=start,
+            slope_rad=-np.arctan(slope),
+            duration_s=0.01,
+        )
     )
     acceleration = (result.final_speed_m_s - start) / result.arrays["time_s"][-1]
     normal = 10.0 * np.cos(np.arctan(slope))

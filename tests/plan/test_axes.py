@@ -90,15 +90,13 @@ def test_what_no_robot_has(options: dict[str, Any], key: str) -> None:
 
 
 def test_a_range_that_is_not_declared_has_to_be_given() -> None:
-    class Sloping(Environment):
+    class Windy(Environment):
         """An environment with one number more."""
 
-        slope_rad: float = number(0.0, unit="rad")
+        wind_rad: float = number(0.0, unit="rad")
 
-    base = replace(BASE, environment=Sloping())
-    with pytest.raises(
-        ParameterError, match=r"plan.inputs.environment.slope_rad = None .* a range"
-    ):
-        Sobol(inputs={"environment.slope_rad": None}).axes(base)
-    (axis,) = Sobol(inputs={"environment.slope_rad": (-0.1, 0.1)}).axes(base)
-    assert axis.column == "slope_rad" and axis.short == "slope_rad (rad)"
+    base = replace(BASE, environment=Windy())
+    with pytest.raises(ParameterError, match=r"plan.inputs.environment.wind_rad = None .* a range"):
+        Sobol(inputs={"environment.wind_rad": None}).axes(base)
+    (axis,) = Sobol(inputs={"environment.wind_rad": (-0.1, 0.1)}).axes(base)
+    assert axis.column == "wind_rad" and axis.short == "wind_rad (rad)"

@@ -1,0 +1,1 @@
+"""What statics have instead of a friction law."""
