@@ -35,7 +35,7 @@ def make_shard(job: Mapping[str, Any], progress: Progress | None) -> Entry:
 
     Raises ParameterError where the sources are not those of the process that asks.
     """
-    for plugins in job["plugins"]:
+    for plugins in job.get("plugins", ()):
         load_plugins(plugins)
     asked = job["specification"]
     simulator = prepared(canonical(asked), canonical(job["backend"]))

@@ -57,8 +57,9 @@ EXTRAS = (
     "target",
     "tolerance",
     "figure",
+    "plugins",
 )
-SWITCHES = ("figures", "seed", "effort", "publish", "plugins")
+SWITCHES = ("figures", "seed", "effort", "publish")
 EFFORTS = ("quick", "full")
 LARGEST_SEED = 2**32 - 1
 

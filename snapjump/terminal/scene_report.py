@@ -62,7 +62,7 @@ def accuracy_line(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
     what the jump estimates itself."""
     accuracy = config["accuracy"]
     name = accuracy["name"]
-    if "error_estimate_percent" not in summary:
+    if not hasattr(member_class("sim", config["sim"]["name"])().outputs, "error_estimate_percent"):
         return str(name)
     changed = TIERS[name].departures(config)
     if changed:

@@ -13,6 +13,7 @@ from snapjump.declare.members import member_class
 from snapjump.engine import clock as c
 from snapjump.engine.status import OK
 from snapjump.friction.implicit import ImplicitFriction
+from snapjump.load.gravity import Gravity
 from snapjump.scenes.flight import flight
 from snapjump.statics.threshold_curve import ThresholdCurve
 
@@ -82,11 +83,12 @@ def test_gravity_moves_the_ballistic_flight_too():
         outcome[0, c.STATUS] = OK
         values = np.array([0.1, 0.6, 2.0, 5.0, 3.0]) + way * slopes
         outcome[0, [c.COM_X, c.COM_Y, c.COM_VX, c.COM_VY]] = values[:4]
-        return outcome, values[4:]
+        return outcome, Gravity(values[4], 0.8, 0.6)
 
     outcome, fall = at(0.0)
     ahead, behind = (flight(0.0, there[1], there[0]) for there in (at(1e-6), at(-1e-6)))
-    given = Slopes(slopes[None, :4, None], slopes[None, 4:], np.ones(1))
+    load = np.array([slopes[4], 0.0, 0.0])[None, :, None]
+    given = Slopes(slopes[None, :4, None], load, np.ones(1))
     found = apex_sensitivities(outcome, fall, given)
     assert found.dx_bar[0, 0] == pytest.approx((ahead.apex_x - behind.apex_x)[0] / 2e-6, rel=1e-8)
     assert found.dy_bar[0, 0] == pytest.approx((ahead.apex_y - behind.apex_y)[0] / 2e-6, rel=1e-8)

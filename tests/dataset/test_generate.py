@@ -96,9 +96,9 @@ def test_any_inputs_are_axes(tmp_path):
     assert dataset.axes == asked.axes and [axis.path for axis in asked.axes] == list(ranges)
     frame = dataset.frame()
     columns = ["thickness_m", "mount_height", "stiffness_N_m", "relaxation_time_s"]
-    assert list(frame.columns)[:6] == ["index", *columns, "h_bar"]
+    assert list(frame.columns)[:6] == ["index", *columns, "x_bar"]
     assert (frame[columns].to_numpy() == asked.plan.designs(0, 8)).all()
-    np.testing.assert_allclose(frame["h_bar"], frame["mount_height"] / 0.02, rtol=1e-12)
+    np.testing.assert_allclose(frame["mount_height_bar"], frame["mount_height"] / 0.02, rtol=1e-12)
     jumped = frame["status"] == "ok"
     slopes = [f"dy_bar_d_{name}" for name in columns]
     assert jumped.sum() >= 6 and np.isfinite(frame.loc[jumped, slopes].to_numpy(float)).all()

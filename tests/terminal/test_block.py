@@ -48,7 +48,7 @@ def test_a_changed_tier_claims_no_error() -> None:
 def test_other_scenes_show_every_output_by_name_with_its_unit() -> None:
     config = {
         "sim": {"name": "static"},
-        "design": {"epsilon": 0.2},
+        "design": {"epsilon": 0.2, "delta_alpha": 0.1},
         "robot": {"length_m": 0.02},
         "accuracy": {"name": "standard"},
     }
