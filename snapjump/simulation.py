@@ -6,6 +6,7 @@ from typing import Any
 from snapjump.checks import check_choice, check_group
 from snapjump.composition import Simulation, with_tier
 from snapjump.declare.fields import construct
+from snapjump.declare.former_options import with_present_options
 from snapjump.declare.members import FAMILIES, make_member
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
@@ -25,6 +26,7 @@ def build(config: Mapping[str, Any]) -> Simulation:
     known but has ``rows`` is a Runge-Kutta method of that tableau. Raises ParameterError.
     """
     check_group("configuration", config)
+    config = with_present_options(config)
     for group in (*PLAIN, *FAMILIES, "accuracy"):
         check_group(group, config.get(group) or {})
     parts: dict[str, Any] = {}

@@ -24,13 +24,13 @@ class Scales:
         return self.length_m / (self.time_s * self.time_s)
 
     @property
-    def force_N(self) -> float:  # noqa: N802 (the unit is a capital)
+    def force_N(self) -> float:
         return self.mass_kg * self.acceleration_m_s2
 
     @property
-    def energy_J(self) -> float:  # noqa: N802
+    def energy_J(self) -> float:
         return self.force_N * self.length_m
 
     @property
-    def stiffness_N_m(self) -> float:  # noqa: N802
+    def stiffness_N_m(self) -> float:
         return self.force_N / self.length_m

@@ -63,6 +63,8 @@ def only_folder(path: Path) -> Path:
         ("+design.foo=1", ["design.foo = 1", "epsilon"]),
         ("+contact.foo=1", ["contact.foo = 1", "stiffness_N_m"]),
         ("~design.epsilon", ["design.epsilon"]),
+        ("linear_solver=banded", ["linear_solver = 'banded'", "one linear solver"]),
+        ("sim.incline=0.1", ["sim.incline = '0.1'", "environment.slope_rad"]),
         ("design.epsilon=0", ["design.epsilon = 0", "0.4]"]),
         ("design.epsilon=0.41", ["design.epsilon = 0.41", "0.4]"]),
         ("design.epsilon=nan", ["design.epsilon = nan", "0.4]"]),

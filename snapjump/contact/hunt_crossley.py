@@ -40,10 +40,28 @@ class HuntCrossley(ContactOptions):
     ``impact_speed_m_s`` (slower ones lose less).
     """
 
-    restitution: float = number(0.8, least=0.01, most=1.0)
-    impact_speed_m_s: float = number(5.0, above=0.0, unit="m/s")
-    stiffness_N_m: float = number(1.0e5, above=0.0, unit="N/m")  # noqa: N815
-    penetration_m: float = number(2.0e-5, above=0.0, unit="m")
+    restitution: float = number(
+        0.8, least=0.01, most=1.0, doc="of an impact", symbol="e", plan=(0.5, 1.0)
+    )
+    impact_speed_m_s: float = number(
+        5.0,
+        above=0.0,
+        unit="m/s",
+        doc="speed that the restitution is of",
+        symbol="v_e",
+        plan=(2.0, 10.0),
+    )
+    stiffness_N_m: float = number(
+        1.0e5, above=0.0, unit="N/m", doc="force over penetration", symbol="k", plan=(5e4, 2e5)
+    )
+    penetration_m: float = number(
+        2.0e-5,
+        above=0.0,
+        unit="m",
+        doc="penetration that the stiffness is of",
+        symbol="p",
+        plan=(1e-5, 4e-5),
+    )
     weighting: str = weighting()
 
     @ContactLaw.member

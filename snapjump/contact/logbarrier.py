@@ -24,9 +24,25 @@ class LogBarrier(ContactOptions):
     adds a force of so many seconds times the stiffness times the closing speed.
     """
 
-    stiffness_N_m: float = number(1.0e4, above=0.0, unit="N/m")  # noqa: N815 (the unit is a capital)
-    distance_m: float = number(5.0e-4, above=0.0, unit="m")
-    damping_s: float = number(0.0, least=0.0, unit="s")
+    stiffness_N_m: float = number(
+        1.0e4, above=0.0, unit="N/m", doc="barrier stiffness", symbol="K_c", plan=(5e3, 2e4)
+    )
+    distance_m: float = number(
+        5.0e-4,
+        above=0.0,
+        unit="m",
+        doc="gap below which the ground pushes",
+        symbol="d̂",
+        plan=(2e-4, 1e-3),
+    )
+    damping_s: float = number(
+        0.0,
+        least=0.0,
+        unit="s",
+        doc="of a viscous share of the stiffness",
+        symbol="η_c",
+        plan=(0.0, 1e-6),
+    )
     weighting: str = weighting()
 
     @ContactLaw.member

@@ -16,7 +16,9 @@ class Penalty(ContactOptions):
     ``stiffness_N_m`` as for the barrier.
     """
 
-    stiffness_N_m: float = number(1.0e5, above=0.0, unit="N/m")  # noqa: N815
+    stiffness_N_m: float = number(
+        1.0e5, above=0.0, unit="N/m", doc="stiffness of the ground", symbol="k", plan=(5e4, 2e5)
+    )
     weighting: str = weighting()
 
     @ContactLaw.member

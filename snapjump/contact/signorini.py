@@ -41,7 +41,9 @@ class Signorini(ContactOptions):
         ),
     )
 
-    restitution: float = number(1.0, least=0.0, most=1.0)
+    restitution: float = number(
+        1.0, least=0.0, most=1.0, doc="of every impact", symbol="e", plan=(0.0, 1.0)
+    )
 
     @ContactLaw.member
     class Law(NamedTuple):

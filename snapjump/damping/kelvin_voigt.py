@@ -13,7 +13,14 @@ from snapjump.units import Scales
 class KelvinVoigt(DampingOptions):
     """Material damping: a stress eta d(strain)/dt; implicit Euler at h = eta damps alike."""
 
-    relaxation_time_s: float = number(1.0e-5, least=0.0, unit="s")
+    relaxation_time_s: float = number(
+        1.0e-5,
+        least=0.0,
+        unit="s",
+        doc="relaxation time of the material",
+        symbol="η",
+        plan=(1e-6, 2e-5),
+    )
 
     @DampingLaw.member
     class Law(NamedTuple):

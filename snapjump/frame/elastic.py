@@ -58,15 +58,33 @@ class ElasticFrame(FrameOptions):
         ),
     )
 
-    bending_ratio: float = number(1000.0, above=0.0)
-    stretching_ratio: float = number(1000.0, above=0.0)
+    bending_ratio: float = number(
+        1000.0, above=0.0, doc="EI over the beam's", symbol="EI_f/EI", plan=(1e2, 1e4)
+    )
+    stretching_ratio: float = number(
+        1000.0, above=0.0, doc="EA over the beam's", symbol="EA_f/EA", plan=(1e2, 1e4)
+    )
     leg_elements: int = integer(33, least=3, most=10_000)
     top_elements: int = integer(56, least=2, most=10_000)
     mount: str = choice("exact", MOUNTS)
-    inset_m: float = number(0.0, least=0.0, unit="m")
+    inset_m: float = number(
+        0.0,
+        least=0.0,
+        unit="m",
+        doc="from the beam's ends to the legs",
+        symbol="i",
+        plan=(0.0, 5e-4),
+    )
     contact: str = choice("nodes", CONTACTS)
     beam_on_top: bool = flag(False)
-    right_follow: float = number(1.0, least=0.0, most=1.0)
+    right_follow: float = number(
+        1.0,
+        least=0.0,
+        most=1.0,
+        doc="share of its leg's bending that the right clamp turns with",
+        symbol="r",
+        plan=(0.0, 1.0),
+    )
 
     @ElasticMounts.member
     class Body(NamedTuple):

@@ -11,7 +11,14 @@ from snapjump.units import Scales
 class ImplicitFriction(FrictionOptions):
     """Smoothed Coulomb friction of the unknown normal force and velocity."""
 
-    velocity_threshold_m_s: float = number(1.0e-4, above=0.0, unit="m/s")
+    velocity_threshold_m_s: float = number(
+        1.0e-4,
+        above=0.0,
+        unit="m/s",
+        doc="half width of the stick zone",
+        symbol="ε_v",
+        plan=(1e-4, 1e-2),
+    )
 
     @FrictionLaw.member
     class Law(NamedTuple):

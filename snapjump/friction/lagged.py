@@ -17,7 +17,14 @@ class LaggedFriction(FrictionOptions):
         Need("contact", "force_is_of_position", "which uses the force of the position a step ago"),
     )
 
-    velocity_threshold_m_s: float = number(1.0e-4, above=0.0, unit="m/s")
+    velocity_threshold_m_s: float = number(
+        1.0e-4,
+        above=0.0,
+        unit="m/s",
+        doc="half width of the stick zone",
+        symbol="ε_v",
+        plan=(1e-4, 1e-2),
+    )
 
     @FrictionLaw.member
     class Law(NamedTuple):

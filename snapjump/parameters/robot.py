@@ -36,7 +36,7 @@ class Robot(Part):
     thickness_m: float = positive(
         5e-5, unit="m", doc="thickness of the beam", symbol="b", plan=(3.5e-5, 7.5e-5)
     )
-    youngs_modulus_Pa: float = positive(  # noqa: N815 (the unit is a capital)
+    youngs_modulus_Pa: float = positive(
         2e11, unit="Pa", doc="Young's modulus", symbol="E", plan=(1e11, 3e11)
     )
     density_kg_m3: float = positive(
@@ -78,7 +78,7 @@ class Robot(Part):
             )
 
     @property
-    def bending_stiffness_N_m2(self) -> float:  # noqa: N802
+    def bending_stiffness_N_m2(self) -> float:
         area = self.width_m * self.thickness_m
         return self.youngs_modulus_Pa * area * self.thickness_m * self.thickness_m / 12.0
 

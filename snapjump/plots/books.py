@@ -18,7 +18,7 @@ class Books:
     stored: dict[str, np.ndarray]  # each (K,)
     work: np.ndarray  # (K,) of the clamps
     lost: dict[str, np.ndarray]  # each (K,), added up
-    unit_J: float  # EI/L  # noqa: N815 (the unit is a capital)
+    unit_J: float  # EI/L
 
     @property
     def total(self) -> np.ndarray:

@@ -35,7 +35,7 @@ class ObservedJump(JumpOutputs):
         return (crossing(self.times, self.heights) + begun) * self.simulation.robot.scales.time_s
 
     @output("N")
-    def peak_force_N(self) -> float:  # noqa: N802
+    def peak_force_N(self) -> float:
         """Largest normal force of the ground on the robot."""
         return peak(self.times, self.forces) * self.simulation.robot.scales.force_N
 

@@ -212,5 +212,5 @@ def energy_arrays(
         "contact_loss_J": impacts,
         "numerical_loss_J": numerical,
     }
-    energy_J = march.simulation.robot.scales.energy_J  # noqa: N806
+    energy_J = march.simulation.robot.scales.energy_J
     return {name: values * energy_J for name, values in ledger.items()}

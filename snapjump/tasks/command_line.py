@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from snapjump.checks import ParameterError
+from snapjump.declare.former_options import check_arguments
 from snapjump.declare.plugins import load_installed, load_plugins
 from snapjump.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_ERROR, EXIT_INTERRUPTED
 
@@ -28,6 +29,7 @@ def main(conf: Path) -> int:
         return 0
     try:
         check_flags(sys.argv[1:])
+        check_arguments(sys.argv[1:])
         load_all(named_plugins(sys.argv[1:]))
         return _run_hydra(conf)
     except ParameterError as error:

@@ -11,7 +11,7 @@ from snapjump.units import Scales
 class Cone(ContactOptions):
     """Cone: a pointed foot that sinks into an elastic ground."""
 
-    modulus_Pa: float = number(1.0e8, above=0.0, unit="Pa", doc="E/(1 - nu^2)")  # noqa: N815
+    modulus_Pa: float = number(1.0e8, above=0.0, unit="Pa", doc="E/(1 - nu^2)")
     half_angle_rad: float = number(0.8, least=0.1, most=1.5, unit="rad")
 
     @ContactLaw.member

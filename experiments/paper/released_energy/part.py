@@ -60,7 +60,7 @@ class ReleasedEnergy(Part):
         converged = [row for curve in curves.values() for row in curve]
         heights = [f"{name}_bar" for name in HEIGHTS]
         robot = composed(done[ALIKE].cell.inputs["groups"]).robot
-        unit_mJ = 1e3 * robot.bending_stiffness_N_m2 / robot.length_m  # noqa: N806
+        unit_mJ = 1e3 * robot.bending_stiffness_N_m2 / robot.length_m
         figures = {
             "released_energy": Figure(
                 "Energy released by the snap; how far it is from a straight line; and over ε, "
