@@ -121,6 +121,6 @@ def read_rows(dataset: Dataset) -> Rows:
     designs, apexes = tensor(inputs), tensor(list(APEX))
     shape = (len(frame), len(APEX), len(inputs))
     if slopes:
-        frame.loc[frame["differentiable"] != True, slopes] = np.nan  # null is none
+        frame.loc[frame["differentiable"] != True, slopes] = np.nan  # noqa: E712  # null is none
         return Rows(designs, apexes, tensor(slopes).reshape(shape))
     return Rows(designs, apexes, torch.full((1, 1, 1), torch.nan).expand(shape))
