@@ -61,6 +61,8 @@ def richardson(base, design):
         ("contact.damping_s", 1e-6),
         ("friction.velocity_threshold_m_s", 2e-4),
         ("damping.relaxation_time_s", 2e-5),
+        ("environment.slope_rad", 0.1),
+        ("environment.slope_rad", -0.05),
     ],
 )
 def test_any_input_against_direct_differences(path, value, curve):

@@ -40,7 +40,12 @@ OTHERS = (
         "contact.distance_m": 1e-3,
         "friction.velocity_threshold_m_s": 1.0,
     },
-    {"contact.damping_s": 1e-6, "robot.width_m": 0.01, "design.epsilon": 0.15},
+    {
+        "contact.damping_s": 1e-6,
+        "robot.width_m": 0.01,
+        "design.epsilon": 0.15,
+        "environment.slope_rad": 0.1,
+    },
 )
 # delta_alpha, epsilon, mass_bar, mu
 DESIGNS = ((0.03, 0.15, 1.3, 0.25), (0.15, 0.18, 1.6, 0.2))

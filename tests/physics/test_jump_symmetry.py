@@ -9,7 +9,6 @@ from snapjump.declare.members import member_class
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 from snapjump.parameters.robot import Robot
-from snapjump.scenes.jump_start import start_angle_rad
 
 
 def test_equal_clamps_jump_straight_up(jump):
@@ -18,25 +17,27 @@ def test_equal_clamps_jump_straight_up(jump):
     assert np.abs(result.arrays["frame_angle_rad"]).max() < 1e-8
 
 
-def test_mirrored_mismatch_mirrors_the_jump(jump):
+@pytest.mark.parametrize("slope", [0.0, 0.15])
+def test_mirrored_mismatch_and_slope_mirror_the_jump(slope, jump):
     """The left clamp is the reference: the mirror image starts and ends that much earlier.
 
     The elimination runs from left to right, so that the two differ by rounding, and adaptive
     steps raise that to a share of their tolerance.
     """
     lag = 0.1
-    robot, scene = Robot(), member_class("sim", "jump")()
+    robot = Robot()
     tight = member_class("stepping", "adaptive")(tolerance=1e-8, contact_steps=0.5)
-    right = jump(design=Design(0.2, lag), stepping=tight)
-    angle = start_angle_rad(right.simulation)
+    uphill, downhill = (Environment(slope_rad=sign * slope) for sign in (1.0, -1.0))
+    right = jump(design=Design(0.2, lag), environment=uphill, stepping=tight)
     left = jump(
         design=Design(0.2, -lag),
+        environment=downhill,
         robot=dataclasses.replace(robot, rotation_end_rad=robot.rotation_end_rad - lag),
-        sim=dataclasses.replace(scene, start_fraction=scene.start_fraction * (1.0 - lag / angle)),
         stepping=tight,
     )
     assert left.x_bar == pytest.approx(-right.x_bar, rel=1e-3)
     assert left.y_bar == pytest.approx(right.y_bar, rel=1e-4)
+    assert left.x_world_bar == pytest.approx(-right.x_world_bar, rel=1e-3)
 
 
 def test_without_friction_nothing_moves_sideways(jump):
