@@ -2,7 +2,8 @@
 
 A family is a folder of the package: ``base.py`` has its contract, every other file one class of
 options, a :class:`~snapjump.declare.fields.Part` of that group, and ``parts`` what they are made
-of. A file of numbers alone, ``<name>.yaml``, is a member where the contract has ``of_numbers``.
+of. Where the package says ``NUMBERS_ALONE`` a file of numbers, ``<name>.yaml``, is a member, which
+the contract's ``of_numbers`` makes.
 Nothing is imported before it is asked for: a surrogate takes seconds to load.
 """
 
@@ -37,10 +38,11 @@ def files_of(family: str) -> dict[str, Path]:
     """The file of every member: its module, or its numbers."""
     load_installed()
     package = import_module(f"snapjump.{family}")
+    patterns = ("*.yaml", "*.py") if hasattr(package, "NUMBERS_ALONE") else ("*.py",)
     found = {
         path.stem: path
         for folder in package.__path__
-        for pattern in ("*.yaml", "*.py")
+        for pattern in patterns
         for path in sorted(Path(folder).glob(pattern))
     }
     return {name: found[name] for name in sorted(found) if name not in (BASE, "__init__")}
@@ -101,7 +103,7 @@ def make_member(family: str, group: Any) -> Any:
     values = dict(group)
     name = values.pop("name", None)
     if isinstance(name, str) and name.isidentifier() and name not in files_of(family):
-        if hasattr(import_module(f"snapjump.{family}.{BASE}"), "of_numbers") and values:
+        if hasattr(import_module(f"snapjump.{family}"), "NUMBERS_ALONE") and values:
             return of_numbers(family, name, values)
     cls = member_class(family, name)
     if isinstance(cls, partial):

@@ -38,18 +38,18 @@ def load_plugins(folder: str | Path) -> None:
     if place in _loaded:
         _check_unchanged(place)
         return
-    groups = [group for group in sorted(place.iterdir()) if list(group.glob("*.py"))]
+    groups = [group for group in sorted(place.iterdir()) if members_in(group)]
     for group in groups:
         _check_group(group)
     files.PLUGINS.append(place)
-    paths = [importlib.import_module(f"snapjump.{group.name}").__path__ for group in groups]
+    paths = [_package(group).__path__ for group in groups]
     for path, group in zip(paths, groups, strict=True):
         path.append(str(group))
     importlib.invalidate_caches()
     try:
         _refresh_kernels()
         for group in groups:
-            for file in sorted(group.glob("*.py")):
+            for file in members_in(group):
                 _check_member(file)
     except ParameterError:
         files.PLUGINS.remove(place)
@@ -72,6 +72,23 @@ def load_installed() -> None:
             load_plugins(folder)
     for folder in filter(None, os.environ.get(VARIABLE, "").split(os.pathsep)):
         load_plugins(folder)
+
+
+def members_in(group: Path) -> list[Path]:
+    """The files of members in a folder: Python, and tableaux of Runge-Kutta methods."""
+    files_there = sorted(group.glob("*.py"))
+    if _is_family(group) and hasattr(_package(group), "NUMBERS_ALONE"):
+        known = {file.stem for file in files_there}
+        files_there += [file for file in sorted(group.glob("*.yaml")) if file.stem not in known]
+    return files_there
+
+
+def _is_family(group: Path) -> bool:
+    return (files.PACKAGE / group.name / "base.py").exists()
+
+
+def _package(group: Path) -> Any:
+    return importlib.import_module(f"snapjump.{group.name}")
 
 
 def _hash(place: Path) -> str:
@@ -98,9 +115,9 @@ def _check_group(group: Path) -> None:
     """Require a family, and names that no member has."""
     from snapjump.declare.members import BASE, files_of
 
-    if not (files.PACKAGE / group.name / f"{BASE}.py").exists() or group.name == "declare":
+    if not _is_family(group):
         raise ParameterError("plugins", str(group), "a folder named like a group of conf/")
-    for file in group.glob("*.py"):
+    for file in members_in(group):
         if file.stem in (*files_of(group.name), BASE, "parts") or not file.stem.isidentifier():
             raise ParameterError("plugins", str(file), f"a name that no {group.name} has yet")
 
@@ -108,9 +125,12 @@ def _check_group(group: Path) -> None:
 def _check_member(file: Path) -> None:
     """Require a class of options that is complete, and a YAML with its fields and defaults."""
     from snapjump.declare.fields import settings
-    from snapjump.declare.members import class_in
+    from snapjump.declare.members import class_in, member_class
 
     try:
+        if file.suffix == ".yaml":
+            member_class(file.parent.name, file.stem)()
+            return
         cls = class_in(file.parent.name, file.stem)
     except ParameterError as error:
         raise ParameterError("plugins", str(file), error.allowed) from error

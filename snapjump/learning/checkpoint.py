@@ -18,7 +18,7 @@ from torch import Tensor
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.sealed import canonical
-from snapjump.declare.members import make_member
+from snapjump.declare.members import check_known, make_member
 from snapjump.files.atomic import atomic_file
 from snapjump.plan.parts.axes import Axis, default_axes
 from snapjump.surrogate.base import Inputs, Surrogate
@@ -62,8 +62,9 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
                 learned_inputs(axes_in(about))
             )
         network.load_state_dict(tensors, assign=True)
+        check_known(about.get("dataset", {}).get("specification", {}).get("configuration", {}))
     except ParameterError as error:
-        raise _refused(path, f"its surrogate is not one of this version: {error}") from error
+        raise _refused(path, f"it has members that are not known here: {error}") from error
     except RuntimeError as error:  # other names or shapes
         reason = " ".join(str(error).split())
         raise _refused(path, f"its weights are of another network: {reason}") from error

@@ -96,6 +96,18 @@ def test_errors_are_the_lines_that_it_shows(place: Path) -> None:
         assert (done.returncode, done.stderr) == (2, line + "\n")
 
 
+def test_a_tableau_is_a_plugin_by_itself(tmp_path: Path) -> None:
+    text = (ROOT / "snapjump" / "integrator" / "sdirk2.yaml").read_text(encoding="utf-8")
+    (tmp_path / "mine" / "integrator").mkdir(parents=True)
+    file = tmp_path / "mine" / "integrator" / "own.yaml"
+    file.write_text(text.replace("name: sdirk2", "name: own"), encoding="utf-8")
+    command = ("plugins=mine", "sim=bounce", "integrator=own", "tracking=off", "figures=false")
+    assert plain(tmp_path, *command).returncode == 0
+    file.write_text(text.replace("[0.0]", "[0.5]"), encoding="utf-8")
+    refused = plain(tmp_path, *command)
+    assert refused.returncode == 2 and refused.stderr.startswith("plugins = "), refused.stderr
+
+
 SWEEP = ("-m", "sim=bounce", "contact=cone", "tracking=off", "figures=false")
 
 
@@ -170,6 +182,46 @@ def test_a_pickle_loads_the_plugin_that_it_needs(tmp_path: Path) -> None:
     kept = run(tmp_path, "-c", KEPT, str(PLUGINS))
     assert kept.returncode == 0, kept.stderr
     assert run(tmp_path, "-c", FOUND).stdout == "cone 0.3\n"
+
+
+# A dataset and a forward model of jumps on the cone, without a simulation.
+MADE = """
+import sys
+from pathlib import Path
+import snapjump
+snapjump.load_plugins(sys.argv[1])
+from forward_models import about, network
+from small_datasets import made_up, small
+from snapjump.learning.checkpoint import write_checkpoint
+specification = small(8, 8, contact={"name": "cone"})
+made_up(Path("dataset"), specification)
+told = about()
+told["dataset"]["specification"] = specification.plain
+write_checkpoint(Path("forward.safetensors"), network(), told)
+"""
+OPENED = """
+import sys
+import snapjump
+from snapjump.dataset.read import open_dataset
+from snapjump.learning.checkpoint import read_checkpoint
+if len(sys.argv) > 1:
+    snapjump.load_plugins(sys.argv[1])
+for opened in (lambda: open_dataset("dataset"), lambda: read_checkpoint("forward.safetensors")):
+    try:
+        opened()
+    except snapjump.ParameterError as error:
+        print(error)
+"""
+
+
+def test_what_was_made_with_it_is_refused_without_it(tmp_path: Path) -> None:
+    support = f"{ROOT}:{ROOT / 'tests' / 'support'}"
+    made = run(tmp_path, "-c", MADE, str(PLUGINS), PYTHONPATH=support)
+    assert made.returncode == 0, made.stderr
+    lines = run(tmp_path, "-c", OPENED).stdout.splitlines()
+    assert len(lines) == 2 and all("contact = 'cone'" in line for line in lines), lines
+    assert [line.partition(" = ")[0] for line in lines] == ["dataset.path", "checkpoint"]
+    assert run(tmp_path, "-c", OPENED, str(PLUGINS)).stdout == ""
 
 
 INSTALLED = """

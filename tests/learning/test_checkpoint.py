@@ -76,8 +76,8 @@ def test_foreign_files(tmp_path: Path) -> None:
     [
         ({"width": 17}, "its weights are of another network"),
         ({"blocks": 2}, "its weights are of another network"),
-        ({"name": "transformer"}, "its surrogate is not one of this version"),
-        ({"depth": 3}, "its surrogate is not one of this version"),
+        ({"name": "transformer"}, "it has members that are not known here"),
+        ({"depth": 3}, "it has members that are not known here"),
     ],
 )
 def test_weights_of_another_surrogate(tmp_path: Path, change: dict, why: str) -> None:
