@@ -35,6 +35,7 @@ def load_plugins(folder: str | Path) -> None:
     place = Path(folder).expanduser().resolve()
     if not place.is_dir():
         raise ParameterError("plugins", str(folder), "a folder of plug-ins: <group>/<member>.py")
+    load_installed()
     if place in _loaded:
         _check_unchanged(place)
         return

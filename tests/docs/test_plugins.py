@@ -268,6 +268,13 @@ def test_in_python_in_lanes_and_with_sensitivities(tmp_path: Path) -> None:
 
 
 @pytest.mark.compiles
+def test_parallel_workers_have_it(place: Path) -> None:
+    apart = ("plugins=mine", "sim.speed_m_s=5,10", "hydra/launcher=joblib", "hydra.sweep.dir=out")
+    done = run(place, str(ROOT / "run.py"), *SWEEP, *apart)
+    assert done.returncode == 0 and "2 cells: 2 ok" in done.stdout, done.stderr
+
+
+@pytest.mark.compiles
 def test_an_edited_law_is_another_program(place: Path) -> None:
     command = [str(ROOT / "run.py"), "plugins=mine", *SWEEP[1:], "hydra.run.dir=out"]
     gaps = []
