@@ -22,7 +22,7 @@ class Environment(Part):
     )  # fmt: skip
 
     slope_rad: float = number(
-        0.0, least=-1.5, most=1.5, unit="rad", doc="slope of the ground, which rises towards +x",
+        0.0, least=-1.5, most=1.5, unit="rad", doc="slope of the ground",
         symbol="σ", plan=(-0.05, 0.05), kind="environment",
     )  # fmt: skip
 
