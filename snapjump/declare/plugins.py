@@ -56,6 +56,8 @@ def load_plugins(folder: str | Path) -> None:
         files.PLUGINS.remove(place)
         for path, group in zip(paths, groups, strict=True):
             path.remove(str(group))
+            for file in members_in(group):
+                sys.modules.pop(f"snapjump.{group.name}.{file.stem}", None)
         _refresh_kernels()
         raise
     _loaded[place] = _hash(place)
@@ -77,7 +79,7 @@ def load_installed() -> None:
 
 def members_in(group: Path) -> list[Path]:
     """The files of members in a folder: Python, and tableaux of Runge-Kutta methods."""
-    files_there = sorted(group.glob("*.py"))
+    files_there = sorted(set(group.glob("*.py")) - {group / "__init__.py"})
     if _is_family(group) and hasattr(_package(group), "NUMBERS_ALONE"):
         known = {file.stem for file in files_there}
         files_there += [file for file in sorted(group.glob("*.yaml")) if file.stem not in known]

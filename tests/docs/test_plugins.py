@@ -178,6 +178,30 @@ print(simulation.contact.name, simulation.friction.law(simulation.robot.scales, 
 """
 
 
+MENDED = """
+import snapjump
+from pathlib import Path
+from snapjump.composition import with_tier
+law = Path("mine/contact/cone.py")
+text = law.read_text()
+law.write_text(text.replace("def law(", "def make("))
+for change in (text, text.replace("2.0 / pi", "4.0 / pi")):
+    try:
+        snapjump.load_plugins("mine")
+        print(with_tier("draft", contact="cone").contact.name)
+    except snapjump.ParameterError as error:
+        print(str(error).rpartition(": ")[2].split(",")[0])
+    law.write_text(change)
+snapjump.load_plugins("mine")
+"""
+
+
+def test_a_mended_law_loads_and_one_that_changes_after_that_is_refused(place: Path) -> None:
+    done = run(place, "-c", MENDED)
+    assert done.stdout.splitlines() == ["a member with the methods law", "cone"], done.stderr
+    assert "files have changed since, which a new process sees" in done.stderr
+
+
 def test_a_pickle_loads_the_plugin_that_it_needs(tmp_path: Path) -> None:
     kept = run(tmp_path, "-c", KEPT, str(PLUGINS))
     assert kept.returncode == 0, kept.stderr
@@ -232,7 +256,8 @@ print("cone" in member_names("contact"), "drop" in member_names("sim"))
 
 def test_an_installed_package_offers_its_members(tmp_path: Path) -> None:
     shutil.copytree(PLUGINS, tmp_path / "snapjump_mine")
-    (tmp_path / "snapjump_mine" / "__init__.py").touch()
+    for folder in (tmp_path / "snapjump_mine", tmp_path / "snapjump_mine" / "contact"):
+        (folder / "__init__.py").touch()
     about = tmp_path / "snapjump_mine-1.0.dist-info"
     about.mkdir()
     (about / "METADATA").write_text("Metadata-Version: 2.1\nName: snapjump-mine\nVersion: 1.0\n")
