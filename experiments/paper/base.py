@@ -6,7 +6,16 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from experiments.paper.statement import Statement
-from snapjump.studies.base import Cell, Done, Row, Section
+from snapjump.engine import status
+from snapjump.studies.base import OK, Cell, Done, Row, Section
+
+# Of jumps that ended as jumps do.
+FINE = status.NAMES[status.OK], status.NAMES[status.NO_JUMP]
+
+
+def failed(rows: Sequence[Row]) -> list[Row]:
+    """Jumps that did not end as jumps do, which have no numbers; what has no status is none."""
+    return [row for row in rows if row.get("status", FINE[0]) not in FINE]
 
 
 @dataclass(frozen=True)
@@ -40,3 +49,24 @@ class Part(ABC):
         """The section and the verdicts, from all cells by the names that ``plan`` gave them.
 
         Cells that failed are there too, with their status and without rows."""
+
+
+def unfinished(title: str, done: Mapping[str, Done], jumps: bool = False) -> Found | None:
+    """A section that names the cells without rows, and why; None if there are none.
+
+    jumps: so do cells in which a jump failed, for statements that need all of a sweep.
+    """
+    told = [f"{name} ({one.status}: {one.message})" for name, one in done.items()
+            if one.status != OK]  # fmt: skip
+    if jumps:
+        told += [incomplete(name, one) for name, one in done.items() if failed(one.rows)]
+    if not told:
+        return None
+    return Found(Section(title, [f"Not judged, for want of these cells: {'; '.join(told)}."]), [])
+
+
+def incomplete(name: str, one: Done) -> str:
+    """A cell with failed jumps, for reading."""
+    lost = failed(one.rows)
+    reasons = ", ".join(sorted({row["status"] for row in lost}))
+    return f"{name} ({len(lost)} of {len(one.rows)} jumps failed: {reasons})"

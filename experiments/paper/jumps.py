@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.baseline import NAMES
+from experiments.paper.settings import NAMES
 from snapjump.batch import Batch, simulate_designs
 from snapjump.composition import Simulation
 from snapjump.studies.base import Row

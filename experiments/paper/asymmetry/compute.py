@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 from typing import Any
 
-from experiments.paper.snap_settings import snap_of
-from experiments.paper.swing import follow, outcome
+from experiments.paper.settings import snap_of
+from snapjump.scenes.swing import follow, outcome
 from snapjump.studies.base import Row
 
 

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.asymmetry.saturation import FITTED_UPTO_RAD, Saturation, law
-from experiments.paper.baseline import RANGES
+from experiments.paper.asymmetry.judge import FITTED_UPTO_RAD, Saturation, law
+from experiments.paper.settings import RANGES
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
 from snapjump.studies.base import Row

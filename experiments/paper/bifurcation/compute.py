@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 
 from experiments.compositions import composed
-from experiments.paper.bifurcation.landmarks import (
+from snapjump.statics.arch import Equilibrium, StaticArch
+from snapjump.statics.branch import Branch, Point
+from snapjump.statics.critical import find_snap, refine, start_point
+from snapjump.statics.landmarks import (
     Landmarks,
     find_landmarks,
     symmetric_fold,
 )
-from snapjump.statics.arch import Equilibrium, StaticArch
-from snapjump.statics.branch import Branch, Point
-from snapjump.statics.critical import find_snap, refine, start_point
 from snapjump.studies.base import Row
 
 STEP, FINE_STEP = 0.05, 0.012  # along a branch (norm of free coordinates and angle)

@@ -5,31 +5,27 @@ from functools import partial
 from typing import Any
 
 from experiments.paper import exact
-from experiments.paper.base import Found, Part
-from experiments.paper.bifurcation.angles_figure import draw_angles
-from experiments.paper.bifurcation.compare import (
-    LADDER,
-    RIGID,
-    STRETCHES,
-    comparison,
-    orders,
-    overall,
-)
+from experiments.paper.base import Found, Part, unfinished
 from experiments.paper.bifurcation.compute import (
     angle_rows,
     branch_rows,
     compared_rows,
     shape_rows,
 )
-from experiments.paper.bifurcation.figure import draw_branches, draw_loop
+from experiments.paper.bifurcation.figure import draw_angles, draw_branches, draw_loop
 from experiments.paper.bifurcation.judge import (
+    LADDER,
+    RIGID,
+    STRETCHES,
+    comparison,
     fold_statement,
     growth_statement,
     loop_width,
+    orders,
+    overall,
     snap_statement,
 )
-from experiments.paper.tiers import groups_at
-from experiments.paper.unfinished import unfinished
+from experiments.paper.settings import groups_at
 from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
 
 TITLE = "The critical angle, and the loop"

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from experiments.paper.causes.choices import PAPER, REFERENCE
-from experiments.paper.causes.shifts import Shift
+from experiments.paper.causes.compute import PAPER, REFERENCE
+from experiments.paper.causes.judge import Shift
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
 

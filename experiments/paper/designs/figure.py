@@ -9,7 +9,7 @@ import numpy as np
 
 from experiments.inverse_benchmark.methods import PAPER
 from experiments.inverse_benchmark.table import column
-from experiments.paper.baseline import TIERS
+from experiments.paper.settings import TIERS
 from snapjump.parameters.robot import Robot
 from snapjump.plots import palette
 from snapjump.plots.robot_drawing import draw_ground

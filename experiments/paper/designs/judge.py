@@ -7,7 +7,7 @@ import numpy as np
 
 from experiments.inverse_benchmark.methods import PAPER
 from experiments.inverse_benchmark.table import column
-from experiments.paper.baseline import TIERS
+from experiments.paper.settings import TIERS
 from experiments.paper.statement import Statement, verdict
 from snapjump.studies.base import Row
 

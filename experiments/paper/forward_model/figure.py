@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from experiments.inverse_benchmark.table import column
-from experiments.paper.forward_model.methods import PAPER_MAE_BAR, PAPER_MEAN_MM
+from experiments.paper.forward_model.compute import PAPER_MAE_BAR, PAPER_MEAN_MM
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
 from snapjump.studies.base import Row

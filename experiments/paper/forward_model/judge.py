@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from experiments.paper.forward_model.methods import (
+from experiments.paper.forward_model.compute import (
     DATA_DRIVEN,
     PAPER_HOURS,
     PAPER_JUMPS,

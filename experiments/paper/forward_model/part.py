@@ -8,8 +8,10 @@ from typing import Any
 
 from experiments.inverse_benchmark.study import completed, stretches
 from experiments.inverse_benchmark.table import summary_row
-from experiments.paper.base import Found, Part
+from experiments.paper.base import Found, Part, unfinished
 from experiments.paper.forward_model.compute import (
+    METHODS,
+    NETWORK,
     PLAN,
     SHARD_SIZE,
     dataset_rows,
@@ -23,9 +25,7 @@ from experiments.paper.forward_model.judge import (
     error_statement,
     speed_statement,
 )
-from experiments.paper.forward_model.methods import METHODS, NETWORK
 from experiments.paper.learned import shipped_inputs
-from experiments.paper.unfinished import unfinished
 from snapjump.declare.members import member_class, member_group
 from snapjump.learning.training import Training
 from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table

@@ -7,7 +7,7 @@ import numpy as np
 from scipy.stats.qmc import Sobol
 
 from experiments.compositions import composed
-from experiments.paper.baseline import BASELINE, NAMES, RANGES
+from experiments.paper.settings import BASELINE, NAMES, RANGES
 from snapjump.batch import simulate_designs
 from snapjump.plan.base import stretched
 from snapjump.studies.base import Row

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.baseline import NAMES, SYMBOLS
-from experiments.paper.imperfections.changes import SECANT, Array, Changes
+from experiments.paper.imperfections.judge import SECANT, Array, Changes
+from experiments.paper.settings import NAMES, SYMBOLS
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
 

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from experiments.compositions import composed
-from experiments.paper.baseline import RANGES
 from experiments.paper.learned import shipped_forward
+from experiments.paper.settings import RANGES
 from snapjump.batch import simulate_designs
 from snapjump.studies.base import Row
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.regions.outlines import Array, Region
+from experiments.paper.regions.judge import Array, Region
 from snapjump.plots import palette
 from snapjump.plots.achievable import compound
 from snapjump.plots.saving import picture

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.snap_settings import snap_of
-from experiments.paper.swing import Swing, crossing, follow, lowest, outcome
+from experiments.paper.settings import snap_of
+from snapjump.scenes.swing import Swing, crossing, follow, lowest, outcome
 from snapjump.studies.base import Row
 
 INSTANTS = 7  # shapes of a snap, between which the midpoint sinks by equal steps

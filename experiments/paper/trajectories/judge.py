@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.failures import failed
+from experiments.paper.base import failed
 from experiments.paper.jumps import furthest, numbers
 from experiments.paper.statement import LIMITED, Statement, verdict
-from experiments.paper.trends import counter_step
+from experiments.trends import counter_step
 from snapjump.studies.base import Row
 
 # A jump is vertical if its apex is off by no more than a hundredth of its height.

@@ -7,23 +7,20 @@ from typing import Any
 import numpy as np
 
 from experiments.designs import spread_designs
-from experiments.paper.base import Found, Part
-from experiments.paper.baseline import BASELINE, TIERS
+from experiments.paper.base import Found, Part, unfinished
 from experiments.paper.jumps import numbers
-from experiments.paper.tiers import groups_at
-from experiments.paper.trajectories.angle_figure import draw_angles
-from experiments.paper.trajectories.compute import rows_of
-from experiments.paper.trajectories.families import (
+from experiments.paper.settings import BASELINE, TIERS, groups_at
+from experiments.paper.trajectories.compute import (
     DESIGNS,
     FAMILIES,
     FOLLOWED,
     STRIDE,
     mismatches,
+    rows_of,
     varied,
 )
-from experiments.paper.trajectories.figure import draw_flights
+from experiments.paper.trajectories.figure import draw_angles, draw_flights
 from experiments.paper.trajectories.judge import trajectory_statement
-from experiments.paper.unfinished import unfinished
 from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
 
 TITLE = "Trajectories"

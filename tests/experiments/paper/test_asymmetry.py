@@ -11,16 +11,17 @@ from experiments.compositions import described
 from experiments.paper.asymmetry.compute import sweep_rows
 from experiments.paper.asymmetry.figure import draw_asymmetry
 from experiments.paper.asymmetry.judge import (
+    Saturation,
     largest_difference,
+    law,
     linear_statement,
     linear_verdict,
+    saturation,
     saturation_statement,
     saturation_verdict,
 )
-from experiments.paper.asymmetry.part import EPSILONS, SWEEPS, Asymmetry, mismatches
-from experiments.paper.asymmetry.saturation import Saturation, law, saturation
-from experiments.paper.asymmetry.section import make_section
-from experiments.paper.snap_settings import snap_groups
+from experiments.paper.asymmetry.part import EPSILONS, SWEEPS, Asymmetry, make_section, mismatches
+from experiments.paper.settings import snap_groups
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.composition import with_tier
 from snapjump.studies.base import FAILED, Done

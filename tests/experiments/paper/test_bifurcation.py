@@ -11,15 +11,15 @@ import pytest
 
 from experiments.compositions import changed, composed, described
 from experiments.paper import exact
-from experiments.paper.bifurcation import compare, judge
+from experiments.paper.bifurcation import judge
 from experiments.paper.bifurcation.compute import branch_rows, compared_rows, shape_rows
-from experiments.paper.bifurcation.landmarks import symmetric_fold, turned_back
 from experiments.paper.bifurcation.part import TIERS, Bifurcation
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.composition import with_tier
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch, Point
 from snapjump.statics.critical import find_snap, start_point
+from snapjump.statics.landmarks import symmetric_fold, turned_back
 from snapjump.studies.base import Cell, Done
 
 COARSE = changed(described(with_tier("standard")), {"discretization": {"elements": 32}})
@@ -68,8 +68,8 @@ def test_landmarks_on_a_coarse_mesh(landmarks: Rows) -> None:
         assert row["alpha_back_rad"] == pytest.approx(-row["alpha_critical_rad"], abs=1e-7)
         assert 0.5 < judge.gap_percent(row) < 1.2
         assert row["leaning"] == pytest.approx(1.0, abs=1e-6)
-        assert set(compare.exact_row(row["epsilon"])) == set(compare.NAMES) <= set(row)
-    assert 0.1 < compare.overall(landmarks, compare.STRETCHES)[0] < 2.0
+        assert set(judge.exact_row(row["epsilon"])) == set(judge.NAMES) <= set(row)
+    assert 0.1 < judge.overall(landmarks, judge.STRETCHES)[0] < 2.0
 
 
 def test_a_branch_that_is_lost_is_named() -> None:
@@ -88,26 +88,26 @@ def test_a_branch_that_is_lost_is_named() -> None:
 
 
 def test_a_row_of_exact_numbers_differs_in_nothing() -> None:
-    rows = [{"epsilon": e, **compare.exact_row(e)} for e in exact.COMPARED]
-    for beam in (compare.STRETCHES, compare.RIGID):
-        assert compare.overall(rows, beam)[0] < 1e-10
+    rows = [{"epsilon": e, **judge.exact_row(e)} for e in exact.COMPARED]
+    for beam in (judge.STRETCHES, judge.RIGID):
+        assert judge.overall(rows, beam)[0] < 1e-10
     rows[1]["energy_flat_bar"] *= 0.98
-    assert compare.overall(rows, compare.RIGID) == (pytest.approx(2.0), "energy, flat clamps")
+    assert judge.overall(rows, judge.RIGID) == (pytest.approx(2.0), "energy, flat clamps")
 
 
 def test_errors_that_fall_with_the_square_of_the_mesh_are_of_order_two() -> None:
     tiers = {
         tier: [
             {"epsilon": 0.2, "elements": n}
-            | {key: v * (1.0 + 3.0 / n**2) for key, v in compare.exact_row(0.2).items()}
+            | {key: v * (1.0 + 3.0 / n**2) for key, v in judge.exact_row(0.2).items()}
         ]
-        for tier, n in zip(compare.LADDER, (40, 80, 160), strict=True)
+        for tier, n in zip(judge.LADDER, (40, 80, 160), strict=True)
     }
-    assert compare.orders(tiers) == pytest.approx(2.0)
+    assert judge.orders(tiers) == pytest.approx(2.0)
 
 
 def test_a_snap_without_a_loop_is_none(landmarks: Rows) -> None:
-    exactly = [{**row, **compare.exact_row(row["epsilon"])} for row in landmarks]
+    exactly = [{**row, **judge.exact_row(row["epsilon"])} for row in landmarks]
     tiers = dict.fromkeys(("standard", "reference", "paper"), exactly)
     assert judge.snap_statement(tiers).verdict == CONFIRMED
     off = [{**row, "alpha_critical_rad": 1.01 * row["alpha_critical_rad"]} for row in exactly]
@@ -134,7 +134,7 @@ def test_angles_that_do_not_grow(landmarks: Rows) -> None:
 
 
 def test_the_fold_may_come_first_in_made_up_arches(landmarks: Rows) -> None:
-    exactly = [{**row, **compare.exact_row(row["epsilon"])} for row in landmarks]
+    exactly = [{**row, **judge.exact_row(row["epsilon"])} for row in landmarks]
     tiers = dict.fromkeys(("standard", "reference", "paper"), exactly)
     first = judge.fold_statement(exactly, tiers)
     assert first.verdict == NOT_CONFIRMED and "at 3 of 3 pre-compressions" in first.found

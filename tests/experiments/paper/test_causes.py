@@ -9,25 +9,23 @@ import pytest
 from small_datasets import CONFIG
 
 from experiments.compositions import changed, composed, described
-from experiments.paper.baseline import BASELINE
 from experiments.paper.causes import judge
-from experiments.paper.causes.cells import planned
-from experiments.paper.causes.choices import (
+from experiments.paper.causes.compute import (
     DAMPING,
     ENDS,
     FRAME,
     PAPER,
     REFERENCE,
     choices,
+    planned,
     program,
+    rows_of,
     variants,
 )
-from experiments.paper.causes.compute import rows_of
-from experiments.paper.causes.part import Causes
-from experiments.paper.causes.shifts import Shift, shift
-from experiments.paper.causes.texts import noise
+from experiments.paper.causes.judge import Shift, shift
+from experiments.paper.causes.part import Causes, noise
+from experiments.paper.settings import BASELINE, groups_at
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
-from experiments.paper.tiers import groups_at
 from snapjump.composition import with_tier
 from snapjump.simulation import build
 from snapjump.studies.base import FAILED, OK, Done

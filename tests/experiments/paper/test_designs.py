@@ -7,7 +7,7 @@ import pytest
 
 from experiments.compositions import described
 from experiments.paper.designs import judge
-from experiments.paper.designs.cases import GROUPS, MANY_ROBOTS, METHODS
+from experiments.paper.designs.compute import GROUPS, MANY_ROBOTS, METHODS
 from experiments.paper.designs.figure import flight
 from experiments.paper.designs.part import Designs
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED

@@ -7,9 +7,8 @@ import pytest
 
 from experiments.compositions import described
 from experiments.paper.forward_model import judge
-from experiments.paper.forward_model.compute import dataset_rows
+from experiments.paper.forward_model.compute import DATA_DRIVEN, METHODS, dataset_rows
 from experiments.paper.forward_model.figure import draw_forward_model
-from experiments.paper.forward_model.methods import DATA_DRIVEN, METHODS
 from experiments.paper.forward_model.part import ForwardModels, snake_case
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.composition import with_tier

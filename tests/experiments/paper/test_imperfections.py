@@ -7,15 +7,15 @@ import numpy as np
 import pytest
 
 from experiments.compositions import described
-from experiments.paper.baseline import BASELINE, NAMES
 from experiments.paper.imperfections import judge
-from experiments.paper.imperfections.changes import (
+from experiments.paper.imperfections.judge import (
     Changes,
     changes_of,
     largest_elsewhere,
     tangents_of,
 )
 from experiments.paper.imperfections.part import Imperfections
+from experiments.paper.settings import BASELINE, NAMES
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.composition import with_tier
 from snapjump.simulation import simulate_jump

@@ -9,24 +9,24 @@ import pytest
 from small_datasets import CONFIG
 
 from experiments.compositions import described
-from experiments.paper.baseline import BASELINE
+from experiments.paper.influences import judge as rules
 from experiments.paper.influences import part as module
-from experiments.paper.influences import rules
-from experiments.paper.influences.compute import rows_of
-from experiments.paper.influences.friction import friction_statements, why
-from experiments.paper.influences.height import (
+from experiments.paper.influences.compute import MOUNT_HEIGHT, SWEEPS, rows_of
+from experiments.paper.influences.ground import (
     decline_verdict,
+    friction_statements,
     height,
     kept,
     plateau_limit,
     plateau_verdict,
     stop_verdict,
+    why,
 )
 from experiments.paper.influences.part import Influences
-from experiments.paper.influences.sweeps import MOUNT_HEIGHT, SWEEPS
 from experiments.paper.jumps import furthest, jump_rows
+from experiments.paper.settings import BASELINE
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
-from experiments.paper.trends import plateau
+from experiments.trends import plateau
 from snapjump.simulation import build
 from snapjump.studies.base import OK, Done
 

@@ -8,7 +8,7 @@ import pytest
 from experiments.compositions import described
 from experiments.paper.learned import shipped_forward, shipped_inputs
 from experiments.paper.regions import judge
-from experiments.paper.regions.outlines import Region, outline_of, region_of
+from experiments.paper.regions.judge import Region, outline_of, region_of
 from experiments.paper.regions.part import EXTREMES, POINTS, Regions
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.checks import ParameterError

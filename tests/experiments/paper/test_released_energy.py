@@ -9,9 +9,8 @@ import pytest
 
 from experiments.compositions import changed, described
 from experiments.paper import exact
-from experiments.paper.released_energy import fits, judge
-from experiments.paper.released_energy.arches import PAPER, arches
-from experiments.paper.released_energy.compute import snap_rows
+from experiments.paper.released_energy import judge
+from experiments.paper.released_energy.compute import PAPER, arches, snap_rows
 from experiments.paper.released_energy.part import ReleasedEnergy
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.composition import with_tier
@@ -48,28 +47,28 @@ def scaled(h1: float, h2: float, epsilons: Any = EPSILONS) -> Rows:
 def test_critical_states_are_near_the_exact_ones() -> None:
     rows = snap_rows({"groups": COARSE, "epsilons": (0.1, 0.3), "delta_alphas_rad": (0.0, 0.1)})
     assert [row["delta_alpha_rad"] for row in rows] == [0.0, 0.0, 0.1, 0.1]
-    assert 0.05 < fits.largest_difference(rows, ["energy_released_bar"]) < 1.0
-    assert 0.05 < fits.largest_difference(rows, ["h1_bar", "h2_bar"]) < 1.5
+    assert 0.05 < judge.largest_difference(rows, ["energy_released_bar"]) < 1.0
+    assert 0.05 < judge.largest_difference(rows, ["h1_bar", "h2_bar"]) < 1.5
 
 
 def test_the_difference_from_exact_numbers_is_the_largest() -> None:
     rows = [
-        arch(e, d, energy_released_bar=fits.exact_value(e, d, "energy_released_bar") or 0.0)
+        arch(e, d, energy_released_bar=judge.exact_value(e, d, "energy_released_bar") or 0.0)
         for d in (0.0, 0.1, 0.19)
         for e in exact.COMPARED
     ]
-    assert fits.largest_difference(rows, ["energy_released_bar"]) == 0.0
+    assert judge.largest_difference(rows, ["energy_released_bar"]) == 0.0
     rows[4]["energy_released_bar"] *= 1.03
-    assert fits.largest_difference(rows, ["energy_released_bar"]) == pytest.approx(3.0)
-    assert fits.exact_value(0.2, 0.1, "h1_bar") is None
+    assert judge.largest_difference(rows, ["energy_released_bar"]) == pytest.approx(3.0)
+    assert judge.exact_value(0.2, 0.1, "h1_bar") is None
 
 
 def test_lines() -> None:
-    line = fits.straight_line([arch(e, energy_released_bar=80.0 * e - 1.0) for e in EPSILONS[9:]])
+    line = judge.straight_line([arch(e, energy_released_bar=80.0 * e - 1.0) for e in EPSILONS[9:]])
     assert (line.slope, line.intercept) == (pytest.approx(80.0), pytest.approx(-1.0))
     assert line.deviation_percent < 1e-9
-    assert len(fits.within(bent(0.0))) == 21
-    assert fits.straight_line(bent(25.0)).worst_epsilon == 0.01
+    assert len(judge.within(bent(0.0))) == 21
+    assert judge.straight_line(bent(25.0)).worst_epsilon == 0.01
 
 
 def test_the_released_program_s_polynomials() -> None:
@@ -77,12 +76,12 @@ def test_the_released_program_s_polynomials() -> None:
         fitted_mount_height_bar(0.17)
     )
     assert exact.released_height("h2", 0.2) == pytest.approx(0.2684)
-    assert np.allclose(fits.fit_errors(scaled(0.5, 1.0), "h1"), 100.0)
-    assert fits.left_by_quadratics(scaled(1.0, 1.0), "h2") < 1e-9
+    assert np.allclose(judge.fit_errors(scaled(0.5, 1.0), "h1"), 100.0)
+    assert judge.left_by_quadratics(scaled(1.0, 1.0), "h2") < 1e-9
 
 
 def test_energy_that_is_more_or_less_linear() -> None:
-    own = fits.within(bent(0.0))
+    own = judge.within(bent(0.0))
 
     def verdict(curvature: float) -> str:
         return judge.energy_statement(bent(curvature), own, "").verdict

@@ -8,12 +8,13 @@ import numpy as np
 import pytest
 
 from experiments.compositions import described
-from experiments.paper.snap_settings import SETTINGS, snap_groups, snap_of
-from experiments.paper.snaps.agreement import agreement, exact_snaps, largest_percent
+from experiments.paper.settings import SETTINGS, snap_groups, snap_of
 from experiments.paper.snaps.compute import imperfection_rows, motion_rows
-from experiments.paper.snaps.figure import draw_snaps
-from experiments.paper.snaps.imperfections_figure import STYLES, draw_imperfections
+from experiments.paper.snaps.figure import STYLES, draw_imperfections, draw_snaps
 from experiments.paper.snaps.judge import (
+    agreement,
+    exact_snaps,
+    largest_percent,
     limit_in_words,
     symmetric_until,
     symmetry_statement,
@@ -21,8 +22,8 @@ from experiments.paper.snaps.judge import (
 )
 from experiments.paper.snaps.part import TINY, Snaps
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
-from experiments.paper.swing import follow, outcome
 from snapjump.composition import with_tier
+from snapjump.scenes.swing import follow, outcome
 from snapjump.simulation import simulate
 from snapjump.studies.base import FAILED, Done
 

@@ -10,8 +10,7 @@ from experiments.paper.statement import (
     statement_rows,
     verdict,
 )
-from experiments.paper.study import tally
-from experiments.paper.texts import readme_block
+from experiments.paper.study import readme_block, tally
 
 
 def test_a_verdict_follows_from_what_holds() -> None:

@@ -12,8 +12,7 @@ from experiments.compositions import described
 from experiments.paper.jumps import numbers
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.trajectories import part as module
-from experiments.paper.trajectories.compute import rows_of
-from experiments.paper.trajectories.families import varied
+from experiments.paper.trajectories.compute import rows_of, varied
 from experiments.paper.trajectories.figure import flight
 from experiments.paper.trajectories.judge import limit, slant, tuned
 from experiments.paper.trajectories.part import Trajectories

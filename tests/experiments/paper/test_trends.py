@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from experiments.paper.trends import counter_step, plateau
+from experiments.trends import counter_step, plateau
 
 
 def test_counter_step() -> None:

@@ -1,12 +1,39 @@
-"""Settings that snaps are simulated at: tiers, the paper's snap study, and no damping at all."""
+"""The paper's baseline robot, its ranges, and the settings of the jumps and snaps about it."""
 
 import math
 from collections.abc import Mapping
 from typing import Any
 
-from experiments.compositions import Groups, changed, composed
-from experiments.paper.tiers import groups_at
-from snapjump.composition import Simulation
+from experiments.compositions import Groups, changed, composed, described
+from snapjump.composition import Simulation, with_tier
+from snapjump.plan.parts.axes import default_axes
+from snapjump.targets.simulator import at_tier
+
+AXES = default_axes()
+# delta_alpha (rad), epsilon, m_bar, mu
+BASELINE = (0.1, 0.2, 0.768, 0.3)
+NAMES = tuple(axis.column for axis in AXES)
+SYMBOLS = {axis.column: axis.short for axis in AXES}
+RANGES = {axis.column: axis.range for axis in AXES}
+TIERS = ("standard", "paper", "reference")
+
+
+def groups_at(groups: Mapping[str, Any], tier: str) -> Groups:
+    """The same physical model at ``standard``, ``draft`` or ``reference``; all of the paper's own
+    settings at ``paper``, whose friction, damping and contact weighting are part of the tier."""
+    return described(simulation_at(groups, tier))
+
+
+def simulation_at(groups: Mapping[str, Any], tier: str) -> Simulation:
+    """The simulation of :func:`groups_at`."""
+    base = composed(groups)
+    if tier == base.accuracy:
+        return base
+    if tier == "paper":
+        kept = {part: getattr(base, part) for part in ("robot", "design", "environment")}
+        return with_tier("paper", **kept)
+    return at_tier(base, tier)
+
 
 RATE_RAD_S = 20.0  # the paper's
 SETTINGS = ("standard", "paper", "undamped", "reference", "undamped reference")
