@@ -5,25 +5,34 @@ deviation (in L) of the result less the converged one, about a line, when delta_
 steps of 0.001 about the baseline: what a surrogate or an optimiser sees as noise.
 """
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-Design = tuple[float, float, float, float]
 
-# A finer mesh and a tighter tolerance than any tier has: the limit that all are judged by.
-FINEST_ELEMENTS = 448
-FINEST_STEPPING = {"name": "adaptive", "tolerance": 5e-10, "contact_steps": 0.5}
-FINEST_START = 0.8
-SWEEP = 21
-BASELINE: Design = (0.1, 0.2, 0.768, 0.3)  # delta_alpha (rad), epsilon, m_bar, mu
-SWEEP_STEP = 0.001
+
+def scale_of_x(x: Any, y: Any) -> Any:
+    """What errors of x are relative to."""
+    return np.maximum(np.abs(x), 0.1 * y)
 
 
 def relative_errors(x: Array, y: Array, x_limit: Array, y_limit: Array) -> tuple[Array, Array]:
     """Errors of x and y in percent, NaN where either is missing."""
-    scale = np.maximum(np.abs(x_limit), 0.1 * y_limit)
-    return 100.0 * np.abs(x - x_limit) / scale, 100.0 * np.abs(y - y_limit) / y_limit
+    return (
+        100.0 * np.abs(x - x_limit) / scale_of_x(x_limit, y_limit),
+        100.0 * np.abs(y - y_limit) / y_limit,
+    )
+
+
+def error_figures(x: Array, y: Array) -> dict[str, float]:
+    """Medians and 95th percentiles of errors of x and y (%), in which failures are infinite."""
+    return {
+        f"{name}_{words}_percent": percentile(errors, share)
+        for name, errors in (("x", x), ("y", y))
+        for words, share in (("median", 50.0), ("p95", 95.0))
+    }
 
 
 def percentile(errors: Array, share: float) -> float:
@@ -42,9 +51,3 @@ def roughness(values: Array) -> float:
     if len(values) < 3 or not np.isfinite(values).all():
         return float("nan")
     return float(np.std(values - np.polyval(np.polyfit(place, values, 1), place)))
-
-
-def baseline_sweep(count: int = SWEEP) -> list[Design]:
-    """The baseline design with delta_alpha in steps of 0.001."""
-    lag, *others = BASELINE
-    return [(lag + SWEEP_STEP * (k - count // 2), *others) for k in range(count)]  # type: ignore[misc]

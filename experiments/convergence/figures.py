@@ -9,7 +9,7 @@ import numpy as np
 from experiments.convergence.ladders import Ladder
 from experiments.convergence.verdict import Verdict
 from snapjump.plots import palette
-from snapjump.plots.saving import picture
+from snapjump.plots.saving import axes_at, picture
 
 COLUMNS = 3
 PANEL = (4.3, 4.2)  # inches
@@ -27,28 +27,23 @@ LOOKS = {
 def draw_ladders(ladders: Sequence[Ladder], verdicts: Sequence[Verdict], path: Path) -> None:
     """Log-log errors in percent; orders are those of the fit, dashed where not asymptotic."""
     rows = -(-len(ladders) // COLUMNS)
-    size = (PANEL[0] * COLUMNS, PANEL[1] * rows + TOP)
-    with picture(path, size, HEADLINE) as figure:
+    wide, high = PANEL
+    with picture(path, (wide * COLUMNS, high * rows + TOP), HEADLINE) as figure:
         for k, ladder in enumerate(ladders):
             row, column = divmod(k, COLUMNS)
-            left = (column * PANEL[0] + 0.75) / size[0]
-            bottom = ((rows - 1 - row) * PANEL[1] + 0.65) / size[1]
-            axes = figure.add_axes(
-                (left, bottom, (PANEL[0] - 0.9) / size[0], (PANEL[1] - 1.05) / size[1])
-            )
+            bottom = (rows - 1 - row) * high + 0.65
+            axes = axes_at(figure, column * wide + 0.75, bottom, wide - 0.9, high - 1.05)
             for verdict in verdicts:
                 if verdict.ladder is ladder:
                     _draw(axes, verdict)
-            axes.set_xscale("log")
-            axes.set_yscale("log")
+            axes.set(xscale="log", yscale="log", xlabel=ladder.label)
             axes.grid(True)
             axes.set_title(ladder.name, loc="left", fontweight="bold")
-            axes.set_xlabel(ladder.label)
             label_decades(axes)
             if column == 0:
                 axes.set_ylabel("error (%)")
-            low, high = axes.get_ylim()
-            axes.set_ylim(low, high * (high / low) ** 0.45)  # room for the legend
+            low, top = axes.get_ylim()
+            axes.set_ylim(low, top * (top / low) ** 0.45)  # room for the legend
             axes.legend(loc="upper left", fontsize=8.5, ncols=1, handlelength=2.2)
 
 
@@ -67,13 +62,6 @@ def _draw(axes: Any, verdict: Verdict) -> None:
     name, colour, marker = LOOKS[verdict.observable]
     order = "no order" if np.isnan(verdict.fitted) else f"{verdict.fitted:.1f}"
     good = np.isfinite(verdict.errors) & (verdict.errors > 0.0)
-    axes.plot(
-        verdict.sizes[good],
-        verdict.errors[good],
-        marker=marker,
-        ms=5,
-        color=colour,
-        lw=1.6,
-        ls="-" if verdict.limit.asymptotic else "--",
-        label=f"{name} ({order})",
-    )
+    style = "-" if verdict.limit.asymptotic else "--"
+    axes.plot(verdict.sizes[good], verdict.errors[good], marker=marker, ms=5, color=colour, lw=1.6,
+              ls=style, label=f"{name} ({order})")  # fmt: skip

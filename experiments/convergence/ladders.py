@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from experiments.compositions import Groups, changed, composed, has_field
 from snapjump.checks import ParameterError
@@ -15,22 +16,29 @@ TIGHTEST = 2e-12  # rounding comes through below
 # Other methods, the first that there is and that is not the method itself.
 OTHER_INTEGRATORS = ("esdirk3", "sdirk2", "tr_bdf2")
 ACCURATE = "tr_bdf2"
-# Factors of the configured values, coarsest first.
-FACTORS = {
-    "distance_m": tuple(4.0 * 2.0**-k for k in range(10)),
-    "stiffness_N_m": tuple(4.0 ** (k - 3) for k in range(10)),
-    "velocity_threshold_m_s": tuple(64.0 * 4.0**-k for k in range(10)),
-}
-NAMES = {
-    "distance_m": "barrier",
-    "stiffness_N_m": "stiffness",
-    "velocity_threshold_m_s": "threshold",
-}
-LABELS = {
-    "distance_m": "barrier distance d_hat (m)",
-    "stiffness_N_m": "inverse contact stiffness 1/K (m/N)",
-    "velocity_threshold_m_s": "friction threshold eps_v (m/s)",
-}
+
+
+class Model(NamedTuple):
+    """A number of the contact or friction law: its place, what it and its axis are called, what
+    tends to zero with it, and the levels over the configured value, of which the first is the
+    coarsest, each next one ``ratio`` times as large."""
+
+    family: str
+    key: str
+    name: str
+    label: str
+    size: str
+    first: float
+    ratio: float
+
+
+MODELS = (
+    Model("contact", "distance_m", "barrier", "barrier distance d_hat (m)", "value", 4.0, 0.5),
+    Model("contact", "stiffness_N_m", "stiffness", "inverse contact stiffness 1/K (m/N)", "inverse",
+          1.0 / 64.0, 4.0),
+    Model("friction", "velocity_threshold_m_s", "threshold", "friction threshold eps_v (m/s)",
+          "value", 64.0, 0.25),
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -69,15 +77,13 @@ def resolved(groups: Groups) -> Groups:
 
 def ladders(groups: Groups, count: int) -> list[Ladder]:
     """All ladders of at most ``count`` levels that the composition has."""
-    found = [in_time(groups, count), in_space(resolved(groups), count)]
-    for family, key in (
-        ("contact", "distance_m"),
-        ("contact", "stiffness_N_m"),
-        ("friction", "velocity_threshold_m_s"),
-    ):
-        if has_field(groups, family, key):
-            found.append(in_model(resolved(groups), family, key, count))
-    return found
+    tight = resolved(groups)
+    models = [m for m in MODELS if has_field(groups, m.family, m.key)]
+    return [
+        in_time(groups, count),
+        in_space(tight, count),
+        *(in_model(tight, model, count) for model in models),
+    ]
 
 
 def in_time(groups: Groups, count: int) -> Ladder:
@@ -91,13 +97,10 @@ def in_time(groups: Groups, count: int) -> Ladder:
     # Fixed steps have no tolerance: theirs is tighter than that of any ladder.
     tolerance = TIGHTEST if fixed else max(values[-1] / TIGHTER, TIGHTEST)
     other = next(n for n in OTHER_INTEGRATORS if n in member_names("integrator") and n != name)
+    steps = {"name": "adaptive", "contact_steps": 0.5}
     references = {
         f"time reference {label}": changed(
-            groups,
-            {
-                "integrator": {"name": other},
-                "stepping": {"name": "adaptive", "tolerance": tight, "contact_steps": 0.5},
-            },
+            groups, {"integrator": {"name": other}, "stepping": {**steps, "tolerance": tight}}
         )
         for label, tight in (("tight", tolerance), ("looser", LOOSER * tolerance))
     }
@@ -126,13 +129,9 @@ def in_space(groups: Groups, count: int) -> Ladder:
     return Ladder("nodes", "1/elements", "inverse", levels, references, declared=2.0)
 
 
-def in_model(groups: Groups, family: str, key: str, count: int) -> Ladder:
+def in_model(groups: Groups, model: Model, count: int) -> Ladder:
     """A number of the contact or friction law towards the limit it stands for."""
-    base = float(groups[family][key])
-    values = [base * factor for factor in FACTORS[key][:count]]
-    return Ladder(
-        name=NAMES[key],
-        label=LABELS[key],
-        size="inverse" if key == "stiffness_N_m" else "value",
-        levels={v: changed(groups, {family: {key: v}}) for v in values},
-    )
+    base = float(groups[model.family][model.key])
+    values = [base * (model.first * model.ratio**k) for k in range(count)]
+    levels = {v: changed(groups, {model.family: {model.key: v}}) for v in values}
+    return Ladder(model.name, model.label, model.size, levels)

@@ -9,11 +9,10 @@ from experiments.convergence.cells import OBSERVABLES, observed_row
 from experiments.convergence.figures import draw_ladders
 from experiments.convergence.ladders import Ladder, ladders
 from experiments.convergence.verdict import Verdict, judged
-from snapjump.checks import ParameterError, check_integer
 from snapjump.studies.base import Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
 
-QUICK_LEVELS, FULL_LEVELS = 6, 9
+LEVELS = (6, 9)  # quick, full
 FEWEST_LEVELS, MOST_LEVELS = 3, 10
 
 
@@ -22,15 +21,11 @@ class Convergence(Study):
 
     options = ("levels",)
     sources = ("experiments.convergence.cells",)
+    scene = "jump"
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
         """Every level and every reference of every ladder of the configured composition."""
-        if config["sim"]["name"] != "jump":
-            raise ParameterError("sim", config["sim"]["name"], "jump with task=convergence")
-        levels = config["task"]["levels"]
-        if levels is None:
-            levels = FULL_LEVELS if self.full else QUICK_LEVELS
-        check_integer("task.levels", levels, FEWEST_LEVELS, MOST_LEVELS)
+        levels = self.count("levels", LEVELS, FEWEST_LEVELS, MOST_LEVELS)
         groups = groups_of(config)
         composed(groups)
         self.ladders: list[Ladder] = ladders(groups, levels)

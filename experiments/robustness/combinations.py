@@ -1,117 +1,79 @@
 """Combinations that are refused, with what is random about them and the key that is to blame."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
-from snapjump.declare.members import member_names, members_with
+from experiments.robustness.fields import one_of
+from snapjump.declare.members import member_class, member_names, members_with
+from snapjump.sim.base import NO_GROUND, WITHOUT_GROUND
 
 Make = Callable[[np.random.Generator], dict[str, Any]]
-WITHOUT_GROUND = ("snap", "static", "cantilever")
-BARE: dict[str, Any] = {
-    "frame": {"name": "fixed"},
-    "contact": {"name": "none"},
-    "friction": {"name": "none"},
-    "damping": {"name": "none"},
-}
 
 
-def one_of(random: np.random.Generator, words: Any) -> str:
-    """One of some words."""
-    return str(random.choice(list(words)))
+def others(family: str, capability: str) -> list[str]:
+    """The members without a capability."""
+    return [name for name in member_names(family) if name not in members_with(family, capability)]
 
 
-def ground_where_there_is_none(random: np.random.Generator) -> dict[str, Any]:
-    """A contact law in a scene without ground."""
-    scene = {"name": one_of(random, WITHOUT_GROUND)}
-    return {
-        **BARE,
-        "sim": scene,
-        "contact": {"name": one_of(random, members_with("contact", "pushes"))},
-    }
+def bare(scenes: Sequence[str], **families: Sequence[str]) -> Make:
+    """A scene with nothing about it but members that do not go with it, each one of some."""
 
+    def make(random: np.random.Generator) -> dict[str, Any]:
+        members = {"damping": "none", **WITHOUT_GROUND, "sim": one_of(random, scenes)}
+        members |= {family: one_of(random, names) for family, names in families.items()}
+        return {family: {"name": name} for family, name in members.items()}
 
-def friction_where_there_is_none(random: np.random.Generator) -> dict[str, Any]:
-    """Friction in a scene without ground."""
-    scene = {"name": one_of(random, WITHOUT_GROUND)}
-    return {**BARE, "sim": scene, "friction": {"name": one_of(random, ("implicit", "lagged"))}}
-
-
-def frame_where_there_is_none(random: np.random.Generator) -> dict[str, Any]:
-    """A frame that moves in a scene without one."""
-    scene = {"name": one_of(random, WITHOUT_GROUND)}
-    return {**BARE, "sim": scene, "frame": {"name": "rigid"}}
-
-
-def many_at_once(random: np.random.Generator) -> dict[str, Any]:
-    """Lanes outside a jump."""
-    scene = {"name": one_of(random, WITHOUT_GROUND)}
-    return {**BARE, "sim": scene, "backend": {"name": "lanes"}}
-
-
-def impact_law(random: np.random.Generator) -> dict[str, Any]:
-    """Signorini's law with a method of more than one velocity a step."""
-    others = set(member_names("integrator")) - set(
-        members_with("integrator", "velocities_at_step_ends")
-    )
-    return {"contact": {"name": "signorini"}, "integrator": {"name": one_of(random, others)}}
-
-
-def impact_law_with_lag(random: np.random.Generator) -> dict[str, Any]:
-    """Signorini's law with lagged friction."""
-    return {
-        "contact": {"name": "signorini", "restitution": float(random.uniform())},
-        "integrator": {"name": "implicit_euler"},
-        "friction": {"name": "lagged"},
-    }
-
-
-def explicit_damping(random: np.random.Generator) -> dict[str, Any]:
-    """Explicit steps with material damping."""
-    return {
-        "integrator": {"name": "central_difference"},
-        "damping": {"name": "kelvin_voigt", "relaxation_time_s": float(random.uniform(5e-6, 1e-3))},
-    }
-
-
-def value(group: str, key: str, low: float, high: float, **others: Any) -> Make:
-    """A number that does not go with the others of its group."""
-    return lambda random: {group: {**others, key: float(random.uniform(low, high))}}
+    return make
 
 
 def member(**names: str) -> Make:
     """Members that do not go together, nothing random about them."""
-    groups = {family: {"name": name} for family, name in names.items()}
-    return lambda random: dict(groups)
+    return lambda random: {family: {"name": name} for family, name in names.items()}
 
 
-def mass_without_ground(random: np.random.Generator) -> dict[str, Any]:
-    """A lone mass that nothing stops."""
-    return {**BARE, "sim": {"name": one_of(random, ("bounce", "slide"))}}
+def value(group: str, key: str, low: float, high: float, **fixed: Any) -> Make:
+    """A number that does not go with the others of its group."""
+    return lambda random: {group: {**fixed, key: float(random.uniform(low, high))}}
 
 
-def flat_arch(random: np.random.Generator) -> dict[str, Any]:
-    """A pre-compression that the beam takes without buckling."""
-    return {"design": {"epsilon": float(10.0 ** random.uniform(-12.0, -4.8))}}
+def power(group: str, key: str, low: float, high: float, **fixed: Any) -> Make:
+    """The same of a number of any magnitude, between powers of ten."""
+    return lambda random: {group: {**fixed, key: float(10.0 ** random.uniform(low, high))}}
 
 
-def endless_record(random: np.random.Generator) -> dict[str, Any]:
-    """More samples than memory holds."""
-    return {"sim": {"name": "jump", "time_limit_s": float(10.0 ** random.uniform(1.0, 300.0))}}
+def together(*makes: Make) -> Make:
+    """What several make."""
+    return lambda random: {group: one for make in makes for group, one in make(random).items()}
 
 
+def impact_law(random: np.random.Generator) -> dict[str, Any]:
+    """Signorini's law with a method of more than one velocity a step."""
+    integrator = one_of(random, others("integrator", "velocities_at_step_ends"))
+    return {"contact": {"name": "signorini"}, "integrator": {"name": integrator}}
+
+
+SCENES = {name: member_class("sim", name)() for name in member_names("sim")}
+AIRBORNE = [name for name, scene in SCENES.items() if set(NO_GROUND) <= set(scene.needs)]
+OF_A_MASS = [n for n, scene in SCENES.items() if n not in AIRBORNE and not scene.moves_a_beam]
 COMBINATIONS: tuple[tuple[str, Make], ...] = (
     ("contact", member(sim="jump", contact="none")),
     ("frame", member(sim="jump", frame="fixed")),
-    ("contact", mass_without_ground),
-    ("contact", ground_where_there_is_none),
-    ("friction", friction_where_there_is_none),
-    ("frame", frame_where_there_is_none),
-    ("backend", many_at_once),
+    ("contact", bare(OF_A_MASS)),
+    ("contact", bare(AIRBORNE, contact=members_with("contact", "pushes"))),
+    ("friction", bare(AIRBORNE, friction=others("friction", "absent"))),
+    ("frame", bare(AIRBORNE, frame=["rigid"])),
+    ("backend", bare(AIRBORNE, backend=["lanes"])),
     ("integrator", impact_law),
-    ("contact", impact_law_with_lag),
-    ("damping", explicit_damping),
+    ("contact", together(
+        value("contact", "restitution", 0.0, 1.0, name="signorini"),
+        member(integrator="implicit_euler", friction="lagged"),
+    )),
+    ("damping", together(
+        member(integrator="central_difference"),
+        value("damping", "relaxation_time_s", 5e-6, 1e-3, name="kelvin_voigt"),
+    )),
     ("environment.mass_bar", value("environment", "mass_bar", 1e-9, 9.6e-3)),
     ("robot.gravity_m_s2", value("robot", "gravity_m_s2", 0.0, 1e-16)),
     ("robot.thickness_m", value("robot", "thickness_m", 2.1e-3, 1.0)),
@@ -119,8 +81,9 @@ COMBINATIONS: tuple[tuple[str, Make], ...] = (
     ("robot.mount_height", value("robot", "mount_height", 0.0101, 1.0)),
     ("robot.mount_height", value("robot", "mount_height", 1e-9, 1e-5)),
     ("robot.rotation_end_rad", value("robot", "rotation_end_rad", 0.0, 0.7)),
-    ("design.epsilon", flat_arch),
+    ("design.epsilon", power("design", "epsilon", -12.0, -4.8)),  # taken without buckling
     ("integrator.beta", value("integrator", "beta", 0.0, 0.44, name="newmark", gamma=0.9)),
-    ("sim.sample_interval_s", endless_record),
+    # More samples than memory holds.
+    ("sim.sample_interval_s", power("sim", "time_limit_s", 1.0, 300.0, name="jump")),
     ("accuracy.name", member(accuracy="best")),
-)
+)  # fmt: skip

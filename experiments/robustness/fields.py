@@ -5,6 +5,7 @@ is.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -65,6 +66,11 @@ def _fields(group: str, name: str, cls: Any) -> list[Field]:
     return found
 
 
+def one_of(random: np.random.Generator, things: Sequence[Any]) -> Any:
+    """One of some things."""
+    return things[int(random.integers(len(things)))]
+
+
 def wrong_type(field: Field, random: np.random.Generator) -> Any:
     """A value of a wrong type or, for a word, another word."""
     if field.is_number:
@@ -77,18 +83,17 @@ def wrong_type(field: Field, random: np.random.Generator) -> Any:
         choices = NOT_WORDS
     if isinstance(field.default, bool):
         choices = tuple(value for value in choices if not isinstance(value, bool))
-    return choices[random.integers(len(choices))]
+    return one_of(random, choices)
 
 
 def outside(field: Field, random: np.random.Generator) -> float | int:
     """A number just or far outside the range."""
-    whole = isinstance(field.default, int)
     sides = [s for s in (field.low, field.high) if math.isfinite(s)]
-    side = sides[random.integers(len(sides))]
+    side = one_of(random, sides)
     if side == field.low and field.open_low and random.random() < 0.3:
         return side
     far = 10.0 ** random.uniform(-6.0, 6.0) * max(abs(side), 1e-9)
     value = side - far if side == field.low else side + far
-    if not whole:
+    if not isinstance(field.default, int):
         return value
     return math.floor(value) if side == field.low else math.ceil(value)

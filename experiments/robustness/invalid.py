@@ -7,12 +7,13 @@ from typing import Any
 import numpy as np
 
 from experiments.robustness.combinations import COMBINATIONS
-from experiments.robustness.fields import NOT_FINITE, Field, all_fields, outside, wrong_type
+from experiments.robustness.fields import NOT_FINITE, Field, all_fields, one_of, outside, wrong_type
 from snapjump.checks import ParameterError
 from snapjump.declare.members import FAMILIES
 from snapjump.simulation import PLAIN, build
+from snapjump.studies.base import REFUSED, Row
 
-REFUSED, ACCEPTED, CRASHED, UNCLEAR = "refused", "accepted", "crashed", "unclear"
+ACCEPTED, CRASHED, UNCLEAR = "accepted", "crashed", "unclear"
 LONGEST_LINE = 400
 NOT_GROUPS: tuple[Any, ...] = ("jump", 5, 1.5, [1], True, ("name",))
 NOT_NAMES: tuple[Any, ...] = (None, 3, "", "no such member", ["jump"], {"name": 1}, True)
@@ -31,15 +32,8 @@ def invalid_configurations(count: int, seed: int) -> list[Invalid]:
     """So many, all kinds in turn."""
     random = np.random.default_rng(seed)
     listed = all_fields()
-    kinds = (
-        of_wrong_type,
-        not_finite,
-        out_of_range,
-        unknown_key,
-        unknown_member,
-        not_a_group,
-        combination,
-    )
+    kinds = (of_wrong_type, not_finite, out_of_range, unknown_key, unknown_member, not_a_group,
+             combination)  # fmt: skip
     return [kinds[k % len(kinds)](listed, random) for k in range(count)]
 
 
@@ -49,33 +43,32 @@ def groups_with(field: Field, value: Any) -> dict[str, Any]:
     return {field.group: {**name, field.key: value}}
 
 
+def wrong(kind: str, field: Field, value: Any) -> Invalid:
+    """A field with a value that it must not have."""
+    return Invalid(kind, f"{field.group}.{field.key}", groups_with(field, value))
+
+
 def of_wrong_type(listed: list[Field], random: np.random.Generator) -> Invalid:
     """A value of a wrong type."""
-    field = listed[random.integers(len(listed))]
-    value = wrong_type(field, random)
-    return Invalid("wrong type", f"{field.group}.{field.key}", groups_with(field, value))
+    field = one_of(random, listed)
+    return wrong("wrong type", field, wrong_type(field, random))
 
 
 def not_finite(listed: list[Field], random: np.random.Generator) -> Invalid:
     """NaN or infinity."""
-    numbers = [f for f in listed if f.is_number]
-    field = numbers[random.integers(len(numbers))]
-    value = NOT_FINITE[random.integers(len(NOT_FINITE))]
-    return Invalid("not finite", f"{field.group}.{field.key}", groups_with(field, value))
+    field = one_of(random, [f for f in listed if f.is_number])
+    return wrong("not finite", field, one_of(random, NOT_FINITE))
 
 
 def out_of_range(listed: list[Field], random: np.random.Generator) -> Invalid:
     """A number outside the range that errors state."""
-    numbers = [f for f in listed if f.is_number]
-    field = numbers[random.integers(len(numbers))]
-    return Invalid(
-        "out of range", f"{field.group}.{field.key}", groups_with(field, outside(field, random))
-    )
+    field = one_of(random, [f for f in listed if f.is_number])
+    return wrong("out of range", field, outside(field, random))
 
 
 def unknown_key(listed: list[Field], random: np.random.Generator) -> Invalid:
     """A key that the group does not have: one with a letter missing, doubled or exchanged."""
-    field = listed[random.integers(len(listed))]
+    field = one_of(random, listed)
     place = int(random.integers(1, len(field.key)))
     key = (
         field.key[:place] + field.key[place + 1 :] + "_",
@@ -91,22 +84,28 @@ def unknown_key(listed: list[Field], random: np.random.Generator) -> Invalid:
 
 def unknown_member(listed: list[Field], random: np.random.Generator) -> Invalid:
     """A member that the family does not have."""
-    family = list(FAMILIES)[random.integers(len(FAMILIES))]
-    name = NOT_NAMES[random.integers(len(NOT_NAMES))]
+    family, name = one_of(random, FAMILIES), one_of(random, NOT_NAMES)
     return Invalid("unknown member", family, {family: {"name": name, "any": 1.0}})
 
 
 def not_a_group(listed: list[Field], random: np.random.Generator) -> Invalid:
     """A value where a group belongs."""
-    groups = [*PLAIN, *FAMILIES, "accuracy"]
-    group = groups[random.integers(len(groups))]
-    return Invalid("not a group", group, {group: NOT_GROUPS[random.integers(len(NOT_GROUPS))]})
+    group = one_of(random, [*PLAIN, *FAMILIES, "accuracy"])
+    return Invalid("not a group", group, {group: one_of(random, NOT_GROUPS)})
 
 
 def combination(listed: list[Field], random: np.random.Generator) -> Invalid:
     """Members or numbers that are fine by themselves and not together."""
-    key, make = COMBINATIONS[random.integers(len(COMBINATIONS))]
+    key, make = one_of(random, COMBINATIONS)
     return Invalid("combination", key, make(random))
+
+
+def configuration_row(one: Invalid) -> Row:
+    """What became of an invalid configuration."""
+    outcome, message = refusal(one)
+    config = str(one.config)[:200]
+    return {"kind": one.kind, "key": one.key, "config": config, "outcome": outcome,
+            "message": message}  # fmt: skip
 
 
 def refusal(invalid: Invalid) -> tuple[str, str]:

@@ -6,15 +6,14 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import composed, groups_of
+from experiments.designs import COLUMNS
 from experiments.robustness.figures import draw_designs
-from experiments.robustness.invalid import REFUSED, Invalid, invalid_configurations, refusal
-from experiments.stability.jumps import KNOWN, jump_rows
+from experiments.robustness.invalid import configuration_row, invalid_configurations
+from experiments.stability.jumps import by_status, jump_rows
 from experiments.stability.rules import RULES, broken
-from experiments.tradeoff.tiers import tier_groups
-from snapjump.checks import ParameterError, check_integer
-from snapjump.plan.parts.axes import default_axes
-from snapjump.studies.base import Cell, Conclusion, Done, Figure, Row, Table
+from experiments.tradeoff.tiers import base_at
+from snapjump.scenes.jump_outputs import ENDED
+from snapjump.studies.base import REFUSED, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
 from snapjump.tiers import TIERS
 
@@ -34,6 +33,7 @@ class Robustness(Study):
     """Counts by status over ranges twice as wide as the paper's; invalid configurations."""
 
     options = ("designs", "configurations")
+    scene = "jump"
     sources = (
         "experiments.robustness.study",
         "experiments.robustness.invalid",
@@ -42,45 +42,29 @@ class Robustness(Study):
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
         """Parts of the designs, and the configurations."""
-        if config["sim"]["name"] != "jump":
-            raise ParameterError("sim", config["sim"]["name"], "jump with task=robustness")
-        base = tier_groups(groups_of(config), TIER)
-        base["accuracy"] = {"name": TIER}
-        composed(base)
-        designs = self._option("designs", DESIGNS, 1_000_000)
-        configurations = self._option("configurations", CONFIGURATIONS, 100_000)
-        seed = int(config["seed"])
-        parts = range(0, designs, PART)
-        return [
-            Cell("configurations", {"count": configurations, "seed": seed}),
-            *(
-                Cell(
-                    f"designs {first} to {min(first + PART, designs) - 1}",
-                    {"groups": base, "first": first, "count": min(PART, designs - first),
-                     "seed": seed},
-                )
-                for first in parts
-            ),
-        ]  # fmt: skip
-
-    def _option(self, key: str, defaults: tuple[int, int], high: int) -> int:
-        value = self.config["task"][key]
-        chosen = defaults[self.full] if value is None else value
-        check_integer(f"task.{key}", chosen, 1, high)
-        return int(chosen)
+        base = base_at(config, TIER)
+        designs = self.count("designs", DESIGNS, 1, 1_000_000)
+        configurations = self.count("configurations", CONFIGURATIONS, 1, 100_000)
+        shared = {"seed": int(config["seed"])}
+        cells = [Cell("configurations", {**shared, "count": configurations})]
+        for first in range(0, designs, PART):
+            count = min(PART, designs - first)
+            inputs = {**shared, "groups": base, "first": first, "count": count}
+            cells.append(Cell(f"designs {first} to {first + count - 1}", inputs))
+        return cells
 
     def compute(self, cell: Cell) -> list[Row]:
         """A row for each design, or for each configuration."""
         inputs = cell.inputs
         if cell.name == "configurations":
-            found = invalid_configurations(inputs["count"], inputs["seed"])
-            return [configuration_row(one) for one in found]
+            return [
+                *map(configuration_row, invalid_configurations(inputs["count"], inputs["seed"]))
+            ]
         designs = random_designs(inputs["count"], (inputs["seed"], inputs["first"]))
         point = {"across": "", "up": "", "groups": inputs["groups"]}
         rows = jump_rows([point], designs, MOST_ITERATIONS)
-        keys = [axis.column for axis in default_axes()]
         return [
-            dict(zip(keys, designs[row["design"]], strict=True))
+            dict(zip(COLUMNS, designs[row["design"]], strict=True))
             | {k: v for k, v in row.items() if k not in ("across", "up", "design")}
             for row in rows
         ]
@@ -89,7 +73,7 @@ class Robustness(Study):
         """Counts, the slowest, and what was not refused as it should be."""
         rows = [row for name, cell in done.items() if name != "configurations" for row in cell.rows]
         configurations = done["configurations"].rows
-        counts = by_status(rows)
+        counts = dict(by_status(rows).most_common())
         promise = TIERS[TIER].promise_percent
         violations = [
             {"rule": rule, **row}
@@ -120,9 +104,9 @@ class Robustness(Study):
                 "configurations were refused in one line that names the key.",
             ],
             tables={
-                "statuses": Table("Designs by status", [dict(counts)]),
+                "statuses": Table("Designs by status", [counts]),
                 "failures": Table("Designs that failed", [
-                    failure(row) for row in rows if row["status"] not in KNOWN][:50]),
+                    failure(row) for row in rows if row["status"] not in ENDED][:50]),
                 "violations": Table("Rules that were broken", violations[:50]),
                 "configurations": Table("Invalid configurations by kind",
                                         kinds(configurations)),
@@ -146,28 +130,9 @@ def random_designs(count: int, seed: Sequence[int]) -> list[tuple[float, ...]]:
     return [tuple(float(v) for v in row) for row in values]
 
 
-def configuration_row(one: Invalid) -> Row:
-    """What became of an invalid configuration."""
-    outcome, message = refusal(one)
-    return {
-        "kind": one.kind,
-        "key": one.key,
-        "config": str(one.config)[:200],
-        "outcome": outcome,
-        "message": message,
-    }
-
-
 def failure(row: Row) -> Row:
     """What a table of failures shows."""
-    keys = (*(axis.column for axis in default_axes()), "status", "newton_iterations")
-    return {key: row[key] for key in keys if key in row}
-
-
-def by_status(rows: Sequence[Row]) -> dict[str, int]:
-    """Counts, most frequent first."""
-    names = [row["status"] for row in rows]
-    return {name: names.count(name) for name in sorted(set(names), key=lambda n: -names.count(n))}
+    return {key: row[key] for key in (*COLUMNS, "status", "newton_iterations") if key in row}
 
 
 def kinds(configurations: Sequence[Row]) -> list[Row]:

@@ -6,17 +6,22 @@ from itertools import pairwise
 from typing import Any
 
 from experiments.compositions import Groups, changed
-
-Design = tuple[float, float, float, float]  # delta_alpha (rad), epsilon, m_bar, mu
+from experiments.designs import BASELINE, Design
+from snapjump.declare.members import members_with
 
 INTEGRATORS = (
     "tr_bdf2", "sdirk2", "esdirk3", "bdf2", "newmark", "generalized_alpha", "implicit_euler",
     "implicit_midpoint",
 )  # fmt: skip
-LAWS = ("logbarrier", "penalty", "hunt_crossley")
+# The laws that have a stiffness.
+LAWS = tuple(
+    law
+    for law in members_with("contact", "pushes")
+    if law in members_with("contact", "force_is_of_position")
+)
 # Eight that share an epsilon, so that a mesh's statics are solved once.
 DESIGNS: tuple[Design, ...] = (
-    (0.1, 0.2, 0.768, 0.3), (0.03, 0.2, 0.4, 0.15), (0.18, 0.2, 1.8, 0.5), (0.06, 0.2, 1.2, 0.6),
+    BASELINE, (0.03, 0.2, 0.4, 0.15), (0.18, 0.2, 1.8, 0.5), (0.06, 0.2, 1.2, 0.6),
     (0.15, 0.2, 0.6, 0.2), (0.01, 0.2, 0.9, 0.4), (0.12, 0.2, 0.35, 0.55), (0.08, 0.2, 1.5, 0.1),
 )  # fmt: skip
 
@@ -43,13 +48,9 @@ class Map:
     own_truth: bool
     designs: tuple[Design, ...] = ()
 
-    def changes(self, across: Any, up: Any) -> dict[str, Any]:
-        """What a pair of values changes."""
-        return dict(CHANGES[self.name](across, up))
-
     def groups(self, base: Groups, across: Any, up: Any) -> Groups:
         """The composition at a pair of values."""
-        return changed(base, self.changes(across, up))
+        return changed(base, CHANGES[self.name](across, up))
 
 
 def _gravity(gravity: float, friction: float) -> Mapping[str, Any]:
@@ -90,7 +91,7 @@ CHANGES: Mapping[str, Any] = {
 
 def maps(full: bool) -> list[Map]:
     """All of them; ``full``: on finer grids."""
-    grid = _finer if full else _as_it_is
+    grid = _finer if full else lambda *values: values
     steps = grid(1e-8, 1e-7, 1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
     stiffness = grid(1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8)
     distances = grid(1e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 2e-3)
@@ -105,8 +106,7 @@ def maps(full: bool) -> list[Map]:
     elements: tuple[int, ...] = (8, 16, 32, 56, 104, 224, 2000)
     if full:
         elements = (8, 12, 16, 24, 32, 44, 56, 76, 104, 152, 224, 448, 1000, 2000)
-    step, law = Axis("fixed step (s)", steps), Axis("contact law", LAWS)
-    stiff = Axis("K (N/m)", stiffness)
+    step, stiff = Axis("fixed step (s)", steps), Axis("K (N/m)", stiffness)
     return [
         Map("steps", step, Axis("integrator", INTEGRATORS), False, DESIGNS),
         Map("mesh", Axis("elements", elements), Axis("tolerance (L)", tolerances), False, DESIGNS),
@@ -114,13 +114,9 @@ def maps(full: bool) -> list[Map]:
         Map("friction", Axis("eps_v (m/s)", thresholds), Axis("mu", friction), True),
         Map("design", Axis("epsilon", epsilon), Axis("delta_alpha (rad)", lag), True),
         Map("mass", Axis("m_bar", mass), Axis("rotation rate (rad/s)", rates), True),
-        Map("law", stiff, law, True),
+        Map("law", stiff, Axis("contact law", LAWS), True),
         Map("gravity", Axis("gravity (m/s^2)", gravity), Axis("mu", (0.1, 0.6)), True),
     ]
-
-
-def _as_it_is(*values: float) -> tuple[float, ...]:
-    return values
 
 
 def _finer(*values: float) -> tuple[float, ...]:

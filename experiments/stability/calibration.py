@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from experiments.compositions import Groups, changed
 from experiments.errors import percentile
-from experiments.stability.jumps import KNOWN
 from experiments.tradeoff.tiers import tier_groups
+from snapjump.scenes.jump_outputs import ENDED
 from snapjump.studies.base import Row
 
 Array = NDArray[np.float64]
@@ -27,23 +27,20 @@ def levels(base: Groups, integrators: Sequence[str]) -> dict[str, dict[str, Grou
     """By kind and level: fixed steps, tolerances, meshes with time well resolved, tiers."""
     found: dict[str, dict[str, Groups]] = {}
     for name in integrators:
+        method = changed(base, {"integrator": {"name": name}})
         found[f"{name}, fixed steps"] = {
-            f"dt {dt:g} s": changed(
-                base,
-                {"integrator": {"name": name}, "stepping": {"name": "fixed", "step_s": dt}},
-            )
+            f"dt {dt:g} s": changed(method, {"stepping": {"name": "fixed", "step_s": dt}})
             for dt in FIXED_STEPS
         }
     for name in ADAPTIVE:
+        method = changed(base, {"integrator": {"name": name}})
         found[f"{name}, adaptive"] = {
-            f"tolerance {tol:g}": changed(
-                base, {"integrator": {"name": name}, "stepping": {"tolerance": tol}}
-            )
+            f"tolerance {tol:g}": changed(method, {"stepping": {"tolerance": tol}})
             for tol in TOLERANCES
         }
+    resolved = changed(base, {"stepping": TIGHT})
     found["meshes, time resolved"] = {
-        f"{n} elements": changed(base, {"discretization": {"elements": n}, "stepping": TIGHT})
-        for n in ELEMENTS
+        f"{n} elements": changed(resolved, {"discretization": {"elements": n}}) for n in ELEMENTS
     }
     found["tiers"] = {name: tier_groups(base, name) for name in TIERS}
     return found
@@ -51,8 +48,13 @@ def levels(base: Groups, integrators: Sequence[str]) -> dict[str, dict[str, Grou
 
 def columns(rows: Sequence[Row], *keys: str) -> list[Array]:
     """Columns of the rows that have an apex and a truth."""
-    good = [r for r in rows if r["status"] in KNOWN and "true_x_percent" in r]
+    good = [r for r in rows if r["status"] in ENDED and "true_x_percent" in r]
     return [np.array([float(r[k]) for r in good]) for k in keys]
+
+
+def compared(rows: Sequence[Row], name: str) -> list[Array]:
+    """True and estimated errors of x, or of y (%)."""
+    return columns(rows, f"true_{name}_percent", f"{name}_error_estimate_percent")
 
 
 def coverage(true: Array, estimate: Array) -> float:
@@ -62,38 +64,23 @@ def coverage(true: Array, estimate: Array) -> float:
 
 def level_row(kind: str, level: str, rows: Sequence[Row]) -> Row:
     """True and estimated errors of a level."""
-    x, y, ex, ey, total = columns(
-        rows, "true_x_percent", "true_y_percent", "x_error_estimate_percent",
-        "y_error_estimate_percent", "error_sum_bar",
-    )  # fmt: skip
-    if len(x) == 0:
-        return {"composition": kind, "level": level, "jumps": len(rows), "known": 0}
-    return {
-        "composition": kind,
-        "level": level,
-        "jumps": len(rows),
-        "known": len(x),
-        "error_sum_bar": float(np.median(total)),
-        "x_true_p95_percent": percentile(x, 95.0),
-        "x_error_estimate_percent": float(np.median(ex)),
-        "x_covered": coverage(x, ex),
-        "y_true_p95_percent": percentile(y, 95.0),
-        "y_error_estimate_percent": float(np.median(ey)),
-        "y_covered": coverage(y, ey),
-        "within_tier": float(np.mean([bool(r["within_tier"]) for r in rows])),
-    }
+    (total,) = columns(rows, "error_sum_bar")
+    found: Row = {"composition": kind, "level": level, "jumps": len(rows), "known": len(total)}
+    if len(total) == 0:
+        return found
+    found["error_sum_bar"] = float(np.median(total))
+    for name in ("x", "y"):
+        true, estimate = compared(rows, name)
+        found[f"{name}_true_p95_percent"] = percentile(true, 95.0)
+        found[f"{name}_error_estimate_percent"] = float(np.median(estimate))
+        found[f"{name}_covered"] = coverage(true, estimate)
+    return {**found, "within_tier": float(np.mean([bool(r["within_tier"]) for r in rows]))}
 
 
 def overall(by_level: Mapping[Any, Sequence[Row]]) -> dict[str, float]:
     """Of all levels together: coverage, correlation of logarithms, and how cautious it is."""
     rows = [row for some in by_level.values() for row in some]
-    x, y, ex, ey = columns(
-        rows,
-        "true_x_percent",
-        "true_y_percent",
-        "x_error_estimate_percent",
-        "y_error_estimate_percent",
-    )
+    (x, ex), (y, ey) = (compared(rows, name) for name in ("x", "y"))
     seen = x > 0.0
     return {
         "calibration_jumps": len(x),

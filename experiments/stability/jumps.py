@@ -1,34 +1,23 @@
 """Jumps of any compositions: alike ones side by side in lanes, each bounded, each with its fate."""
 
 import time
+from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
 from experiments.compositions import composed
-from snapjump.batch import simulate_batch
+from snapjump.batch import simulate_batch, variant
+from snapjump.batch.alike import OF_ONE_KIND, SAME
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
 from snapjump.scenes.jump_start import jump_model
-from snapjump.studies.base import Row
+from snapjump.studies.base import REFUSED, Row
 
 LANES = 8
-REFUSED = "refused"
-KNOWN = ("ok", "no_jump")
 KEPT = (
-    "status",
-    "x_bar",
-    "y_bar",
-    "min_gap_m",
-    "newton_iterations",
-    "error_sum_bar",
-    "coarsest_contact_step",
-    "x_error_estimate_percent",
-    "y_error_estimate_percent",
-    "within_tier",
-)
+    "status", "x_bar", "y_bar", "min_gap_m", "newton_iterations", "error_sum_bar",
+    "coarsest_contact_step", "x_error_estimate_percent", "y_error_estimate_percent", "within_tier",
+)  # fmt: skip
 
 
 def jump_rows(
@@ -43,55 +32,39 @@ def jump_rows(
     numbers of the model are simulated together; ``seconds`` is such a batch's wall time.
     """
     rows: list[Row] = []
-    waiting: dict[Any, list[tuple[int, Simulation]]] = {}
+    waiting: dict[Any, list[tuple[Row, Simulation]]] = {}
     for point in points:
         for k, design in enumerate(designs or [()]):
             row: Row = {"across": point["across"], "up": point["up"], "design": k}
+            rows.append(row)
             try:
-                simulation = with_design(composed(point["groups"]), design)
+                simulation = composed(point["groups"])
+                if design:
+                    simulation = variant(simulation, design)
                 jump_model(simulation)
             except ParameterError as error:
                 row |= {"status": REFUSED, "message": str(error)}
             else:
-                waiting.setdefault(alike(simulation), []).append((len(rows), simulation))
-            rows.append(row)
-    for batch in waiting.values():
-        places = [place for place, _ in batch]
-        outcomes = batch_rows([simulation for _, simulation in batch], most_iterations)
-        for place, outcome in zip(places, outcomes, strict=True):
-            rows[place] |= outcome
+                waiting.setdefault(alike(simulation), []).append((row, simulation))
+    for together in waiting.values():
+        begun = time.perf_counter()
+        batch = simulate_batch([one for _, one in together], LANES, most_iterations)
+        seconds = time.perf_counter() - begun
+        for (row, _), outcome in zip(together, batch.rows(*KEPT), strict=True):
+            row |= {**outcome, "seconds": seconds}
     return rows
-
-
-def with_design(simulation: Simulation, design: Sequence[float]) -> Simulation:
-    """With another (delta_alpha, epsilon, m_bar, mu), if one is given."""
-    if not design:
-        return simulation
-    lag, epsilon, mass_bar, mu = design
-    return replace(
-        simulation,
-        design=Design(epsilon=epsilon, delta_alpha=lag),
-        environment=Environment(mu=mu, mass_bar=mass_bar),
-    )
 
 
 def alike(simulation: Simulation) -> Any:
     """What jumps must share to be simulated side by side: all but numbers of the model."""
-    robot = simulation.robot
     return (
-        simulation.integrator,
-        simulation.stepping,
-        simulation.discretization,
-        simulation.sim,
         simulation.accuracy,
-        robot.scales,
-        *(getattr(simulation, f).name for f in ("contact", "friction", "damping", "frame")),
+        simulation.robot.scales,
+        *(getattr(simulation, family) for family in SAME),
+        *(type(getattr(simulation, family)) for family in OF_ONE_KIND),
     )
 
 
-def batch_rows(simulations: Sequence[Simulation], most_iterations: float) -> list[Row]:
-    """What became of each."""
-    begun = time.perf_counter()
-    batch = simulate_batch(simulations, LANES, most_iterations)
-    seconds = time.perf_counter() - begun
-    return [{**row, "seconds": seconds} for row in batch.rows(*KEPT)]
+def by_status(rows: Sequence[Row]) -> Counter[str]:
+    """Counts by status, in the order in which they first come."""
+    return Counter(row["status"] for row in rows)

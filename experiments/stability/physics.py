@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from experiments.stability.jumps import KNOWN, REFUSED
-from snapjump.studies.base import Row
+from experiments.stability.jumps import by_status
+from snapjump.scenes.jump_outputs import ENDED
+from snapjump.studies.base import REFUSED, Row
 
 Rows = Sequence[Row]
 Maps = Mapping[str, Rows]
@@ -32,13 +33,17 @@ class Check:
 
 def known(rows: Rows) -> list[Row]:
     """Those with an apex."""
-    return [row for row in rows if row["status"] in KNOWN]
+    return [row for row in rows if row["status"] in ENDED]
 
 
-def statuses(rows: Rows) -> str:
-    """Counts by status."""
-    names = [row["status"] for row in rows]
-    return ", ".join(f"{names.count(n)} {n}" for n in dict.fromkeys(names)) or "none"
+def jumps(row: Row) -> bool:
+    """Whether it jumps."""
+    return bool(row["status"] == "ok")
+
+
+def warns(row: Row) -> bool:
+    """Whether it fails by name, or is marked as not within its tier."""
+    return row["status"] not in ENDED or not row["within_tier"]
 
 
 def spread(values: Sequence[float]) -> float:
@@ -49,7 +54,8 @@ def spread(values: Sequence[float]) -> float:
 def all_are(rows: Rows, name: str, expected: str, meets: Callable[[Row], bool]) -> Check:
     """A check that every one of some rows meets."""
     good = sum(meets(row) for row in rows)
-    text = f"{good} of {len(rows)}: {statuses(rows)}"
+    counts = ", ".join(f"{count} {status}" for status, count in by_status(rows).items())
+    text = f"{good} of {len(rows)}: {counts or 'none'}"
     return Check(name, expected, text, bool(rows) and good == len(rows))
 
 
@@ -69,12 +75,11 @@ def of_steps(rows: Rows) -> list[Check]:
     """Steps that are far too long, and far too short."""
     return [
         all_are([r for r in rows if r["across"] >= 1e-3], "step of 1 ms and more",
-                "a named failure, or marked as not within its tier",
-                lambda r: r["status"] not in KNOWN or not r["within_tier"]),
+                "a named failure, or marked as not within its tier", warns),
         all_are([r for r in rows if r["across"] <= 1e-8], "step of 1e-8 s",
                 "ends by the bound on iterations", lambda r: r["status"] == "iteration_limit"),
         all_are([r for r in rows if r["across"] == 1e-6], "step of 1e-6 s",
-                "every method jumps", lambda r: r["status"] == "ok"),
+                "every method jumps", jumps),
     ]  # fmt: skip
 
 
@@ -82,14 +87,13 @@ def of_mesh(rows: Rows) -> list[Check]:
     """Meshes that are too coarse, and tolerances from loose to tight."""
     return [
         all_are([r for r in rows if r["across"] <= 16], "at most 16 elements",
-                "refused, failed, or marked as not within its tier",
-                lambda r: r["status"] not in KNOWN or not r["within_tier"]),
+                "refused, failed, or marked as not within its tier", warns),
         all_are([r for r in rows if r["across"] >= 56 and r["up"] <= 1e-6],
                 "fine mesh, tight tolerance", "jumps (or the bound on iterations is reached)",
                 lambda r: r["status"] in ("ok", "iteration_limit")),
         all_are([r for r in rows if r["across"] >= 32 and r["up"] >= 1e-4],
                 "loose tolerance", "jumps, and is marked as not within its tier",
-                lambda r: r["status"] == "ok" and not r["within_tier"]),
+                lambda r: jumps(r) and not r["within_tier"]),
     ]  # fmt: skip
 
 
@@ -109,7 +113,7 @@ def of_barrier(rows: Rows, law: Rows) -> list[Check]:
 
 def of_friction(rows: Rows) -> list[Check]:
     """No friction, much of it, and a threshold that hardly smooths it."""
-    smooth = [r["x_bar"] for r in rows if r["up"] == 0.0 and r["status"] == "ok"] or [np.inf]
+    smooth = [r["x_bar"] for r in rows if r["up"] == 0.0 and jumps(r)] or [np.inf]
     sticky = [r for r in known(rows) if r["up"] >= 1.0 and r["across"] <= 1e-4]
     by_mu = [[r["y_bar"] for r in sticky if r["up"] == mu] for mu in {r["up"] for r in sticky}]
     worst = max((spread(y) for y in by_mu), default=np.inf)
@@ -121,7 +125,7 @@ def of_friction(rows: Rows) -> list[Check]:
               f"{len(sticky)} cells, y spreads by at most {worst:.2g} %",
               bool(sticky) and worst < 3.0),
         all_are([r for r in rows if r["across"] <= 1e-6], "eps_v <= 1e-6 m/s",
-                "implicit friction works", lambda r: r["status"] == "ok"),
+                "implicit friction works", jumps),
     ]  # fmt: skip
 
 
@@ -149,6 +153,5 @@ def of_mass(rows: Rows, gravity: Rows) -> list[Check]:
                 or (r["up"] <= 1.0 and r["status"] == "iteration_limit")),
         all_are([r for r in gravity if r["across"] == 0.0], "no gravity",
                 "refused, since the apex is undefined", lambda r: r["status"] == REFUSED),
-        all_are([r for r in gravity if r["across"] >= 1.0], "the Moon to 10 g", "jumps",
-                lambda r: r["status"] == "ok"),
+        all_are([r for r in gravity if r["across"] >= 1.0], "the Moon to 10 g", "jumps", jumps),
     ]  # fmt: skip

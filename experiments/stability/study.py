@@ -4,16 +4,16 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from experiments.compositions import Groups, changed, composed, groups_of
+from experiments.compositions import Groups, changed
 from experiments.designs import spread_designs
 from experiments.stability.axes import DESIGNS, INTEGRATORS, Map, maps
 from experiments.stability.calibration import TIGHT, level_row, levels, overall
-from experiments.stability.figures import draw_calibration, draw_map, shares
-from experiments.stability.jumps import jump_rows
+from experiments.stability.figures import draw_calibration, draw_map
+from experiments.stability.jumps import by_status, jump_rows
 from experiments.stability.physics import Check, checks
 from experiments.stability.rules import RULES, broken, with_truth
-from experiments.tradeoff.tiers import tier_groups
-from snapjump.checks import ParameterError, check_integer
+from experiments.tradeoff.tiers import base_at, tier_groups
+from snapjump.scenes.jump_outputs import ENDED
 from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
 from snapjump.tiers import TIERS
@@ -33,6 +33,7 @@ class Stability(Study):
     """Maps of status and error over the extremes; calibration of the error estimate."""
 
     options = ("designs",)
+    scene = "jump"
     sources = (
         "experiments.stability.axes",
         "experiments.stability.jumps",
@@ -41,14 +42,8 @@ class Stability(Study):
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
         """The maps, the truth that goes with each, and the levels of the calibration."""
-        if config["sim"]["name"] != "jump":
-            raise ParameterError("sim", config["sim"]["name"], "jump with task=stability")
-        base = tier_groups(groups_of(config), TIER)
-        base["accuracy"] = {"name": TIER}
-        composed(base)
-        given = config["task"]["designs"]
-        count = CALIBRATION_DESIGNS[self.full] if given is None else given
-        check_integer("task.designs", count, 2, 4096)
+        base = base_at(config, TIER)
+        count = self.count("designs", CALIBRATION_DESIGNS, 2, 4096)
         spread = spread_designs(count, config["seed"])
         self.maps = maps(self.full)
         self.levels = levels(base, INTEGRATORS)
@@ -68,21 +63,15 @@ class Stability(Study):
         found = []
         rows = [(up,) for up in one.up.values] if one.name in SPLIT else [one.up.values]
         self.parts[one.name] = []
+        kinds: list[tuple[str, Row, float]] = [("", {}, MOST_ITERATIONS)]
+        if one.own_truth:
+            kinds.append((", truth", TRUTH, TRUTH_ITERATIONS))
         for ups in rows:
             name = f"{one.name}, {ups[0]}" if len(rows) > 1 else one.name
             self.parts[one.name].append(name)
-            for suffix, change, most in (
-                ("", {}, MOST_ITERATIONS),
-                (", truth", TRUTH, TRUTH_ITERATIONS),
-            ):
-                if suffix and not one.own_truth:
-                    continue
+            for suffix, change, most in kinds:
                 points = [
-                    {
-                        "across": across,
-                        "up": up,
-                        "groups": changed(one.groups(base, across, up), change),
-                    }
+                    at(changed(one.groups(base, across, up), change), up, across)
                     for up in ups
                     for across in one.across.values
                 ]
@@ -169,14 +158,20 @@ def jumps(
     return Cell(name, {"points": points, "designs": listed, "most_iterations": most_iterations})
 
 
-def at(groups: Groups, level: str = "") -> Row:
-    """A point that lies on no map."""
-    return {"across": "", "up": level, "groups": groups}
+def at(groups: Groups, up: Any = "", across: Any = "") -> Row:
+    """A point: of no map, unless it says where."""
+    return {"across": across, "up": up, "groups": groups}
 
 
 def law_of(name: str, row: Row) -> str:
     """The contact law of a row of a map."""
     return str(row["up"]) if name == "law" else "logbarrier"
+
+
+def shares(rows: Sequence[Row]) -> dict[str, int]:
+    """Counts by status, the usual ones first."""
+    counts = by_status(rows)
+    return {name: counts[name] for name in (*ENDED, *sorted(set(counts) - set(ENDED)))}
 
 
 def shortened(row: Row) -> Row:

@@ -8,13 +8,10 @@ import statistics
 from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
-
 from experiments.compositions import composed
-from experiments.designs import spread_designs
-from experiments.errors import baseline_sweep
+from experiments.designs import COLUMNS, baseline_sweep, spread_designs
 from snapjump.batch import simulate_batch, variants
-from snapjump.studies.base import Row
+from snapjump.studies.base import Cell, Row
 
 LANES = 8
 REPEATS = 3
@@ -23,36 +20,31 @@ KEPT = ("status", "x_bar", "y_bar", "newton_iterations", "steps")
 LONG = 1.0
 
 
-def plan_batch(
-    groups: Mapping[str, Any], designs: int, sweep: int, seed: int, lanes: int = LANES
-) -> dict[str, Any]:
-    """Inputs of a cell: ``designs`` spread over the ranges, the first points of the sweep."""
-    return {"groups": groups, "designs": designs, "sweep": sweep, "seed": seed, "lanes": lanes}
+def batch_cell(
+    name: str, groups: Mapping[str, Any], designs: int, sweep: int, seed: int, lanes: int = LANES
+) -> Cell:
+    """``designs`` spread over the ranges, and the first points of the sweep."""
+    inputs = {"groups": groups, "designs": designs, "sweep": sweep, "seed": seed, "lanes": lanes}
+    return Cell(name, inputs)
 
 
 def jump_rows(inputs: Mapping[str, Any]) -> list[Row]:
     """A row for each jump; ``ms`` is its share of the kernel time, by Newton iterations."""
     designs = spread_designs(inputs["designs"], inputs["seed"])
     kinds = ["design"] * len(designs) + ["sweep"] * inputs["sweep"]
-    if inputs["sweep"]:
-        designs += baseline_sweep()[: inputs["sweep"]]
-    base = composed(inputs["groups"])
-    simulations = variants(base, designs)
+    designs += baseline_sweep()[: inputs["sweep"]]
+    simulations = variants(composed(inputs["groups"]), designs)
     batches = [simulate_batch(simulations, inputs["lanes"])]
     while len(batches) < REPEATS and batches[0].march_seconds < LONG:
         batches.append(simulate_batch(simulations, inputs["lanes"]))
     seconds = statistics.median(batch.march_seconds for batch in batches)
-    batch = batches[0]
-    total = max(float(np.sum(batch.newton_iterations)), 1.0)
+    total = max(float(batches[0].newton_iterations.sum()), 1.0)
     return [
         {
             "kind": kind,
-            "delta_alpha_rad": design[0],
-            "epsilon": design[1],
-            "mass_bar": design[2],
-            "mu": design[3],
+            **dict(zip(COLUMNS, design, strict=True)),
             **row,
             "ms": 1e3 * seconds * row["newton_iterations"] / total,
         }
-        for kind, design, row in zip(kinds, designs, batch.rows(*KEPT), strict=True)
+        for kind, design, row in zip(kinds, designs, batches[0].rows(*KEPT), strict=True)
     ]

@@ -25,7 +25,17 @@ FULL_ELEMENTS = (32, 40, 48, 56, 64, 76, 88, 104, 128, 152, 184, 224, 272)
 # Methods that are varied in every way; the others only in their steps.
 VARIED = ("tr_bdf2", "sdirk2", "esdirk3", "implicit_euler")
 PLAIN_METHOD = "tr_bdf2"
-BLIND = 1e9  # contact_steps that leave contact to the error estimate
+CONTACT_STEPS = {
+    "half the steps in contact": 4.0,
+    "twice the steps in contact": 1.0,
+    "blind to contact": 1e9,  # left to the error estimate
+}
+CHANGES: dict[str, dict[str, Any]] = {
+    "two-node clamps": {"discretization": {"clamp": "two_nodes"}},
+    "from flat clamps": {"sim": {"start_fraction": 0.0}},
+    "late start": {"sim": {"start_fraction": 0.92}},
+}
+FINE, TIGHT = 224, 2e-9  # elements and tolerance, where the other alone is refined
 
 
 @dataclass(frozen=True)
@@ -56,22 +66,11 @@ def estimate_order(name: str) -> float:
 
 def adaptive(base: Groups, name: str, elements: tuple[int, ...], **stepping: Any) -> dict[str, Any]:
     """Levels of mesh and tolerance."""
-    order = estimate_order(name)
+    rounded = {n: f"{tolerance(n, estimate_order(name)):.1e}" for n in elements}
+    steps = {"name": "adaptive", "contact_steps": 2.0, **stepping}
     return {
-        f"{n} elements, tol {tolerance(n, order):.1e}": changed(
-            base,
-            {
-                "integrator": {"name": name},
-                "discretization": {"elements": n},
-                "stepping": {
-                    "name": "adaptive",
-                    "tolerance": float(f"{tolerance(n, order):.1e}"),
-                    "contact_steps": 2.0,
-                    **stepping,
-                },
-            },
-        )
-        for n in elements
+        f"{n} elements, tol {text}": refined(base, name, n, {**steps, "tolerance": float(text)})
+        for n, text in rounded.items()
     }
 
 
@@ -80,16 +79,17 @@ def fixed(base: Groups, name: str, elements: tuple[int, ...]) -> dict[str, Any]:
     scale = {n: (STANDARD_ELEMENTS / n) ** STEP_POWER for n in elements if n <= FINEST_FIXED}
     steps = {n: float(f"{STANDARD_STEP_S * factor:.2g}") for n, factor in scale.items()}
     return {
-        f"{n} elements, dt {step:.1e} s": changed(
-            base,
-            {
-                "integrator": {"name": name},
-                "discretization": {"elements": n},
-                "stepping": {"name": "fixed", "step_s": step},
-            },
-        )
+        f"{n} elements, dt {step:.1e} s": refined(base, name, n, {"name": "fixed", "step_s": step})
         for n, step in steps.items()
     }
+
+
+def refined(base: Groups, name: str, elements: int, stepping: Mapping[str, Any]) -> Groups:
+    """A level: a method on a mesh, with these steps."""
+    integrator, mesh = {"name": name}, {"elements": elements}
+    return changed(
+        base, {"integrator": integrator, "discretization": mesh, "stepping": dict(stepping)}
+    )
 
 
 def curves(base: Groups, full: bool) -> list[Curve]:
@@ -98,75 +98,41 @@ def curves(base: Groups, full: bool) -> list[Curve]:
     lagged = changed(base, {"friction": {"name": "lagged"}})
     found = []
     for name in member_names("integrator"):
-        found.append(Curve(f"{name} adaptive", name, adaptive(base, name, elements)))
-        found.append(Curve(f"{name} fixed", name, fixed(base, name, elements)))
-        if name not in VARIED:
-            continue
-        found += [
-            Curve(
-                f"{name} adaptive, half the steps in contact",
-                name,
-                adaptive(base, name, elements, contact_steps=4.0),
-            ),
-            Curve(
-                f"{name} adaptive, twice the steps in contact",
-                name,
-                adaptive(base, name, elements, contact_steps=1.0),
-            ),
-            Curve(
-                f"{name} adaptive, blind to contact",
-                name,
-                adaptive(base, name, elements, contact_steps=BLIND),
-            ),
-            Curve(f"{name} adaptive, lagged friction", name, adaptive(lagged, name, elements)),
-            Curve(f"{name} fixed, lagged friction", name, fixed(lagged, name, elements)),
-        ]
+        ways = {"adaptive": adaptive(base, name, elements), "fixed": fixed(base, name, elements)}
+        if name in VARIED:
+            for words, steps in CONTACT_STEPS.items():
+                ways[f"adaptive, {words}"] = adaptive(base, name, elements, contact_steps=steps)
+            ways["adaptive, lagged friction"] = adaptive(lagged, name, elements)
+            ways["fixed, lagged friction"] = fixed(lagged, name, elements)
+        found += [Curve(f"{name} {way}", name, levels) for way, levels in ways.items()]
     return found + plain_curves(base, elements)
 
 
 def plain_curves(base: Groups, elements: tuple[int, ...]) -> list[Curve]:
     """The default method with other meshes, clamps, starts, backends and refinements."""
     name = PLAIN_METHOD
-
-    def levels(change: Mapping[str, Any]) -> dict[str, Any]:
-        return adaptive(changed(base, change), name, elements)
-
+    meshes = [n for n in member_names("discretization") if n != base["discretization"]["name"]]
+    changes = {mesh: {"discretization": {"name": mesh}} for mesh in meshes} | CHANGES
     found = [
-        Curve(f"{name}, {other}", other, levels({"discretization": {"name": other}}))
-        for other in member_names("discretization")
-        if other != base["discretization"]["name"]
-    ]
-    found += [
-        Curve(f"{name}, two-node clamps", name, levels({"discretization": {"clamp": "two_nodes"}})),
-        Curve(f"{name}, from flat clamps", name, levels({"sim": {"start_fraction": 0.0}})),
-        Curve(f"{name}, late start", name, levels({"sim": {"start_fraction": 0.92}})),
-        Curve(f"{name}, one robot at a time", name, adaptive(base, name, elements), lanes=1),
-    ]
-    fine = changed(base, {"integrator": {"name": name}, "discretization": {"elements": 224}})
-    tight = changed(
-        base,
-        {"integrator": {"name": name}, "stepping": {"name": "adaptive", "tolerance": 2e-9}},
-    )
-    found.append(
         Curve(
-            f"{name}, tolerance alone",
-            name,
-            {
-                f"224 elements, tol {tolerance(n):.1e}": changed(
-                    fine, {"stepping": {"name": "adaptive", "tolerance": tolerance(n)}}
-                )
-                for n in elements
-            },
+            f"{name}, {words}",
+            words if words in meshes else name,
+            adaptive(changed(base, change), name, elements),
         )
-    )
+        for words, change in changes.items()
+    ]
     found.append(
-        Curve(
-            f"{name}, mesh alone",
-            name,
-            {
-                f"{n} elements, tol 2.0e-09": changed(tight, {"discretization": {"elements": n}})
-                for n in elements
-            },
-        )
+        Curve(f"{name}, one robot at a time", name, adaptive(base, name, elements), lanes=1)
     )
+    matched = {n: tolerance(n) for n in elements}
+    alone = {
+        "tolerance alone": {f"{FINE} elements, tol {t:.1e}": (FINE, t) for t in matched.values()},
+        "mesh alone": {f"{n} elements, tol {TIGHT:.1e}": (n, TIGHT) for n in elements},
+    }
+    for words, levels in alone.items():
+        groups = {
+            level: refined(base, name, n, {"name": "adaptive", "tolerance": t})
+            for level, (n, t) in levels.items()
+        }
+        found.append(Curve(f"{name}, {words}", name, groups))
     return found

@@ -2,12 +2,13 @@
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from experiments.tradeoff.points import Point, pareto
 from snapjump.plots import palette
-from snapjump.plots.saving import picture
+from snapjump.plots.saving import axes_at, picture
 
 COSTS = {"ms": "ms a jump (median, one core)", "newton_iterations": "Newton iterations a jump"}
 ERRORS_P95 = {
@@ -21,116 +22,87 @@ ERRORS_MEDIAN = {
     "y_roughness_bar": "roughness of y (L)",
 }
 COLOURS = (
-    palette.BEAM,
-    palette.CENTRE,
-    palette.FORCE,
-    palette.PLUM,
-    palette.CLAMP,
-    palette.SKY,
-    palette.VIOLET,
-    palette.FRAME,
-    "#8c510a",
-    "#01665e",
-    "#4d9221",
-    "#999999",
-)
-VARIANTS = {"adaptive": "-", "fixed": "--"}
-OTHER = ":"
+    palette.BEAM, palette.CENTRE, palette.FORCE, palette.PLUM, palette.CLAMP, palette.SKY,
+    palette.VIOLET, palette.FRAME, "#8c510a", "#01665e", "#4d9221", "#999999",
+)  # fmt: skip
+# Of lines, by what follows the method in a curve's name; of all other curves.
+LOOKS = {
+    "adaptive": {"ls": "-", "lw": 1.6, "alpha": 0.9},
+    "fixed": {"ls": "--", "lw": 1.6, "alpha": 0.9},
+}
+OTHER = {"ls": ":", "lw": 0.9, "alpha": 0.6}
+FRONT = {"color": palette.INK, "lw": 5.0, "alpha": 0.18}
+TIER = {"color": palette.INK, "marker": "*"}
+FAILED = {"color": "#c1121f", "marker": "x", "ms": 8, "mew": 2}
 PANEL = (6.0, 4.0)  # inches
 SIDE, TOP, FOOT = 2.6, 0.6, 0.35
 # Larger errors (%) and roughness (L) are no answers any more, and are drawn like failures.
 LARGEST = {"percent": 100.0, "bar": 1.0}
-TIER_COLOUR = palette.INK
-FAILED_COLOUR = "#c1121f"
+
+
+@dataclass(frozen=True)
+class Compared:
+    """What is drawn; ``methods``: by curve, what it is coloured by."""
+
+    points: Sequence[Point]
+    methods: Mapping[str, str]
+    tiers: Mapping[str, Point]
+
+    @property
+    def colours(self) -> dict[str, str]:
+        """By method."""
+        names = dict.fromkeys(self.methods.values())
+        return {name: COLOURS[k % len(COLOURS)] for k, name in enumerate(names)}
 
 
 def draw_precision(
-    points: Sequence[Point],
-    methods: Mapping[str, str],
-    tiers: Mapping[str, Point],
-    errors: Mapping[str, str],
-    headline: str,
-    path: Path,
+    compared: Compared, errors: Mapping[str, str], headline: str, path: Path
 ) -> None:
-    """Rows of errors, columns of costs; ``methods``: by curve, what it is coloured by."""
-    rows, columns = len(errors), len(COSTS)
-    size = (PANEL[0] * columns + SIDE, PANEL[1] * rows + TOP + FOOT)
-    names = list(dict.fromkeys(methods.values()))
-    colours = {name: COLOURS[k % len(COLOURS)] for k, name in enumerate(names)}
+    """Rows of errors, columns of costs."""
+    wide, high = PANEL
+    size = (wide * len(COSTS) + SIDE, high * len(errors) + TOP + FOOT)
     with picture(path, size, headline) as figure:
         for r, (error, error_label) in enumerate(errors.items()):
             for c, (cost, cost_label) in enumerate(COSTS.items()):
-                left = (c * PANEL[0] + 0.85) / size[0]
-                bottom = ((rows - 1 - r) * PANEL[1] + 0.65 + FOOT) / size[1]
-                box = (left, bottom, (PANEL[0] - 1.0) / size[0], (PANEL[1] - 0.85) / size[1])
-                axes = figure.add_axes(box)
-                _panel(axes, points, methods, colours, tiers, cost, error)
-                axes.set_xlabel(cost_label)
-                axes.set_ylabel(error_label)
-        _legend(figure, colours, size)
+                bottom = (len(errors) - 1 - r) * high + 0.65 + FOOT
+                axes = axes_at(figure, c * wide + 0.85, bottom, wide - 1.0, high - 0.85)
+                _panel(axes, compared, cost, error)
+                axes.set(xlabel=cost_label, ylabel=error_label)
+        place = (1.0 - (SIDE - 0.1) / size[0], 1.0 - TOP / size[1])
+        handles = _handles(compared.colours)
+        figure.legend(handles=handles, loc="upper left", bbox_to_anchor=place)
 
 
-def _panel(
-    axes: Any,
-    points: Sequence[Point],
-    methods: Mapping[str, str],
-    colours: Mapping[str, str],
-    tiers: Mapping[str, Point],
-    cost: str,
-    error: str,
-) -> None:
-    axes.set_xscale("log")
-    axes.set_yscale("log")
+def _panel(axes: Any, compared: Compared, cost: str, error: str) -> None:
+    def place(points: Sequence[Point]) -> tuple[list[float], list[float]]:
+        return [getattr(p, cost) for p in points], [getattr(p, error) for p in points]
+
+    axes.set(xscale="log", yscale="log")
     axes.grid(True)
-    for curve, method in methods.items():
-        own = [p for p in points if p.curve == curve]
-        good = [p for p in own if drawable(p, cost, error)]
-        variant = curve.removeprefix(f"{method} ")
-        axes.plot(
-            [getattr(p, cost) for p in good],
-            [getattr(p, error) for p in good],
-            VARIANTS.get(variant, OTHER),
-            marker="o",
-            ms=2.5,
-            lw=1.6 if variant in VARIANTS else 0.9,
-            color=colours[method],
-            alpha=0.9 if variant in VARIANTS else 0.6,
-        )
-    sound = [p for p in points if p.failed == 0]
-    front = pareto([getattr(p, cost) for p in sound], [getattr(p, error) for p in sound])
-    axes.plot(
-        [getattr(sound[k], cost) for k in front],
-        [getattr(sound[k], error) for k in front],
-        color=palette.INK,
-        lw=5.0,
-        alpha=0.18,
-        zorder=1,
-    )
-    _failures(axes, points, cost, error)
-    for name, point in tiers.items():
+    for curve, method in compared.methods.items():
+        good = [p for p in compared.points if p.curve == curve and drawable(p, cost, error)]
+        look = LOOKS.get(curve.removeprefix(f"{method} "), OTHER)
+        axes.plot(*place(good), marker="o", ms=2.5, color=compared.colours[method], **look)
+    sound = [p for p in compared.points if p.failed == 0]
+    axes.plot(*place([sound[k] for k in pareto(*place(sound))]), zorder=1, **FRONT)
+    _failures(axes, compared.points, cost, error)
+    backdrop = {"fc": palette.PAPER, "ec": "none", "alpha": 0.75, "pad": 0.8}
+    for name, point in compared.tiers.items():
         if drawable(point, cost, error):
-            place = (getattr(point, cost), getattr(point, error))
-            axes.plot(*place, "*", ms=14, color=TIER_COLOUR, mec=palette.PAPER, zorder=6)
-            axes.annotate(
-                name,
-                place,
-                xytext=(8, 7),
-                textcoords="offset points",
-                fontweight="bold",
-                zorder=7,
-                bbox={"fc": palette.PAPER, "ec": "none", "alpha": 0.75, "pad": 0.8},
-            )
+            axes.plot(*place([point]), ms=14, mec=palette.PAPER, zorder=6, **TIER)
+            axes.annotate(name, (getattr(point, cost), getattr(point, error)), xytext=(8, 7),
+                          textcoords="offset points", fontweight="bold", zorder=7,
+                          bbox=backdrop)  # fmt: skip
 
 
 def _failures(axes: Any, points: Sequence[Point], cost: str, error: str) -> None:
     """A cross where jumps failed: at the error if it is known in spite of them, else at the top."""
-    look = {"marker": "x", "ms": 8, "mew": 2, "color": FAILED_COLOUR, "zorder": 5}
     for p in points:
         spent = getattr(p, cost)
         if p.failed and drawable(p, cost, error):
-            axes.plot(spent, getattr(p, error), **look)
+            axes.plot(spent, getattr(p, error), zorder=5, **FAILED)
         elif p.jumps and not drawable(p, cost, error) and math.isfinite(spent):
-            axes.plot(spent, 0.975, transform=axes.get_xaxis_transform(), **look)
+            axes.plot(spent, 0.975, transform=axes.get_xaxis_transform(), zorder=5, **FAILED)
 
 
 def drawable(point: Point, cost: str, error: str) -> bool:
@@ -140,30 +112,16 @@ def drawable(point: Point, cost: str, error: str) -> bool:
     return math.isfinite(spent) and spent > 0.0 and 0.0 < value <= LARGEST[error.split("_")[-1]]
 
 
-def _legend(figure: Any, colours: Mapping[str, str], size: tuple[float, float]) -> None:
+def _handles(colours: Mapping[str, str]) -> list[Any]:
     from matplotlib.lines import Line2D
 
-    handles = [Line2D([], [], color=c, lw=2.5, label=name) for name, c in colours.items()]
-    ink = palette.QUIET
-    handles += [
-        Line2D([], [], color=ink, lw=1.6, ls="-", label="adaptive steps"),
-        Line2D([], [], color=ink, lw=1.6, ls="--", label="fixed steps"),
-        Line2D([], [], color=ink, lw=0.9, ls=":", label="variants (see table)"),
-        Line2D([], [], color=palette.INK, lw=5, alpha=0.18, label="Pareto front"),
-        Line2D([], [], color=TIER_COLOUR, marker="*", ms=12, ls="", label="tiers"),
-        Line2D(
-            [],
-            [],
-            color=FAILED_COLOUR,
-            marker="x",
-            ms=8,
-            mew=2,
-            ls="",
-            label="jumps failed, or\nerror above 100 % (1 L)",
-        ),
-    ]
-    figure.legend(
-        handles=handles,
-        loc="upper left",
-        bbox_to_anchor=(1.0 - (SIDE - 0.1) / size[0], 1.0 - TOP / size[1]),
-    )
+    entries: dict[str, dict[str, Any]] = {
+        **{name: {"color": colour, "lw": 2.5} for name, colour in colours.items()},
+        "adaptive steps": {"color": palette.QUIET, "lw": 1.6, "ls": "-"},
+        "fixed steps": {"color": palette.QUIET, "lw": 1.6, "ls": "--"},
+        "variants (see table)": {"color": palette.QUIET, "lw": 0.9, "ls": ":"},
+        "Pareto front": FRONT,
+        "tiers": {**TIER, "ms": 12, "ls": ""},
+        "jumps failed, or\nerror above 100 % (1 L)": {**FAILED, "ls": ""},
+    }
+    return [Line2D([], [], label=label, **look) for label, look in entries.items()]

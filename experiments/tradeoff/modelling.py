@@ -1,13 +1,16 @@
-"""How the answer moves with what is modelled, beside what numerics contribute."""
+"""How the answer moves with what is modelled, beside what numerics contribute; modelling.png."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from experiments.compositions import Groups, changed, has_field
-from experiments.errors import percentile, relative_errors
+from experiments.errors import error_figures, relative_errors
 from experiments.tradeoff.points import Point, split
+from snapjump.plots import palette
+from snapjump.plots.saving import picture
 from snapjump.studies.base import OK, Done
 
 # Family, key, symbol, and its values: factors of the configured value, or values as such.
@@ -21,6 +24,9 @@ VALUES = (
     ("contact", "damping_s", "contact damping", (0.0, 1e-7, 1e-6, 1e-5), "s"),
 )
 DEFAULT = "as configured"
+WIDTH, ROW, MARGIN = 12.0, 0.34, 1.5  # inches
+KINDS = {"model": palette.CLAMP, "numerics": palette.BEAM, "numerics and model": palette.VIOLET}
+COORDINATES = {"x": "change or error of x (%)", "y": "change or error of y (%)"}
 
 
 def models(base: Groups) -> dict[str, Groups]:
@@ -50,7 +56,8 @@ def shifts(done: Mapping[str, Done]) -> list[dict[str, Any]]:
         row: dict[str, Any] = {"source": name, "kind": "model"}
         if cell.status == OK:
             x, y = split(cell)["design"]
-            row |= _figures(*relative_errors(x, y, x0, y0))
+            figures = error_figures(*relative_errors(x, y, x0, y0))
+            row |= {key: value for key, value in figures.items() if np.isfinite(value)}
         rows.append(row)
     return sorted(rows, key=lambda row: -row.get("x_median_percent", 0.0))
 
@@ -61,20 +68,35 @@ def tier_errors(points: Mapping[str, Point]) -> list[dict[str, Any]]:
         {
             "source": f"tier {name}",
             "kind": "numerics" if name != "paper" else "numerics and model",
-            "x_median_percent": point.x_median_percent,
-            "x_p95_percent": point.x_p95_percent,
-            "y_median_percent": point.y_median_percent,
-            "y_p95_percent": point.y_p95_percent,
+            **point.errors,
         }
         for name, point in points.items()
     ]
 
 
-def _figures(x: Any, y: Any) -> dict[str, float]:
-    figures = {
-        "x_median_percent": percentile(np.asarray(x), 50.0),
-        "x_p95_percent": percentile(np.asarray(x), 95.0),
-        "y_median_percent": percentile(np.asarray(y), 50.0),
-        "y_p95_percent": percentile(np.asarray(y), 95.0),
-    }
-    return {key: value for key, value in figures.items() if np.isfinite(value)}
+def draw_modelling(rows: Sequence[dict[str, Any]], path: Path) -> None:
+    """A line from the median to the 95th percentile, largest first."""
+    from matplotlib.lines import Line2D
+
+    ordered = sorted(rows, key=lambda row: row.get("x_median_percent") or 0.0)
+    height = ROW * len(ordered) + MARGIN
+    headline = "Which uncertainty dominates: median (dot) to 95th percentile (bar)"
+    with picture(path, (WIDTH, height), headline) as figure:
+        for k, (coordinate, label) in enumerate(COORDINATES.items()):
+            box = (0.19 + 0.41 * k, 0.65 / height, 0.385, (height - MARGIN) / height)
+            axes = figure.add_axes(box)
+            for place, row in enumerate(ordered):
+                median, p95 = (row.get(f"{coordinate}_{s}_percent") for s in ("median", "p95"))
+                colour = KINDS[row["kind"]]
+                if median is not None and p95 is not None:
+                    axes.plot([median, p95], [place, place], color=colour, lw=4, alpha=0.45)
+                    axes.plot([p95], [place], "|", color=colour, ms=10, mew=2)
+                if median is not None:
+                    axes.plot([median], [place], "o", color=colour, ms=7)
+            axes.set(xscale="log", ylim=(-0.7, len(ordered) - 0.3), xlabel=label)
+            axes.grid(True, axis="x")
+            names = [row["source"] for row in ordered] if k == 0 else []
+            axes.set_yticks(range(len(ordered)), names)
+        handles = [Line2D([], [], color=c, lw=4, label=name) for name, c in KINDS.items()]
+        corner = (0.985, 1.0 - 0.42 / height)
+        figure.legend(handles=handles, loc="upper right", bbox_to_anchor=corner, ncols=3)

@@ -1,18 +1,18 @@
 """What one composition at one level came to: error, roughness, cost, failures; the Pareto front."""
 
 import math
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
 
-from experiments.errors import percentile, relative_errors, roughness
+from experiments.errors import error_figures, relative_errors, roughness
+from snapjump.scenes.jump_outputs import ENDED
 from snapjump.studies.base import OK, Done
 
 NO = math.nan
-NO_FIGURES = (NO, NO, NO, NO, NO, NO, NO, NO)  # the figures of a cell without any
-KNOWN = ("ok", "no_jump")
 # An error of y (%) above which a jump that ended well is no answer, though nothing said so.
 ABSURD = 100.0
 SILENT = "silently wrong"
@@ -27,17 +27,22 @@ class Point:
 
     curve: str
     level: str
-    x_median_percent: float
-    x_p95_percent: float
-    y_median_percent: float
-    y_p95_percent: float
-    x_roughness_bar: float
-    y_roughness_bar: float
-    ms: float
-    newton_iterations: float
-    jumps: int
-    failed: int
-    remark: str
+    x_median_percent: float = NO
+    x_p95_percent: float = NO
+    y_median_percent: float = NO
+    y_p95_percent: float = NO
+    x_roughness_bar: float = NO
+    y_roughness_bar: float = NO
+    ms: float = NO
+    newton_iterations: float = NO
+    jumps: int = 0
+    failed: int = 0
+    remark: str = ""
+
+    @property
+    def errors(self) -> dict[str, float]:
+        """Medians and 95th percentiles by their names."""
+        return {key: value for key, value in asdict(self).items() if key.endswith("_percent")}
 
     @property
     def error(self) -> float:
@@ -46,43 +51,32 @@ class Point:
 
     def row(self) -> dict[str, Any]:
         """A line of the table; infinite errors are left out."""
-        values = asdict(self)
         return {
             key: None if isinstance(value, float) and not math.isfinite(value) else value
-            for key, value in values.items()
+            for key, value in asdict(self).items()
         }
 
 
 def make_point(curve: str, level: str, done: Done, limit: Done) -> Point:
     """The figures of a cell against those of the limit's, which has at least its designs."""
     if done.status != OK:
-        return Point(curve, level, *NO_FIGURES, 0, 0, f"{done.status}: {done.message}")
+        return Point(curve, level, remark=f"{done.status}: {done.message}")
     here, there = split(done), split(limit)
-    x, y = here["design"]
-    x_limit, y_limit = (column[: len(x)] for column in there["design"])
-    x_errors, y_errors = relative_errors(x, y, x_limit, y_limit)
-    designs = [k for k, row in enumerate(done.rows) if row["kind"] == "design"]
-    x_sweep, y_sweep = here["sweep"]
-    x_smooth, y_smooth = (column[: len(x_sweep)] for column in there["sweep"])
-    off = [*y_errors, *relative_errors(x_sweep, y_sweep, x_smooth, y_smooth)[1]]
-    bad = [row["status"] for row in done.rows if row["status"] not in KNOWN]
-    bad += [SILENT for error in off if error > ABSURD]
-    counts = ", ".join(f"{bad.count(s)} {s}" for s in dict.fromkeys(bad))
-    return Point(
-        curve=curve,
-        level=level,
-        x_median_percent=percentile(x_errors, 50.0),
-        x_p95_percent=percentile(x_errors, 95.0),
-        y_median_percent=percentile(y_errors, 50.0),
-        y_p95_percent=percentile(y_errors, 95.0),
-        x_roughness_bar=roughness(x_sweep - x_smooth),
-        y_roughness_bar=roughness(y_sweep - y_smooth),
-        ms=float(np.median(done.column("ms")[designs])),
-        newton_iterations=float(np.median(done.column("newton_iterations")[designs])),
-        jumps=len(done.rows),
-        failed=len(bad),
-        remark=counts,
+    errors, swept = (
+        relative_errors(*here[kind], *(column[: len(here[kind][0])] for column in there[kind]))
+        for kind in ("design", "sweep")
     )
+    bad = [row["status"] for row in done.rows if row["status"] not in ENDED]
+    bad += [SILENT for error in (*errors[1], *swept[1]) if error > ABSURD]
+    designs = [k for k, row in enumerate(done.rows) if row["kind"] == "design"]
+    figures: dict[str, Any] = error_figures(*errors)
+    for k, name in enumerate(("x", "y")):
+        values, limits = here["sweep"][k], there["sweep"][k]
+        figures[f"{name}_roughness_bar"] = roughness(values - limits[: len(values)])
+    for key in ("ms", "newton_iterations"):
+        figures[key] = float(np.median(done.column(key)[designs]))
+    remark = ", ".join(f"{count} {status}" for status, count in Counter(bad).items())
+    return Point(curve, level, **figures, jumps=len(done.rows), failed=len(bad), remark=remark)
 
 
 def split(done: Done) -> dict[str, tuple[Any, Any]]:
@@ -94,12 +88,9 @@ def split(done: Done) -> dict[str, tuple[Any, Any]]:
 
 def pareto(costs: Sequence[float], errors: Sequence[float]) -> list[int]:
     """Places of the points that no other beats in both, cheapest first; infinite ones excluded."""
-    order = sorted(
-        (k for k in range(len(costs)) if math.isfinite(costs[k]) and math.isfinite(errors[k])),
-        key=lambda k: (costs[k], errors[k]),
-    )
+    finite = [k for k in range(len(costs)) if math.isfinite(costs[k]) and math.isfinite(errors[k])]
     front: list[int] = []
-    for k in order:
+    for k in sorted(finite, key=lambda k: (costs[k], errors[k])):
         if not front or errors[k] < errors[front[-1]]:
             front.append(k)
     return front

@@ -7,15 +7,15 @@ from typing import Any
 import numpy as np
 
 from experiments.compositions import changed, composed, groups_of
-from experiments.errors import SWEEP, percentile, relative_errors
-from experiments.tradeoff.batches import jump_rows, plan_batch
+from experiments.designs import SWEEP
+from experiments.errors import percentile, relative_errors
+from experiments.tradeoff.batches import batch_cell, jump_rows
 from experiments.tradeoff.curves import Curve, curves
-from experiments.tradeoff.figures import ERRORS_MEDIAN, ERRORS_P95, draw_precision
-from experiments.tradeoff.modelling import models, shifts, tier_errors
-from experiments.tradeoff.modelling_figure import draw_modelling
+from experiments.tradeoff.figures import ERRORS_MEDIAN, ERRORS_P95, Compared, draw_precision
+from experiments.tradeoff.modelling import draw_modelling, models, shifts, tier_errors
 from experiments.tradeoff.points import Point, cheapest, make_point, pareto, split
 from experiments.tradeoff.tiers import BLOCK, beyond, finest, tier_block, tier_groups, tier_rows
-from snapjump.checks import ParameterError, check_integer
+from snapjump.checks import ParameterError
 from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
 from snapjump.tiers import TIERS
@@ -34,45 +34,40 @@ class Tradeoff(Study):
 
     options = ("designs", "tier_designs")
     sources = ("experiments.tradeoff.batches",)
+    scene = "jump"
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
         """The limit, its check, the tiers, the models, and every level of every curve."""
-        if config["sim"]["name"] != "jump":
-            raise ParameterError("sim", config["sim"]["name"], "jump with task=tradeoff")
         base = groups_of(config)
         composed(base)
-        count = self._option("designs", DESIGNS, 2, 1024)
-        many = self._option("tier_designs", TIER_DESIGNS, 2, 4096)
+        count = self.count("designs", DESIGNS, 2, 1024)
+        many = self.count("tier_designs", TIER_DESIGNS, 2, 4096)
         if many < count:
             raise ParameterError("task.tier_designs", many, f"at least task.designs = {count}")
         part = SWEEP if self.full else QUICK_SWEEP
-        self.curves: list[Curve] = curves(base, self.full)
-        self.models = {f"model: {name}": name for name in models(base)}
         seed = config["seed"]
         limit = finest(base)
         other = changed(limit, {"integrator": {"name": OTHER_METHOD}})
-        cells = [
-            Cell(LIMIT, plan_batch(limit, many, SWEEP, seed)),
-            Cell(CHECK, plan_batch(other, count, 0, seed)),
+        changes = models(base)
+        self.curves: list[Curve] = curves(base, self.full)
+        self.models = {f"model: {name}": name for name in changes}
+        return [
+            batch_cell(LIMIT, limit, many, SWEEP, seed),
+            batch_cell(CHECK, other, count, 0, seed),
+            *(
+                batch_cell(f"tier {name}", tier_groups(base, name), many, SWEEP, seed)
+                for name in TIERS
+            ),
+            *(
+                batch_cell(cell, tier_groups(changes[name], "reference"), count, 0, seed)
+                for cell, name in self.models.items()
+            ),
+            *(
+                batch_cell(curve.cell(level), groups, count, part, seed, curve.lanes)
+                for curve in self.curves
+                for level, groups in curve.levels.items()
+            ),
         ]
-        for name in TIERS:
-            cells.append(
-                Cell(f"tier {name}", plan_batch(tier_groups(base, name), many, SWEEP, seed))
-            )
-        for cell, name in self.models.items():
-            groups = tier_groups(models(base)[name], "reference")
-            cells.append(Cell(cell, plan_batch(groups, count, 0, seed)))
-        for curve in self.curves:
-            for level, groups in curve.levels.items():
-                inputs = plan_batch(groups, count, part, seed, curve.lanes)
-                cells.append(Cell(curve.cell(level), inputs))
-        return cells
-
-    def _option(self, key: str, defaults: tuple[int, int], low: int, high: int) -> int:
-        value = self.config["task"][key]
-        chosen = defaults[self.full] if value is None else value
-        check_integer(f"task.{key}", chosen, low, high)
-        return int(chosen)
 
     def compute(self, cell: Cell) -> list[Row]:
         """A row for each jump."""
@@ -94,7 +89,7 @@ class Tradeoff(Study):
         model_rows = [*moved, *tier_errors(tiers)]
         agreement = confirmed(done[CHECK], limit)
         designs = sum(row["kind"] == "design" for row in limit.rows)
-        drawn = partial(draw_precision, points, methods, tiers)
+        drawn = partial(draw_precision, Compared(points, methods, tiers))
         return Conclusion(
             title="What accuracy costs",
             findings=[

@@ -3,16 +3,11 @@
 from collections.abc import Mapping
 from typing import Any
 
-from experiments.compositions import Groups, changed, described
-from experiments.errors import (
-    FINEST_ELEMENTS,
-    FINEST_START,
-    FINEST_STEPPING,
-    relative_errors,
-)
+from experiments.compositions import Groups, changed, composed, described, groups_of
+from experiments.designs import COLUMNS
+from experiments.errors import relative_errors
 from experiments.tradeoff.points import Point, split
 from snapjump.composition import with_tier
-from snapjump.plan.parts.axes import default_axes
 from snapjump.studies.base import OK, Done
 from snapjump.terminal.block import markdown_table
 from snapjump.tiers import TIERS
@@ -27,7 +22,18 @@ CHOSEN: dict[str, tuple[str, ...] | None] = {
     "friction": ("name",),
     "sim": ("start_fraction",),
 }
+# A finer mesh and a tighter tolerance than any tier has: the limit that all are judged by.
+FINEST_ELEMENTS = 448
+FINEST_STEPPING = {"name": "adaptive", "tolerance": 5e-10, "contact_steps": 0.5}
+FINEST_START = 0.8
 BLOCK = "tiers"
+
+
+def base_at(config: Mapping[str, Any], tier: str) -> Groups:
+    """The configured model as a tier of its own; raises ParameterError where it is none."""
+    base = {**tier_groups(groups_of(config), tier), "accuracy": {"name": tier}}
+    composed(base)
+    return base
 
 
 def tier_groups(base: Groups, name: str) -> Groups:
@@ -58,14 +64,13 @@ def kept(point: Point, name: str) -> str:
     """Whether a tier keeps its promise, or what it breaks."""
     if name not in PROMISES:
         return "none made"
-    error, rough = PROMISES[name]
-    figures = {
-        "x error": (point.x_p95_percent, error),
-        "y error": (point.y_p95_percent, error),
-        "x roughness": (point.x_roughness_bar, rough),
-        "y roughness": (point.y_roughness_bar, rough),
-    }
-    broken = [key for key, (value, most) in figures.items() if not value <= most]
+    words = {"error": "p95_percent", "roughness": "roughness_bar"}
+    broken = [
+        f"{coordinate} {word}"
+        for (word, key), most in zip(words.items(), PROMISES[name], strict=True)
+        for coordinate in ("x", "y")
+        if not getattr(point, f"{coordinate}_{key}") <= most
+    ]
     return "kept" if not broken else "broken: " + ", ".join(broken)
 
 
@@ -92,7 +97,7 @@ def beyond(done: Mapping[str, Done], limit: Done) -> list[dict[str, Any]]:
         rows = [row for row in cell.rows if row["kind"] == "design"]
         for row, x, y in zip(rows, *errors, strict=True):
             if not max(x, y) <= PROMISES[name][0]:
-                design = {axis.column: row[axis.column] for axis in default_axes()}
+                design = {column: row[column] for column in COLUMNS}
                 off = {"x_error_percent": float(x), "y_error_percent": float(y)}
                 found.append({"tier": name, "status": row["status"], **design, **off})
     return found

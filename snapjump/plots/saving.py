@@ -36,3 +36,9 @@ def picture(path: pathlib.Path, size: tuple[float, float], title: str) -> Iterat
         buffer = io.BytesIO()
         figure.savefig(buffer, format="png", dpi=DPI, pil_kwargs={"compress_level": 4})
     save_bytes(buffer.getvalue(), path)
+
+
+def axes_at(figure: Any, left: float, bottom: float, width: float, height: float) -> Any:
+    """Axes of a figure, their box in inches from its lower left corner."""
+    across, up = figure.get_size_inches()
+    return figure.add_axes((left / across, bottom / up, width / across, height / up))

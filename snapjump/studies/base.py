@@ -40,8 +40,13 @@ class Done:
 
     def column(self, key: str) -> NDArray[np.float64]:
         """A column of numbers, NaN where there is none."""
-        values = [row.get(key) for row in self.rows]
-        return np.array([np.nan if value is None else float(value) for value in values])
+        return column(self.rows, key)
+
+
+def column(rows: Sequence[Row], key: str) -> NDArray[np.float64]:
+    """A column of some rows, NaN where there is no number."""
+    values = [row.get(key) for row in rows]
+    return np.array([np.nan if value is None else float(value) for value in values])
 
 
 @dataclass(frozen=True)

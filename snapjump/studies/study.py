@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, ClassVar
 
-from snapjump.checks import ParameterError
+from snapjump.checks import ParameterError, check_integer
 from snapjump.files.atomic import write_text
 from snapjump.files.json_file import finite
 from snapjump.files.provenance import now
@@ -31,12 +31,14 @@ class Study(ABC):
     ``sources``: the modules that a cell's rows depend on, if not just the study's own; when one
     of them changes, or a module of the experiments that it imports, cells are done again.
     ``options``: the keys of its ``conf/task/<name>.yaml`` beside ``name``; ``choices``: keys
-    of the configuration that only choose among cells: runs with others share what is finished.
+    of the configuration that only choose among cells: runs with others share what is finished;
+    ``scene``: the only one that the study is of, if there is one.
     """
 
     sources: ClassVar[tuple[str, ...]] = ()
     options: ClassVar[tuple[str, ...]] = ()
     choices: ClassVar[tuple[str, ...]] = ()
+    scene: ClassVar[str] = ""
 
     def __init__(self) -> None:
         self.config: Mapping[str, Any] = {}
@@ -71,8 +73,19 @@ class Study(ABC):
         for key in self.options:
             if key not in task:
                 raise ParameterError(f"task.{key}", None, "a value, which cannot be left out")
+        if self.scene and config["sim"]["name"] != self.scene:
+            allowed = f"{self.scene} with task={task['name']}"
+            raise ParameterError("sim", config["sim"]["name"], allowed)
         self.cells = self.plan(config)
         assert len({cell.name for cell in self.cells}) == len(self.cells), "cells share a name"
+
+    def count(self, key: str, defaults: tuple[int, int], low: int, high: int) -> int:
+        """An integer of the task's, in [low, high]; where none is given, the default of the effort,
+        (quick, full). Raises ParameterError."""
+        given = self.config["task"][key]
+        chosen: int = defaults[self.full] if given is None else given
+        check_integer(f"task.{key}", chosen, low, high)
+        return chosen
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         """Do what is missing, conclude, and leave tables, figures, report and records of cells."""

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from experiments.errors import baseline_sweep, percentile, relative_errors, roughness
+from experiments.designs import baseline_sweep
+from experiments.errors import percentile, relative_errors, roughness
 from experiments.tradeoff.points import cheapest, make_point, pareto
 from snapjump.studies.base import Cell, Done
 

@@ -7,14 +7,15 @@ from families import FAMILIES
 from experiments.robustness.fields import all_fields, outside
 from experiments.robustness.invalid import (
     ACCEPTED,
-    REFUSED,
     UNCLEAR,
     Invalid,
     invalid_configurations,
     refusal,
 )
-from experiments.robustness.study import HIGH, LOW, by_status, random_designs
+from experiments.robustness.study import HIGH, LOW, random_designs
+from experiments.stability.jumps import by_status
 from snapjump.simulation import build
+from snapjump.studies.base import REFUSED
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
