@@ -6,6 +6,7 @@ import random
 
 import pyarrow.parquet as pq
 import pytest
+from refusals import refused
 from small_datasets import made_up, made_up_rows, small
 
 from snapjump.checks import ParameterError
@@ -149,10 +150,8 @@ def test_a_folder_of_another_dataset_is_refused_with_the_first_difference(tmp_pa
         "plan.inputs.design.delta_alpha": small(plan={**PLAN, "inputs": {"design.epsilon": None}}),
     }
     for key, other in changes.items():
-        with pytest.raises(ParameterError) as caught:
+        with refused(key, str(tmp_path)):
             folder.check(other)
-        assert caught.value.key == key
-        assert str(tmp_path) in str(caught.value) and "\n" not in str(caught.value)
     assert "1e-05 to go on with" in first_error(folder, changes["stepping.tolerance"])
     assert whole(folder)[0] is not None
 

@@ -1,26 +1,18 @@
 """The study of the released program's data: its settings, its rows, its differences."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
-from hydra import compose, initialize_config_dir
-from omegaconf import OmegaConf
+from hydra_config import hydra_config
 
 from experiments.compositions import changed, composed, groups_of
 from experiments.released.data import ROWS, read_rows
 from experiments.released.differences import by_quarter, differences, figures, share_within
 from experiments.released.figure import draw_comparison
 from experiments.released.settings import WITHOUT, converged, released
-from snapjump.tasks.names import register_resolvers
-
-CONF = Path(__file__).resolve().parents[2] / "conf"
 
 
 def test_the_study_s_settings_are_those_of_the_experiment_s_file():
-    register_resolvers()
-    with initialize_config_dir(str(CONF), version_base="1.3"):
-        config = OmegaConf.to_container(compose("config", ["+experiment=released"]), resolve=True)
+    config = hydra_config("+experiment=released")
     assert composed(groups_of(config)) == composed(released())
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import torch
 from forward_models import law
+from refusals import refused
 from small_datasets import CONFIG, made_up, small, smooth_dataset
 
 from snapjump.checks import ParameterError
@@ -51,9 +52,8 @@ def test_fewer_rows_have_the_same_test_set() -> None:
     ],
 )
 def test_splits_that_there_are_not(count: int, training: Training, key: str) -> None:
-    with pytest.raises(ParameterError) as caught:
+    with refused(key):
         split(count, training, 0)
-    assert caught.value.key == key
 
 
 def test_the_rows_are_the_dataset_s(data: Callable[..., JumpData]) -> None:
