@@ -9,11 +9,9 @@ from families import EVERY, FAMILIES
 from hydra import compose, initialize_config_dir
 from hydra_config import CONF, hydra_config
 
+from snapjump import Design, Environment, Robot
 from snapjump.declare.fields import settings
 from snapjump.declare.members import files_of, make_member
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
-from snapjump.parameters.robot import Robot
 from snapjump.simulation import build
 from snapjump.tasks.names import register_resolvers
 from snapjump.tasks.registry import TASKS

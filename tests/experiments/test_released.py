@@ -56,18 +56,11 @@ def test_the_figure_is_drawn(tmp_path):
     rng = np.random.default_rng(0)
     rows = [
         {
-            "delta_alpha_rad": 0.1 * a,
-            "epsilon": 0.1 + 0.2 * b,
-            "mass_bar": 1.0 + c,
-            "mu": 0.3,
-            "x_bar": a,
-            "y_bar": 10.0 * b,
-            "x_released_bar": a + 0.1,
-            "y_released_bar": 10.0 * b + 0.1,
-            "x_difference_percent": a,
-            "y_difference_percent": b,
+            "delta_alpha_rad": 0.1 * a, "epsilon": 0.1 + 0.2 * b, "mass_bar": 1.0 + c, "mu": 0.3,
+            "x_bar": a, "y_bar": 10.0 * b, "x_released_bar": a + 0.1,
+            "y_released_bar": 10.0 * b + 0.1, "x_difference_percent": a, "y_difference_percent": b,
         }
         for a, b, c in rng.uniform(size=(12, 3))
-    ]
+    ]  # fmt: skip
     draw_comparison(rows, tmp_path / "released.png")
     assert (tmp_path / "released.png").stat().st_size > 10_000

@@ -2,24 +2,18 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 import torch
 from forward_models import law
 from refusals import refused
-from small_datasets import CONFIG, made_up, small, smooth_dataset
+from small_datasets import WIDE_STICK, made_up, small, smooth_dataset
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.read import open_dataset
 from snapjump.learning.data import Batches, JumpData, read_rows, split
 from snapjump.learning.training import Training
-
-WITH_SLOPES: dict[str, Any] = {
-    "friction": {"name": "implicit", "velocity_threshold_m_s": 0.01},
-    "backend": CONFIG["backend"],
-}
 
 
 def test_a_split_is_of_all_rows_and_by_the_seed() -> None:
@@ -87,7 +81,7 @@ def test_batches_are_all_rows_once_in_an_order_of_seed_and_epoch(
 
 
 def test_slopes_of_a_dataset_that_has_them(tmp_path: Path) -> None:
-    smooth_dataset(tmp_path, small(60, 60, sensitivities=True, **WITH_SLOPES))
+    smooth_dataset(tmp_path, small(60, 60, sensitivities=True, friction=WIDE_STICK))
     rows = read_rows(open_dataset(tmp_path))
     _, slopes = law(rows.designs.double().numpy())
     known = torch.isfinite(rows.slopes).numpy()

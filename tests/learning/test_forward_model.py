@@ -9,12 +9,11 @@ from forward_models import RANGES, about, jumps, network
 from refusals import refused
 from small_datasets import CONFIG
 
-from snapjump.checks import ParameterError
+from snapjump import ParameterError, Robot
 from snapjump.composition import with_tier
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.integrator.bdf2 import Bdf2
 from snapjump.learning.forward_model import ForwardModel
-from snapjump.parameters.robot import Robot
 from snapjump.simulation import build
 from snapjump.surrogate.resnet import Resnet
 

@@ -6,15 +6,12 @@ import pytest
 from families import EVERY as FAMILIES
 from refusals import refused
 
-from snapjump.checks import ParameterError
+from snapjump import Design, Environment, ParameterError, Robot
 from snapjump.composition import Simulation, with_tier
 from snapjump.declare.fields import Choice, Flag, Integer, Number, settings
 from snapjump.declare.members import member_class
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.integrator.parts.runge_kutta import RungeKutta
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
-from snapjump.parameters.robot import Robot
 from snapjump.simulation import build
 from snapjump.targets.robust import Tolerance
 from snapjump.tiers import TIERS
@@ -25,17 +22,13 @@ EVERY = FAMILIES | PARTS | {"tolerance": {"tolerance": Tolerance}}
 FURTHER = {
     ("integrator", "newmark", "beta"): (0.24, 1.01),
     ("executor", "dask", "scheduler"): ("", "localhost", "tcp://host", "http://host:80", 8786),
-    ("backend", "lanes", "width"): (0, 1, 3, 32),
-    ("backend", "lanes", "threads"): (0, 1025, 2.0),
+    ("backend", "lanes", "width"): (0, 1, 3, 32), ("backend", "lanes", "threads"): (0, 1025, 2.0),
     ("backend", "cuda", "threads_per_block"): (0, 16, 33, 288, 64.0),
-    ("plan", "grid", "points"): (1, 1001, 15.0),
-    ("inverse", "bayesian", "first"): (0, 61, 1.5),
-    ("inverse", "physics", "slopes"): ("none",),
-    ("inverse", "physics", "finishing"): ("draft",),
-    ("surrogate", "rbf", "kernel"): ("gaussian",),
-    ("robot", "robot", "thickness_m"): (2.1e-3,),
+    ("plan", "grid", "points"): (1, 1001, 15.0), ("inverse", "bayesian", "first"): (0, 61, 1.5),
+    ("inverse", "physics", "slopes"): ("none",), ("inverse", "physics", "finishing"): ("draft",),
+    ("surrogate", "rbf", "kernel"): ("gaussian",), ("robot", "robot", "thickness_m"): (2.1e-3,),
     ("robot", "robot", "mount_height"): (0.0101, "highest"),
-}
+}  # fmt: skip
 for field in settings(Tolerance()):
     FURTHER["tolerance", "tolerance", field] = (-0.1, 1e9)
 # Whether the ends of a range are robots is told by the simulation: tests/plan/test_axes.py.

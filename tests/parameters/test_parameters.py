@@ -3,12 +3,10 @@ import math
 
 import pytest
 
-from snapjump.checks import ParameterError, check_choice, check_integer, check_number
+from snapjump import Design, Environment, ParameterError, Robot
+from snapjump.checks import check_choice, check_integer, check_number
 from snapjump.composition import with_tier
 from snapjump.engine.model import Model, numbers_of
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
-from snapjump.parameters.robot import Robot
 from snapjump.scenes.frame_body import frame_model
 from snapjump.units import Scales
 

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from refusals import refused
 
-from snapjump.checks import ParameterError
+from snapjump import Environment, ParameterError
 from snapjump.composition import with_tier
 from snapjump.declare.fields import number
 from snapjump.declare.inputs import (
@@ -17,7 +17,6 @@ from snapjump.declare.inputs import (
     value_at,
     with_inputs,
 )
-from snapjump.parameters.environment import Environment
 from snapjump.plan.parts.axes import default_axes, recorded_axes
 from snapjump.plan.sobol import Sobol
 

@@ -12,12 +12,9 @@ from snapjump.load.none import NoLoad
 from snapjump.load.tip import TipLoad
 
 NOTHING = {
-    "clamp": ConstantRate(0.0, 1.0, 1.0, 0.0),
-    "contact": NoContact.Law(),
-    "friction": NoFriction.Law(),
-    "damping": NoDamping.Law(),
-    "load": NoLoad(),
-}
+    "clamp": ConstantRate(0.0, 1.0, 1.0, 0.0), "contact": NoContact.Law(),
+    "friction": NoFriction.Law(), "damping": NoDamping.Law(), "load": NoLoad(),
+}  # fmt: skip
 
 
 def bare_model(discretization: Any, frame: Any, **members: Any) -> Model:

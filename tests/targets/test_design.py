@@ -4,11 +4,8 @@ import numpy as np
 import pytest
 from refusals import refused
 
-from snapjump.checks import ParameterError
+from snapjump import Design, Environment, ParameterError, simulate_jump
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
-from snapjump.simulation import simulate_jump
 from snapjump.targets.design import design_for
 
 ENVIRONMENT = Environment(mu=0.25, mass_bar=0.9)

@@ -21,12 +21,8 @@ from snapjump.tasks.dataset import check_keys
 ROOT = Path(__file__).resolve().parents[2]
 PLAN = ("plan=sobol", "plan.count=16", "dataset.shard_size=8")
 KEYS: dict[str, Any] = {
-    "path": None,
-    "sensitivities": False,
-    "shard_size": 8,
-    "part": 1,
-    "parts": 1,
-}
+    "path": None, "sensitivities": False, "shard_size": 8, "part": 1, "parts": 1,
+}  # fmt: skip
 
 
 def results(folder: Path) -> list[dict[str, Any]]:

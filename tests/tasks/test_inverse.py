@@ -23,18 +23,9 @@ from snapjump.tasks.inverse import InverseDesign
 MODEL = OVERRIDES[1:]
 METHOD = "inverse=gauss_newton"
 KEYS = (
-    "reachable",
-    "epsilon",
-    "delta_alpha_rad",
-    "predicted_x_bar",
-    "predicted_y_bar",
-    "simulated_x_bar",
-    "simulated_y_bar",
-    "error_bar",
-    "error_m",
-    "solve_seconds",
-    "simulations",
-)
+    "reachable", "epsilon", "delta_alpha_rad", "predicted_x_bar", "predicted_y_bar",
+    "simulated_x_bar", "simulated_y_bar", "error_bar", "error_m", "solve_seconds", "simulations",
+)  # fmt: skip
 DESIGN = np.array([[0.1, 0.2, 0.768, 0.3]])
 
 
