@@ -134,19 +134,9 @@ def test_what_a_run_leaves(command, tmp_path: Path) -> None:
     result = json.loads((folder / "result.json").read_text())
     assert result["status"] == "ok"
     for key in (
-        "x_bar",
-        "y_bar",
-        "apex_time_s",
-        "liftoff_time_s",
-        "liftoff_vx_m_s",
-        "liftoff_vy_m_s",
-        "steps",
-        "newton_iterations",
-        "min_gap_m",
-        "max_residual",
-        "kernel_seconds",
-        "wall_seconds",
-    ):
+        "x_bar", "y_bar", "apex_time_s", "liftoff_time_s", "liftoff_vx_m_s", "liftoff_vy_m_s",
+        "steps", "newton_iterations", "min_gap_m", "max_residual", "kernel_seconds", "wall_seconds",
+    ):  # fmt: skip
         assert isinstance(result[key], (int, float)), key
     text = (folder / "config.yaml").read_text()
     assert "epsilon: 0.25" in text and "${" not in text

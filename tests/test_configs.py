@@ -5,16 +5,13 @@ from typing import Any
 
 import pytest
 import yaml
-from families import EVERY as DECLARED
-from families import FAMILIES
+from families import EVERY, FAMILIES
 from hydra import compose, initialize_config_dir
-from omegaconf import OmegaConf
+from hydra_config import CONF, hydra_config
 
+from snapjump import Design, Environment, Robot
 from snapjump.declare.fields import settings
-from snapjump.declare.members import files_of, make_member, member_class, member_names
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
-from snapjump.parameters.robot import Robot
+from snapjump.declare.members import files_of, make_member
 from snapjump.simulation import build
 from snapjump.tasks.names import register_resolvers
 from snapjump.tasks.registry import TASKS
@@ -22,17 +19,9 @@ from snapjump.terminal.help_page import TABLEAUX, describe
 from snapjump.tiers import TIERS
 from snapjump.tracking.registry import TRACKERS
 
-CONF = Path(__file__).resolve().parents[1] / "conf"
 FOLDERS = (CONF, TABLEAUX)
-# Families whose members are found by their files.
-FOUND = {
-    family: {name: member_class(family, name) for name in member_names(family)}
-    for family in ("surrogate", "inverse")
-}
-EVERY = DECLARED | FOUND
 MEMBERS = [(family, name) for family, members in FAMILIES.items() for name in members]
-OF_DATASETS = [(f, name) for f in ("plan", "executor") for name in EVERY[f]]
-OF_FILES = [(family, name) for family, members in FOUND.items() for name in members]
+OTHERS = [(f, name) for f, members in EVERY.items() for name in members if f not in FAMILIES]
 
 # Members that a jump cannot have.
 NEEDS = {
@@ -40,14 +29,6 @@ NEEDS = {
     ("contact", "signorini"): ("integrator=implicit_euler",),
 }
 SCENE_OF = {("frame", "fixed"): "snap", ("contact", "none"): "snap"}
-
-
-def composed(*overrides: str) -> dict[str, Any]:
-    register_resolvers()
-    with initialize_config_dir(str(CONF), version_base="1.3"):
-        config = OmegaConf.to_container(compose("config", list(overrides)), resolve=True)
-    assert isinstance(config, dict)
-    return config  # type: ignore[return-value]
 
 
 def files(group: str) -> set[str]:
@@ -82,7 +63,7 @@ def test_groups_that_are_no_family_of_the_library() -> None:
     assert {path.name for path in CONF.iterdir() if path.is_dir()} == set(EVERY) | others
 
 
-@pytest.mark.parametrize(("family", "name"), MEMBERS + OF_DATASETS + OF_FILES)
+@pytest.mark.parametrize(("family", "name"), MEMBERS + OTHERS)
 def test_a_file_has_the_fields_and_defaults_of_its_member(family: str, name: str) -> None:
     expected = defaults(EVERY[family][name])
     values = section(family, name)
@@ -98,7 +79,7 @@ def plain(value: Any) -> Any:
     return [plain(v) for v in value] if isinstance(value, (list, tuple)) else value
 
 
-@pytest.mark.parametrize(("family", "name"), MEMBERS + OF_DATASETS + OF_FILES)
+@pytest.mark.parametrize(("family", "name"), MEMBERS + OTHERS)
 def test_a_file_says_what_its_member_says(family: str, name: str) -> None:
     if files_of(family)[name].suffix == ".py":
         documented = (EVERY[family][name].__doc__ or "").strip().splitlines()[0]
@@ -107,7 +88,7 @@ def test_a_file_says_what_its_member_says(family: str, name: str) -> None:
 
 @pytest.mark.parametrize("cls", [Robot, Design, Environment])
 def test_parameters_have_the_library_s_defaults(cls: type) -> None:
-    assert composed()[cls.__name__.lower()] == defaults(cls)
+    assert hydra_config()[cls.__name__.lower()] == defaults(cls)
 
 
 @pytest.mark.parametrize("name", TIERS)
@@ -115,7 +96,7 @@ def test_a_tier_is_the_library_s(name: str) -> None:
     values, tier = section("accuracy", name), TIERS[name]
     numbers = {path.partition(".")[2]: value for path, value in tier.numbers.items()}
     assert values == {"name": name, **numbers, "known_error": tier.known_error}
-    config = composed(f"accuracy={name}")
+    config = hydra_config(f"accuracy={name}")
     assert {family: config[family]["name"] for family in tier.members} == tier.members
 
 
@@ -135,37 +116,33 @@ def test_every_key_has_its_unit_or_range_in_a_comment(path: Path) -> None:
 @pytest.mark.parametrize("scene", FAMILIES["sim"])
 @pytest.mark.parametrize("accuracy", TIERS)
 def test_every_scene_builds_at_every_accuracy(scene: str, accuracy: str) -> None:
-    assert build(composed(f"sim={scene}", f"accuracy={accuracy}")) is not None
+    assert build(hydra_config(f"sim={scene}", f"accuracy={accuracy}")) is not None
 
 
 @pytest.mark.parametrize(("family", "name"), MEMBERS)
 def test_every_member_can_be_chosen(family: str, name: str) -> None:
     scene = () if family == "sim" else (f"sim={SCENE_OF.get((family, name), 'jump')}",)
-    config = composed(*scene, *NEEDS.get((family, name), ()), f"{family}={name}")
+    config = hydra_config(*scene, *NEEDS.get((family, name), ()), f"{family}={name}")
     assert config[family]["name"] == name
     assert build(config) is not None
 
 
-@pytest.mark.parametrize(("family", "name"), OF_DATASETS)
-def test_every_member_of_a_dataset_can_be_chosen(family: str, name: str) -> None:
-    config = composed("task=dataset", f"{family}={name}")
-    assert make_member(family, config[family]) == EVERY[family][name]()
-
-
-@pytest.mark.parametrize(("family", "name"), OF_FILES)
-def test_every_member_of_a_found_family_can_be_chosen(family: str, name: str) -> None:
-    config = composed(f"+{family}={name}")
+@pytest.mark.parametrize(("family", "name"), OTHERS)
+def test_every_member_of_another_family_can_be_chosen(family, name):
+    of_datasets = family in ("plan", "executor")
+    choice = ("task=dataset", f"{family}={name}") if of_datasets else (f"+{family}={name}",)
+    config = hydra_config(*choice)
     assert make_member(family, config[family]) == EVERY[family][name]()
 
 
 def test_a_dataset_has_lanes_unless_told_otherwise() -> None:
-    assert composed("task=dataset")["backend"]["name"] == "lanes"
-    assert composed("task=dataset", "backend=scalar")["backend"]["name"] == "scalar"
-    assert composed()["backend"]["name"] == "scalar"
+    assert hydra_config("task=dataset")["backend"]["name"] == "lanes"
+    assert hydra_config("task=dataset", "backend=scalar")["backend"]["name"] == "scalar"
+    assert hydra_config()["backend"]["name"] == "scalar"
 
 
 def test_the_seed_of_a_run_is_that_of_its_plan() -> None:
-    assert composed("task=dataset", "plan=sobol", "seed=5")["plan"]["seed"] == 5
+    assert hydra_config("task=dataset", "plan=sobol", "seed=5")["plan"]["seed"] == 5
 
 
 def test_a_slurm_sweep_composes_with_its_launcher() -> None:
@@ -181,7 +158,7 @@ def test_a_slurm_sweep_composes_with_its_launcher() -> None:
 
 def test_the_command_line_wins_over_scene_and_tier() -> None:
     chosen = ("damping=mass_proportional", "friction=lagged", "integrator=sdirk2")
-    config = composed("sim=bounce", "accuracy=paper", *chosen, "stepping.step_s=2e-6")
+    config = hydra_config("sim=bounce", "accuracy=paper", *chosen, "stepping.step_s=2e-6")
     assert config["damping"]["name"] == "mass_proportional"
     assert config["friction"]["name"] == "lagged"
     assert config["integrator"]["name"] == "sdirk2"
@@ -191,5 +168,5 @@ def test_the_command_line_wins_over_scene_and_tier() -> None:
 
 
 def test_a_key_wins_over_its_tier() -> None:
-    config = composed("accuracy=draft", "discretization.elements=64")
+    config = hydra_config("accuracy=draft", "discretization.elements=64")
     assert config["discretization"]["elements"] == 64

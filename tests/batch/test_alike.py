@@ -5,12 +5,11 @@ from dataclasses import fields, replace
 import numpy as np
 import pytest
 
+from snapjump import Environment, ParameterError
 from snapjump.batch import simulate_batch, variants
 from snapjump.batch.alike import check_alike
-from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
 from snapjump.declare.members import member_class
-from snapjump.parameters.environment import Environment
 from snapjump.stepping.fixed import FixedStep
 
 BASE = with_tier("draft")

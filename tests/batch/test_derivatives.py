@@ -5,12 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from snapjump import ParameterError, Robot
 from snapjump.batch import model_derivatives, variant
-from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
 from snapjump.declare.inputs import with_inputs
 from snapjump.engine.model import numbers_of
-from snapjump.parameters.robot import Robot
 from snapjump.scenes.jump_start import jump_model
 from snapjump.statics.threshold_curve import ThresholdCurve
 
@@ -82,11 +81,19 @@ def test_any_input_against_direct_differences(path, value, curve):
 @pytest.mark.parametrize("mount_height", ["optimal", "fitted"])
 def test_against_direct_differences(design, mount_height, curve):
     base = replace(BASE, robot=replace(BASE.robot, mount_height=mount_height))
+    check_design(base, design, curve)
+
+
+def check_design(base, design, curve):
     found = model_derivatives(base, np.array([design]), curve)[0]
-    expected = richardson(base, design)
     scale = np.maximum(np.abs(numbers_of(jump_model(variant(base, design)))), 1.0)[:, None]
     assert found.shape == (len(scale), 4)
-    np.testing.assert_allclose(found / scale, expected / scale, atol=1e-6)
+    np.testing.assert_allclose(found / scale, richardson(base, design) / scale, atol=1e-6)
+
+
+def test_at_the_ends_of_the_ranges(curve):
+    ends = [(0.0, 0.2, 0.768, 0.0), (0.5, 0.31, 0.3, 0.1), (-0.5, 0.09, 0.3, 0.1)]
+    assert np.isfinite(model_derivatives(BASE, np.array(ends), curve)).all()
 
 
 def test_numbers_that_do_not_depend_on_the_design_have_no_derivative(curve):
@@ -99,29 +106,18 @@ def test_numbers_that_do_not_depend_on_the_design_have_no_derivative(curve):
     assert np.flatnonzero(found[:, 0]).tolist() == [rod + 6 + 3]
 
 
-@pytest.mark.parametrize(
-    "design", [(0.0, 0.2, 0.768, 0.0), (0.5, 0.31, 0.3, 0.1), (-0.5, 0.09, 0.3, 0.1)]
-)
-def test_at_the_ends_of_the_ranges(design, curve):
-    assert np.isfinite(model_derivatives(BASE, np.array([design]), curve)).all()
-
-
 def test_the_kink_where_the_clamps_change_places(curve):
     """The left clamp starts later by what it lags, but not earlier by what it leads."""
     model = jump_model(variant(BASE, DESIGNS[0]))
     start = len(model.discretization) + len(model.frame)
-    lags = model_derivatives(BASE, np.array([(-1e-9, *DESIGNS[0][1:])]), curve)[0, start, 0]
-    leads = model_derivatives(BASE, np.array([(0.0, *DESIGNS[0][1:])]), curve)[0, start, 0]
+    designs = np.array([(lag, *DESIGNS[0][1:]) for lag in (-1e-9, 0.0)])
+    lags, leads = model_derivatives(BASE, designs, curve)[:, start, 0]
     assert leads == 0.0
     assert lags == pytest.approx(1.0, rel=1e-9)
 
 
 def test_beyond_the_curve_and_of_another_beam_thresholds_are_computed(curve):
-    beyond = (0.1, 0.32, 0.768, 0.3)
-    numbers = numbers_of(jump_model(variant(BASE, beyond)))
-    scale = np.maximum(np.abs(numbers), 1.0)[:, None]
-    found = model_derivatives(BASE, np.array([beyond]), curve)[0]
-    np.testing.assert_allclose(found / scale, richardson(BASE, beyond) / scale, atol=1e-6)
+    check_design(BASE, (0.1, 0.32, 0.768, 0.3), curve)
     # Thin as the robot of the curve is not: what its thresholds do with the compression is alike.
     inputs = ("design.epsilon", "robot.thickness_m")
     near, far = model_derivatives(BASE, np.array([(0.2, 5e-5), (0.2, 4e-5)]), curve, inputs)
@@ -130,5 +126,6 @@ def test_beyond_the_curve_and_of_another_beam_thresholds_are_computed(curve):
 
 
 def test_refusals(curve):
+    other = replace(BASE, robot=Robot(length_m=0.03))
     with pytest.raises(ParameterError, match="curve = "):
-        model_derivatives(replace(BASE, robot=Robot(length_m=0.03)), np.array(DESIGNS[:1]), curve)
+        model_derivatives(other, np.array(DESIGNS[:1]), curve)

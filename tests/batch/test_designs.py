@@ -5,14 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from snapjump import ParameterError, Robot
 from snapjump.backend.lanes import LanesBackend
 from snapjump.batch import Batch, simulate_batch, simulate_designs, variants
-from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
 from snapjump.declare.members import member_class
 from snapjump.declare.outputs import NUMBER, WORD
 from snapjump.discretization.der import DiscreteElasticRod
-from snapjump.parameters.robot import Robot
 from snapjump.simulation import simulate
 from snapjump.statics.threshold_curve import ThresholdCurve
 
@@ -120,43 +119,35 @@ def test_the_backend_says_how_many_lanes_and_threads(base, batch):
 
 def test_progress_ends_with_all_jumps(base):
     told = []
-    simulate_designs(
-        base, np.array(GOOD), threads=2, lanes=1, progress=lambda *args: told.append(args)
-    )
-    assert told[-1][0] == 1.0
-    assert told[-1][1].startswith("5 of 5 jumps")
+
+    def tell(*args):
+        told.append(args)
+
+    simulate_designs(base, np.array(GOOD), threads=2, lanes=1, progress=tell)
+    assert told[-1][0] == 1.0 and told[-1][1].startswith("5 of 5 jumps")
 
 
-def test_no_designs_at_all(base):
-    nothing = simulate_designs(base, np.zeros((0, 4)))
-    assert nothing.status == [] and nothing.mount_height_bar.shape == nothing.x_bar.shape == (0,)
-
-
-def test_designs_that_are_all_refused(base):
-    refused = simulate_designs(base, np.array(list(BAD)))
-    assert refused.status == list(BAD.values())
-    assert np.isnan(refused.mount_height_bar).all() and np.isnan(refused.x_bar).all()
+@pytest.mark.parametrize("designs", [{}, BAD])
+def test_no_designs_at_all_and_none_but_refused_ones(base, designs):
+    found = simulate_designs(base, np.reshape(list(designs), (-1, 4)))
+    assert found.status == list(designs.values())
+    for values in (found.mount_height_bar, found.x_bar):
+        assert values.shape == (len(designs),) and np.isnan(values).all()
 
 
 def test_wrong_arguments(base, curve):
+    nothing = {family: member_class(family, "none")() for family in ("contact", "friction")}
+    scene = {"sim": member_class("sim", "static")(), "frame": member_class("frame", "fixed")()}
     one = np.array([GOOD[0]])
-    with pytest.raises(ParameterError, match="designs = .*shape"):
-        simulate_designs(base, one[0])
-    with pytest.raises(ParameterError, match="lanes = 3"):
-        simulate_designs(base, one, lanes=3)
-    with pytest.raises(ParameterError, match="threads = 0"):
-        simulate_designs(base, one, threads=0)
-    finer = replace(base, discretization=DiscreteElasticRod(elements=32))
-    with pytest.raises(ParameterError, match="curve = .*element_length"):
-        simulate_designs(finer, one, curve=curve)
-    with pytest.raises(ParameterError, match="curve = .*of this robot"):
-        simulate_designs(replace(base, robot=Robot(length_m=0.03)), one, curve=curve)
-    static = with_tier(
-        "draft",
-        sim=member_class("sim", "static")(),
-        frame=member_class("frame", "fixed")(),
-        contact=member_class("contact", "none")(),
-        friction=member_class("friction", "none")(),
-    )
-    with pytest.raises(ParameterError, match="sim = 'static'"):
-        simulate_designs(static, one)
+    for changed, designs, options, line in (
+        (base, one[0], {}, "designs = .*shape"),
+        (base, one, {"lanes": 3}, "lanes = 3"),
+        (base, one, {"threads": 0}, "threads = 0"),
+        (replace(base, discretization=DiscreteElasticRod(32)), one, {"curve": curve},
+         "curve = .*element_length"),
+        (replace(base, robot=Robot(length_m=0.03)), one, {"curve": curve},
+         "curve = .*of this robot"),
+        (with_tier("draft", **scene, **nothing), one, {}, "sim = 'static'"),
+    ):  # fmt: skip
+        with pytest.raises(ParameterError, match=line):
+            simulate_designs(changed, designs, **options)

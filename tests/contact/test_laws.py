@@ -1,5 +1,7 @@
 """What every contact law promises: consistent derivatives, and no pull."""
 
+import itertools
+
 import numpy as np
 import pytest
 from families import FAMILIES
@@ -40,18 +42,15 @@ def test_stiffness_is_the_force_s_total_derivative(name):
     """By complex steps: the gap moves, and the speed with it at the stage's rate."""
     law, gaps = law_and_gaps(name)
     rate = 400.0
-    for gap in gaps:
-        for speed in (0.0, -0.7, 0.4):
-            begun = gap - speed / rate
 
-            def force(moved, gap=gap, speed=speed, begun=begun):
-                now = speed + rate * (moved - gap)
-                return push(law, moved, Approach(now, rate, begun, speed, 0.3))
+    def force(moved, gap, speed):
+        now = speed + rate * (moved - gap)
+        return push(law, moved, Approach(now, rate, gap - speed / rate, speed, 0.3))
 
-            moved = np.complex128(complex(gap, STEP))
-            _, stiffness = force(np.complex128(gap))
-            slope = -np.imag(force(moved)[0]) / STEP
-            assert np.real(stiffness) == pytest.approx(slope, rel=1e-9, abs=1e-9)
+    for gap, speed in itertools.product(gaps, (0.0, -0.7, 0.4)):
+        _, stiffness = force(np.complex128(gap), gap, speed)
+        slope = -np.imag(force(np.complex128(complex(gap, STEP)), gap, speed)[0]) / STEP
+        assert np.real(stiffness) == pytest.approx(slope, rel=1e-9, abs=1e-9)
 
 
 @program
@@ -63,12 +62,11 @@ def derived_and_own(law, gap, approach):
 def test_a_slope_of_its_own_is_the_derived_one(name):
     """Compiled, by dual numbers, and in plain Python, by a complex step."""
     law, gaps = law_and_gaps(name)
-    for gap in gaps:
-        for speed in (0.0, -0.7, 0.4):
-            approach = Approach(speed, 400.0, gap - speed / 400.0, speed, 0.3)
-            derived, own = derived_and_own(law, gap, approach)
-            assert derived == pytest.approx(own, rel=1e-12, abs=1e-12)
-            assert derived_slope(law, gap, approach) == pytest.approx(own, rel=1e-9, abs=1e-9)
+    for gap, speed in itertools.product(gaps, (0.0, -0.7, 0.4)):
+        approach = Approach(speed, 400.0, gap - speed / 400.0, speed, 0.3)
+        derived, own = derived_and_own(law, gap, approach)
+        assert derived == pytest.approx(own, rel=1e-12, abs=1e-12)
+        assert derived_slope(law, gap, approach) == pytest.approx(own, rel=1e-9, abs=1e-9)
 
 
 @laws

@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+from references import outputs_of
 
 from snapjump.contact.base import RESTING_SPEED, at_rest
 from snapjump.contact.logbarrier import LogBarrier
@@ -13,6 +14,7 @@ from snapjump.units import Scales
 
 LAW = LogBarrier.Law(3.0e4, 0.025, 0.0)
 UNIT = LogBarrier.Law(1.0, 1.0, 0.0)
+PAPER = LogBarrier.Law(1e4, 5e-4, 0.0)  # in SI units
 
 
 def force_at(law, gap):
@@ -65,50 +67,29 @@ def test_force_and_stiffness_grow_without_bound_as_the_gap_closes():
     assert forces[-1] * gaps[-1] == pytest.approx(LAW.stiffness * LAW.distance**2, rel=1e-4)
 
 
-@pytest.mark.parametrize(
-    ("speed", "lowest", "force", "frequency"),
-    [
-        # C1_barrier_nondim: vhat, xmin, phimax, omega_max
-        (0.01, 0.9633872897, 0.004122726678, 0.4775567516),
-        (0.5, 0.5457071074, 0.9284977147, 2.287862784),
-        (1.0, 0.3291860076, 2.857708408, 3.811307218),
-        (3.0, 0.01012703437, 105.8477944, 99.77157981),
-        (5.0, 3.72630602e-06, 268385.2856, 268363.2855),
-    ],
-)
-def test_lowest_point_of_a_bounce(speed, lowest, force, frequency):
-    assert UNIT.energy(lowest) == pytest.approx(0.5 * speed**2, rel=1e-7)
-    pushed, stiffness = force_at(UNIT, lowest)
+@pytest.mark.parametrize("row", outputs_of("C1_barrier_nondim"))
+def test_lowest_point_of_a_bounce(row):
+    check_lowest_point(UNIT, 1.0, row["vhat"], row["xmin"], row["phimax"], row["omega_max"])
+
+
+@pytest.mark.parametrize("row", [r for r in outputs_of("C2_barrier_dim") if r["g"] == 0.0])
+def test_lowest_point_of_a_bounce_in_si_units(row):
+    lowest = row["dmin"], row["Fmax"], row["omega_contact_max"]
+    check_lowest_point(PAPER, row["m"], row["v"], *lowest)
+
+
+def check_lowest_point(law, mass, speed, lowest, force, frequency):
+    assert law.energy(lowest) == pytest.approx(0.5 * mass * speed**2, rel=1e-7)
+    pushed, stiffness = force_at(law, lowest)
     assert pushed == pytest.approx(force, rel=1e-8)
-    assert math.sqrt(stiffness) == pytest.approx(frequency, rel=1e-8)
+    assert math.sqrt(stiffness / mass) == pytest.approx(frequency, rel=1e-8)
 
 
-def test_lowest_point_of_a_bounce_in_si_units():
-    # C2_barrier_dim: m = 4 g, v = 1 m/s, and a beam node at 10 m/s
-    law = LogBarrier.Law(1e4, 5e-4, 0.0)
-    for mass, speed, lowest, force, frequency in (
-        (0.004, 1.0, 0.0001226955281, 22.20411361, 7836.888746),
-        (7.575757576e-07, 10.0, 0.0003816042592, 1.007199562, 157436.2187),
-    ):
-        assert law.energy(lowest) == pytest.approx(0.5 * mass * speed**2, rel=1e-7)
-        pushed, stiffness = force_at(law, lowest)
-        assert pushed == pytest.approx(force, rel=1e-8)
-        assert math.sqrt(stiffness / mass) == pytest.approx(frequency, rel=1e-8)
-
-
-@pytest.mark.parametrize(
-    ("mass", "gap", "frequency"),
-    [
-        # C3_rest_gap: m (kg), gap (m), vertical frequency (1/s); g = 10 m/s^2
-        (0.004, 0.0004746245217, 895.6616223),
-        (0.002, 0.0004819647953, 1059.610783),
-        (4e-05, 0.0004974224555, 2787.960803),
-    ],
-)
-def test_gap_at_rest(mass, gap, frequency):
-    force, stiffness = force_at(LogBarrier.Law(1e4, 5e-4, 0.0), gap)
-    assert force == pytest.approx(10.0 * mass, rel=1e-7)
-    assert math.sqrt(stiffness / mass) == pytest.approx(frequency, rel=1e-7)
+@pytest.mark.parametrize("row", outputs_of("C3_rest_gap"))
+def test_gap_at_rest(row):
+    force, stiffness = force_at(PAPER, row["gap"])
+    assert force == pytest.approx(row["g"] * row["m"], rel=1e-7)
+    assert math.sqrt(stiffness / row["m"]) == pytest.approx(row["omega_vert"], rel=1e-7)
 
 
 def test_steps_resolve_bounces_but_not_rest():

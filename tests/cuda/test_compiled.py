@@ -15,7 +15,13 @@ def compiler():
     require_compiler()
 
 
-def check(ptx, folder):
+@pytest.mark.parametrize("kernel", ["find_starts", "march"])
+def test_kernel(kernel, monkeypatch, tmp_path):
+    from snapjump.cuda import kernels
+
+    starts, steps = arguments_of(small_march(DESIGNS[:1], 1))
+    arguments = {"find_starts": starts, "march": steps}[kernel]
+    ptx = ptx_of(monkeypatch, getattr(kernels, kernel), *arguments)
     assert ".target sm_90" in ptx
     # Products and sums that could still be merged have no rounding mode.
     assert re.findall(r"\b(?:mul|add|sub)\.f64", ptx) == []
@@ -24,21 +30,7 @@ def check(ptx, folder):
     # Neither a stack of its own, nor calls: everything is merged into one program.
     assert "__local_depot" not in ptx
     assert not re.search(r"^\s*call", ptx, re.MULTILINE)
-    found = resources(ptx, folder)
+    found = resources(ptx, tmp_path)
     if found:
         assert found["spilled_bytes"] < MOST_SPILLED_BYTES
         print(found)
-
-
-def test_march(monkeypatch, tmp_path):
-    from snapjump.cuda import kernels
-
-    _, arguments = arguments_of(small_march(DESIGNS[:1], 1))
-    check(ptx_of(monkeypatch, kernels.march, *arguments), tmp_path)
-
-
-def test_find_starts(monkeypatch, tmp_path):
-    from snapjump.cuda import kernels
-
-    arguments, _ = arguments_of(small_march(DESIGNS[:1], 1))
-    check(ptx_of(monkeypatch, kernels.find_starts, *arguments), tmp_path)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from small_datasets import BACKEND, generated, small
+from small_datasets import BACKEND, WIDE_STICK, generated, small
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.folder import DatasetFolder
@@ -45,9 +45,8 @@ def test_rows_are_those_of_the_designs(whole):
     assert (frame["mount_height_bar"].between(0.04, 0.1)).all()
     flown = frame[jumped]
     # Nothing is missing without a status that tells why; derivatives have a flag of their own.
-    explained = [name for name in frame if "_d_" not in name]
-    explained = [name for name in explained if name not in ("differentiable", "graze_distance")]
-    assert not flown[explained].isna().to_numpy().any()
+    own = {name for name in frame if "_d_" in name} | {"differentiable", "graze_distance"}
+    assert not flown.drop(columns=[*own]).isna().to_numpy().any()
     # The flight from lift-off to the apex is a parabola.
     seconds = flown["apex_time_s"] - flown["liftoff_time_s"]
     length_m, gravity_m_s2 = 0.02, 10.0
@@ -59,8 +58,7 @@ def test_rows_are_those_of_the_designs(whole):
 
 
 def test_derivatives_of_every_apex(tmp_path, whole):
-    friction = {"name": "implicit", "velocity_threshold_m_s": 0.01}
-    asked = small(6, 3, friction=friction, sensitivities=True)
+    asked = small(6, 3, friction=WIDE_STICK, sensitivities=True)
     generated(tmp_path / "asked", asked)
     frame = open_dataset(tmp_path / "asked").frame()
     columns = [name for name in frame if name.startswith("d") and "_d_" in name]
@@ -85,9 +83,8 @@ def test_any_inputs_are_axes(tmp_path):
         "damping.relaxation_time_s": [1e-6, 1e-5],
     }
     plan = {"name": "latin_hypercube", "count": 8, "inputs": ranges}
-    friction = {"name": "implicit", "velocity_threshold_m_s": 0.01}
     design, environment = {"epsilon": 0.25}, {"mass_bar": 1.0}
-    given = {"plan": plan, "friction": friction, "design": design, "environment": environment}
+    given = {"plan": plan, "friction": WIDE_STICK, "design": design, "environment": environment}
     asked = small(shard_size=4, sensitivities=True, **given)
     assert asked.simulation.design.epsilon == 0.25
     assert small(shard_size=4, sensitivities=True, **given, robot={"thickness_m": 6e-5}) == asked
@@ -109,10 +106,9 @@ def test_no_more_than_four_with_derivatives():
     ranges = {f"robot.{name}": None for name in ("length_m", "width_m", "thickness_m")}
     ranges |= {"design.epsilon": None, "environment.mu": None}
     plan = {"name": "sobol", "count": 8, "inputs": ranges}
-    friction = {"name": "implicit", "velocity_threshold_m_s": 0.01}
-    assert len(small(plan=plan, friction=friction).axes) == 5
+    assert len(small(plan=plan, friction=WIDE_STICK).axes) == 5
     with pytest.raises(ParameterError, match=r"plan\.inputs = .* at most 4"):
-        small(plan=plan, friction=friction, sensitivities=True)
+        small(plan=plan, friction=WIDE_STICK, sensitivities=True)
 
 
 def test_designs_that_cannot_be_are_rows_with_a_status(tmp_path):
@@ -124,13 +120,8 @@ def test_designs_that_cannot_be_are_rows_with_a_status(tmp_path):
     frame = open_dataset(tmp_path).frame()
     refused = frame["status"] == "no_threshold"
     assert frame.loc[refused, "epsilon"].max() < frame.loc[~refused, "epsilon"].min()
-    for name in (
-        "mount_height_bar",
-        "x_bar",
-        "y_bar",
-        "liftoff_time_s",
-        "x_error_estimate_percent",
-    ):
+    numbers = ["mount_height_bar", "x_bar", "y_bar", "liftoff_time_s", "x_error_estimate_percent"]
+    for name in numbers:
         assert (frame[name].isna() == refused).all()
     assert not frame.loc[refused, "within_tier"].any()
 

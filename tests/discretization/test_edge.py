@@ -22,16 +22,9 @@ def figures_of_duals(memory: Any, values: Any, slopes: Any) -> None:
     after = make_edge(numbers[4], numbers[5], numbers[6], numbers[7])
     t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
     figures = (
-        edge.length,
-        edge.over,
-        edge.cx,
-        edge.cy,
-        edge.slope_x,
-        edge.slope_y,
-        edge.turn_rate,
-        edge.stretch_rate,
-        t,
-    )
+        edge.length, edge.over, edge.cx, edge.cy, edge.slope_x, edge.slope_y, edge.turn_rate,
+        edge.stretch_rate, t,
+    )  # fmt: skip
     for k in range(FIGURES):
         values[k] = value_of(figures[k])
         rows[k] = slopes_of(figures[k])

@@ -7,14 +7,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from hydra import compose, initialize_config_dir
 from hydra.core.override_parser.overrides_parser import OverridesParser
 from hydra.core.override_parser.types import Override
-from omegaconf import OmegaConf
+from hydra_config import hydra_config
 
 from snapjump.checks import ParameterError
 from snapjump.tasks.execute import check_run
-from snapjump.tasks.names import register_resolvers
 from snapjump.tasks.registry import TASKS, find_task, is_study
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -87,9 +85,7 @@ def test_every_command_is_accepted(
     monkeypatch.chdir(tmp_path)
     overrides = OverridesParser.create().parse_overrides([w for w in run if w != "-m"])
     given = [plain(o) for o in overrides if not o.key_or_group.startswith("hydra")]
-    register_resolvers()
-    with initialize_config_dir(str(ROOT / "conf"), version_base="1.3"):
-        config = OmegaConf.to_container(compose("config", given), resolve=True)
+    config = hydra_config(*given)
     config.pop("hydra", None)
     check_run(config)
     try:

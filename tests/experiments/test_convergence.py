@@ -16,11 +16,8 @@ from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
 
 TINY = (
-    "task=convergence",
-    "task.levels=3",
-    "discretization.elements=16",
-    "stepping.tolerance=1e-5",
-)
+    "task=convergence", "task.levels=3", "discretization.elements=16", "stepping.tolerance=1e-5",
+)  # fmt: skip
 
 
 def base(**parts: Any) -> dict[str, Any]:

@@ -5,25 +5,23 @@ from typing import Any
 
 import numpy as np
 import pytest
+from cells import COARSE, GIVEN, run_study
+from made_up_maps import RANGES
+from refusals import refused
 from small_datasets import CONFIG, generated, small
 
-from experiments.compositions import described
 from experiments.inverse_benchmark import region
 from experiments.inverse_benchmark.figure import draw_benchmark
 from experiments.inverse_benchmark.methods import METHODS, PAPER, SOLVED_MM
 from experiments.inverse_benchmark.problems import make_problems
 from experiments.inverse_benchmark.study import InverseBenchmark, chosen, stretches
 from experiments.inverse_benchmark.table import readme_block, summary_row, unsolved
-from snapjump.checks import ParameterError
 from snapjump.dataset.read import open_dataset
 from snapjump.declare.members import member_class, member_names
-from snapjump.files.result_folder import ResultFolder
 from snapjump.learning.data import JumpData
 from snapjump.learning.learn import learn
 from snapjump.learning.training import Training
 from snapjump.simulation import build
-
-RANGES = ((0.01, 0.19), (0.1, 0.3), (0.3, 2.0), (0.1, 0.6))
 
 
 @pytest.fixture(scope="module")
@@ -39,11 +37,9 @@ def checkpoint(tmp_path_factory: Any) -> Path:
 def configured(**task: Any) -> dict[str, Any]:
     given = {"problems": 2, "environments": 0, "methods": ["gauss_newton", "physics"]}
     return {
-        **described(build(CONFIG)),
+        **COARSE,
         "task": {"name": "inverse_benchmark", "checkpoint": None, **given, **task},
-        "effort": "quick",
-        "figures": True,
-        "seed": 0,
+        **GIVEN,
     }
 
 
@@ -103,20 +99,18 @@ def test_the_study_concludes_and_replaces_readme_s_table(
     checkpoint: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    study = InverseBenchmark()
-    study.prepare(configured(checkpoint=str(checkpoint), methods=["gauss_newton"], problems=1))
-    (tmp_path / "run").mkdir()
-    outcome = study.run(ResultFolder(tmp_path / "run"), lambda done, text: None)
+    config = configured(checkpoint=str(checkpoint), methods=["gauss_newton"], problems=1)
+    outcome, folder = run_study(InverseBenchmark(), config, tmp_path / "run")
     assert outcome.status == "ok"
-    assert (tmp_path / "run" / "misses.png").stat().st_size > 10_000
-    assert "`gauss_newton`" in (tmp_path / "run" / "inverse.block.md").read_text()
+    assert (folder.path / "misses.png").stat().st_size > 10_000
+    assert "`gauss_newton`" in (folder.path / "inverse.block.md").read_text()
 
 
 def test_the_region_is_held_against_simulation(
     checkpoint: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(region, "POINTS", 9)
-    inputs = {"checkpoint": str(checkpoint), "groups": described(build(CONFIG)), "seed": 0}
+    inputs = {"checkpoint": str(checkpoint), "groups": COARSE, "seed": 0}
     (row,) = region.region_rows({**inputs, "first": 0, "last": 1})
     assert 20 <= row["reachable"] <= 80
     assert row["false_accepts"] + row["false_rejects"] <= 10
@@ -190,6 +184,5 @@ def test_stretches_cover_everything_once() -> None:
     ],
 )
 def test_bad_input_is_named(changes: dict[str, Any], key: str) -> None:
-    with pytest.raises(ParameterError) as caught:
+    with refused(key):
         InverseBenchmark().prepare(configured(**changes))
-    assert caught.value.key == key

@@ -5,11 +5,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from cells import done
 
 from experiments.designs import baseline_sweep
 from experiments.errors import percentile, relative_errors, roughness
 from experiments.tradeoff.points import cheapest, make_point, pareto
-from snapjump.studies.base import Cell, Done
+from snapjump.studies.base import Done
 
 LIMIT_ROWS = [
     {"kind": "design", "status": "ok", "x_bar": 2.0, "y_bar": 10.0},
@@ -18,9 +19,9 @@ LIMIT_ROWS = [
 ]
 
 
-def done(rows: list[dict[str, Any]], status: str = "ok") -> Done:
+def finished(rows: list[dict[str, Any]], status: str = "ok") -> Done:
     full = [{"ms": 2.0, "newton_iterations": 10.0, **row} for row in rows]
-    return Done(Cell("a", {}), status, "why", full, "run", "", "")
+    return done("a", full, status, "why")
 
 
 def test_the_front_is_what_nothing_beats() -> None:
@@ -56,7 +57,7 @@ def test_roughness_is_what_a_line_leaves() -> None:
 
 def test_a_point_compares_with_the_limit() -> None:
     off = [{**row, "x_bar": row["x_bar"] + 0.05} for row in LIMIT_ROWS]
-    point = make_point("a", "b", done(off), done(LIMIT_ROWS))
+    point = make_point("a", "b", finished(off), finished(LIMIT_ROWS))
     assert point.x_median_percent == pytest.approx(0.5 * (2.5 + 10.0))
     assert point.y_p95_percent == 0.0 and point.x_roughness_bar == pytest.approx(0.0, abs=1e-12)
     assert (point.ms, point.newton_iterations, point.failed, point.jumps) == (2.0, 10.0, 0, 7)
@@ -64,18 +65,18 @@ def test_a_point_compares_with_the_limit() -> None:
 
 def test_an_absurd_result_is_a_failure_whatever_its_status() -> None:
     absurd = [{**LIMIT_ROWS[0], "y_bar": 1e6}, *LIMIT_ROWS[1:-1], {**LIMIT_ROWS[-1], "y_bar": 3.0}]
-    point = make_point("a", "b", done(absurd), done(LIMIT_ROWS))
+    point = make_point("a", "b", finished(absurd), finished(LIMIT_ROWS))
     assert point.failed == 2 and point.remark == "2 silently wrong"
     assert cheapest([point], 1e9) is None
 
 
 def test_a_failed_jump_and_a_refused_cell() -> None:
     lost = [{**LIMIT_ROWS[0], "status": "step_underflow", "x_bar": None}, *LIMIT_ROWS[1:]]
-    point = make_point("a", "b", done(lost), done(LIMIT_ROWS))
+    point = make_point("a", "b", finished(lost), finished(LIMIT_ROWS))
     assert point.failed == 1 and point.remark == "1 step_underflow"
     assert point.row()["x_p95_percent"] is None
-    refused = make_point("a", "b", done([], "refused"), done(LIMIT_ROWS))
+    refused = make_point("a", "b", finished([], "refused"), finished(LIMIT_ROWS))
     assert refused.jumps == 0 and refused.remark == "refused: why"
-    good = make_point("good", "b", done(LIMIT_ROWS), done(LIMIT_ROWS))
+    good = make_point("good", "b", finished(LIMIT_ROWS), finished(LIMIT_ROWS))
     assert cheapest([point, refused, good], 1.0) is good
     assert cheapest([point, refused], 1.0) is None

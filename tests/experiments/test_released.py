@@ -1,26 +1,18 @@
 """The study of the released program's data: its settings, its rows, its differences."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
-from hydra import compose, initialize_config_dir
-from omegaconf import OmegaConf
+from hydra_config import hydra_config
 
 from experiments.compositions import changed, composed, groups_of
 from experiments.released.data import ROWS, read_rows
 from experiments.released.differences import by_quarter, differences, figures, share_within
 from experiments.released.figure import draw_comparison
 from experiments.released.settings import WITHOUT, converged, released
-from snapjump.tasks.names import register_resolvers
-
-CONF = Path(__file__).resolve().parents[2] / "conf"
 
 
 def test_the_study_s_settings_are_those_of_the_experiment_s_file():
-    register_resolvers()
-    with initialize_config_dir(str(CONF), version_base="1.3"):
-        config = OmegaConf.to_container(compose("config", ["+experiment=released"]), resolve=True)
+    config = hydra_config("+experiment=released")
     assert composed(groups_of(config)) == composed(released())
 
 
@@ -64,18 +56,11 @@ def test_the_figure_is_drawn(tmp_path):
     rng = np.random.default_rng(0)
     rows = [
         {
-            "delta_alpha_rad": 0.1 * a,
-            "epsilon": 0.1 + 0.2 * b,
-            "mass_bar": 1.0 + c,
-            "mu": 0.3,
-            "x_bar": a,
-            "y_bar": 10.0 * b,
-            "x_released_bar": a + 0.1,
-            "y_released_bar": 10.0 * b + 0.1,
-            "x_difference_percent": a,
-            "y_difference_percent": b,
+            "delta_alpha_rad": 0.1 * a, "epsilon": 0.1 + 0.2 * b, "mass_bar": 1.0 + c, "mu": 0.3,
+            "x_bar": a, "y_bar": 10.0 * b, "x_released_bar": a + 0.1,
+            "y_released_bar": 10.0 * b + 0.1, "x_difference_percent": a, "y_difference_percent": b,
         }
         for a, b, c in rng.uniform(size=(12, 3))
-    ]
+    ]  # fmt: skip
     draw_comparison(rows, tmp_path / "released.png")
     assert (tmp_path / "released.png").stat().st_size > 10_000

@@ -65,18 +65,13 @@ def test_the_parts_make_a_pass(robots):
 def test_the_page():
     parts = dict.fromkeys(("assembly", "contact", "solve", "correction", "stages"), 1.0)
     figures = {
-        "tier": "standard",
-        "designs": 64,
-        "repeats": 3,
-        "threads": 2,
+        "tier": "standard", "designs": 64, "repeats": 3, "threads": 2,
         "throughput": [{"lanes": 8, "threads": 2, "jumps_per_second": 123.456}],
-        "lanes_over_scalar": 3.125,
-        "threads_over_one": 1.9375,
-        "threads_over_one_undisturbed": 1.96875,
-        "jumps_per_second_core": 80.0,
+        "lanes_over_scalar": 3.125, "threads_over_one": 1.9375,
+        "threads_over_one_undisturbed": 1.96875, "jumps_per_second_core": 80.0,
         "released_over_ours": 2080.0,
         "us_of_a_lane_and_pass": {"1": {**parts, "pass": 5.0}, "8": {**parts, "pass": 2.5}},
-    }
+    }  # fmt: skip
     page = table(figures)
     assert "8 lanes over 1, in time of a Newton iteration: 3.12 times" in page
     assert "2 threads over 1, in jumps per second: 1.94 times" in page

@@ -1,18 +1,14 @@
 """Savings and changes of made-up comparisons."""
 
 import pytest
+from cells import done
 
 from experiments.scenes.jumps import compared
 from experiments.scenes.study import finding, saving
-from snapjump.studies.base import Cell, Done
 
 
 def jump(x: float, y: float = 10.0, iterations: float = 100.0) -> dict:
     return {"status": "ok", "x_bar": x, "y_bar": y, "newton_iterations": iterations}
-
-
-def done(name: str, rows: list, status: str = "ok", message: str = "") -> Done:
-    return Done(Cell(name, {}), status, message, rows, "run", "", "")
 
 
 def test_a_saving_compares_with_everything_that_is_left_out():

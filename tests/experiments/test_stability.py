@@ -16,20 +16,10 @@ from snapjump.composition import with_tier
 
 BASE = described(with_tier("draft"))
 GOOD = {
-    "across": 1.0,
-    "up": 2.0,
-    "design": 0,
-    "status": "ok",
-    "x_bar": 5.0,
-    "y_bar": 14.0,
-    "min_gap_m": 1e-4,
-    "newton_iterations": 1000.0,
-    "seconds": 0.1,
-    "x_error_estimate_percent": 1.0,
-    "y_error_estimate_percent": 0.1,
-    "error_sum_bar": 1e-4,
-    "within_tier": True,
-}
+    "across": 1.0, "up": 2.0, "design": 0, "status": "ok", "x_bar": 5.0, "y_bar": 14.0,
+    "min_gap_m": 1e-4, "newton_iterations": 1000.0, "seconds": 0.1, "x_error_estimate_percent": 1.0,
+    "y_error_estimate_percent": 0.1, "error_sum_bar": 1e-4, "within_tier": True,
+}  # fmt: skip
 
 
 def rules_of(**changes):

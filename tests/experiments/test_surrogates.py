@@ -5,40 +5,31 @@ from typing import Any
 
 import numpy as np
 import pytest
-from small_datasets import CONFIG, small, smooth_dataset
+from cells import GIVEN, run_study
+from made_up_maps import RANGES
+from refusals import refused
+from small_datasets import CONFIG, WIDE_STICK, small, smooth_dataset
 
 from experiments.surrogates import study as module
 from experiments.surrogates.floor import INTERVALS, floor_rows, left_out
 from experiments.surrogates.places import BINS, by_input, concentration
 from experiments.surrogates.study import CompareSurrogates, training_of
-from snapjump.checks import ParameterError
-from snapjump.files.result_folder import ResultFolder
 from snapjump.learning.training import Training
 from snapjump.plan.parts.axes import default_axes
 from snapjump.simulation import build
-
-RANGES = ((0.01, 0.19), (0.1, 0.3), (0.3, 2.0), (0.1, 0.6))
 
 
 @pytest.fixture
 def datasets(tmp_path: Path) -> dict[str, Any]:
     """Folders of one smooth law, as the study's keys."""
-    for name, specification in (
-        ("standard", small(300, 300)),
-        ("slopes", small(160, 160, True, friction={"name": "implicit",
-                                                    "velocity_threshold_m_s": 0.01})),
-    ):  # fmt: skip
-        smooth_dataset(tmp_path / name, specification)
-    return {
-        "standard": str(tmp_path / "standard"),
-        "paper": None,
-        "slopes": str(tmp_path / "slopes"),
-    }
+    smooth_dataset(tmp_path / "standard", small(300, 300))
+    smooth_dataset(tmp_path / "slopes", small(160, 160, True, friction=WIDE_STICK))
+    folders = {name: str(tmp_path / name) for name in ("standard", "slopes")}
+    return {**folders, "paper": None}
 
 
 def configured(**task: Any) -> dict[str, Any]:
-    name = {"name": "compare_surrogates"}
-    return {"task": {**name, **task}, "effort": "quick", "figures": True, "seed": 0}
+    return {**GIVEN, "task": {"name": "compare_surrogates", **task}}
 
 
 def test_the_study_trains_judges_and_concludes(
@@ -56,15 +47,14 @@ def test_the_study_trains_judges_and_concludes(
     assert "resnet, 240 jumps" in names
     assert "ensemble, 100 jumps" not in names
     assert "gradient_mlp, 128 jumps, slopes left out" in names
-    (tmp_path / "run").mkdir()
-    outcome = study.run(ResultFolder(tmp_path / "run"), lambda done, text: None)
-    assert outcome.status == "ok", (tmp_path / "run" / "failures.txt").read_text()
+    outcome, folder = run_study(study, configured(**datasets), tmp_path / "run")
+    assert outcome.status == "ok", (folder.path / "failures.txt").read_text()
     # A cubic law is what an interpolation of 240 points knows best.
     found = outcome.summary
     assert found["mae_bar_rbf_240_jumps"] < found["mae_bar_rbf_100_jumps"]
     assert found["mae_bar_rbf_240_jumps"] < 0.5 * found["mae_bar_mlp_240_jumps"]
     for picture in ("curves.png", "places.png"):
-        assert (tmp_path / "run" / picture).stat().st_size > 10_000
+        assert (folder.path / picture).stat().st_size > 10_000
 
 
 def test_a_cubic_leaves_nothing_of_a_cubic_and_all_of_noise() -> None:
@@ -133,6 +123,5 @@ def test_fewer_jumps_are_given_more_epochs_of_smaller_batches() -> None:
 )
 def test_bad_input_is_named(datasets: dict[str, Any], changes: dict[str, Any], key: str) -> None:
     named = {key: datasets.get(value, value) for key, value in changes.items()}
-    with pytest.raises(ParameterError) as caught:
+    with refused(key):
         CompareSurrogates().prepare(configured(**{**datasets, **named}))
-    assert caught.value.key == key

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from cells import GIVEN, run_study
 from families import FAMILIES
 
 from experiments.compositions import changed, described
@@ -17,16 +18,13 @@ from experiments.tradeoff.study import Tradeoff
 from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
 from snapjump.declare.members import member_names
-from snapjump.files.result_folder import ResultFolder
 from snapjump.tiers import TIERS
 
 COARSE = (16, 24)
 CONFIG: dict[str, Any] = {
     **described(with_tier("draft")),
     "task": {"name": "tradeoff", "designs": 2, "tier_designs": 2},
-    "effort": "quick",
-    "figures": True,
-    "seed": 0,
+    **GIVEN,
 }
 
 
@@ -42,7 +40,7 @@ def few_curves(base: Any, full: bool) -> list[Curve]:
 
 
 @pytest.fixture
-def coarse(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> ResultFolder:
+def coarse(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder, with one tier, few curves and few models beside a limit that is none."""
     monkeypatch.chdir(tmp_path)
     draft = {name: TIERS[name] for name in ("draft", "standard")}
@@ -63,33 +61,28 @@ def coarse(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> ResultFolder:
 
     monkeypatch.setattr(module, "models", two_models)
     monkeypatch.setattr(module, "tier_groups", coarse_tier)
-    (tmp_path / "run").mkdir()
-    return ResultFolder(tmp_path / "run")
+    return tmp_path / "run"
 
 
-def test_tables_and_figures_of_few_compositions(coarse: ResultFolder) -> None:
-    tradeoff = Tradeoff()
-    tradeoff.prepare(CONFIG)
-    outcome = tradeoff.run(coarse, lambda done, text: None)
+def test_tables_and_figures_of_few_compositions(coarse: Path) -> None:
+    outcome, folder = run_study(Tradeoff(), CONFIG, coarse)
     assert outcome.status == "ok", outcome.message
     assert outcome.summary["cells_refused"] == 1 and outcome.summary["compositions"] == 4
     for name in ("precision_p95", "precision_median", "modelling"):
-        assert (coarse.path / f"{name}.png").stat().st_size > 20_000
-    levels = list(csv.DictReader((coarse.path / "levels.csv").read_text().splitlines()))
-    assert [row["curve"] for row in levels] == ["tr_bdf2 adaptive"] * 2 + ["tr_bdf2 fixed"] * 2 + [
-        "broken",
-        "refused",
-    ]
+        assert (folder.path / f"{name}.png").stat().st_size > 20_000
+    levels = list(csv.DictReader((folder.path / "levels.csv").read_text().splitlines()))
+    twice = ["tr_bdf2 adaptive"] * 2 + ["tr_bdf2 fixed"] * 2
+    assert [row["curve"] for row in levels] == [*twice, "broken", "refused"]
     assert float(levels[0]["ms"]) > 0.0 and float(levels[0]["x_median_percent"]) > 0.0
-    failures = (coarse.path / "failures.csv").read_text()
+    failures = (folder.path / "failures.csv").read_text()
     assert "step_underflow" in failures and "frame = 'fixed' is not allowed" in failures
-    beyond = (coarse.path / "beyond.csv").read_text().splitlines()
+    beyond = (folder.path / "beyond.csv").read_text().splitlines()
     assert all(line.startswith(("tier,", "draft,")) for line in beyond)
-    front = list(csv.DictReader((coarse.path / "front.csv").read_text().splitlines()))
+    front = list(csv.DictReader((folder.path / "front.csv").read_text().splitlines()))
     assert front and all(float(row["x_p95_percent"]) > 0.0 for row in front)
-    report = (coarse.path / "report.md").read_text()
+    report = (folder.path / "report.md").read_text()
     assert "To have x and y right" in report and "confirms the limit" in report
-    records = json.loads((coarse.path / "children.json").read_text())["children"]
+    records = json.loads((folder.path / "children.json").read_text())["children"]
     (record,) = [r for r in records if r["name"].startswith("tr_bdf2 adaptive, 16")]
     assert record["metrics"]["x_median_percent"] == float(levels[0]["x_median_percent"])
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from references import outputs_of
 
 from snapjump.friction.base import regularised_sign
 from snapjump.friction.implicit import ImplicitFriction
@@ -40,14 +41,10 @@ def test_odd_monotone_and_never_above_one():
     np.testing.assert_allclose(signs, -signs[::-1], atol=1e-15)
 
 
-@pytest.mark.parametrize(
-    ("tangent", "creep"),
-    # C5_incline: tan of the slope, creep velocity over the threshold
-    [(0.05, 0.08712907082), (0.15, 0.2928932188), (0.29, 0.8174258142)],
-)
-def test_creep_on_a_slope(tangent, creep):
-    ratio = LAW.ratio(creep * THRESHOLD)
-    assert ratio == pytest.approx(tangent, rel=1e-8)
+@pytest.mark.parametrize("row", [r for r in outputs_of("C5_incline") if "creep_v" in r])
+def test_creep_on_a_slope(row):
+    """At the velocity over the threshold that holds the robot where gravity pulls so much."""
+    assert LAW.ratio(row["w"] * THRESHOLD) == pytest.approx(row["tan"], rel=1e-8)
 
 
 def test_implicit_law_has_the_slope_at_rest_after_a_change_of_sign():

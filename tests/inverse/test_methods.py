@@ -101,26 +101,3 @@ def test_gauss_newton_finds_a_root_that_its_grid_does_not_make_out() -> None:
 def test_methods_that_ask_the_forward_model_need_it(cls: Any) -> None:
     with pytest.raises(ParameterError, match="inverse = "):
         cls().solve(problem([5.0, 10.0]))
-
-
-@pytest.mark.parametrize(
-    ("cls", "key", "value"),
-    [
-        (GaussNewtonOptions, "points", 2),
-        (GaussNewtonOptions, "iterations", 0),
-        (GaussNewtonOptions, "robust", 1),
-        (AdamOptions, "starts", 0),
-        (AdamOptions, "iterations", 1.5),
-        (AdamOptions, "learning_rate", 0.0),
-        (AdamOptions, "learning_rate", float("nan")),
-        (BayesianOptions, "simulations", 0),
-        (BayesianOptions, "first", 61),
-        (FiniteDifferenceOptions, "simulations", 15),
-        (FiniteDifferenceOptions, "step", 0.0),
-        (FiniteDifferenceOptions, "step", "small"),
-    ],
-)
-def test_options_out_of_range_are_named(cls: Any, key: str, value: Any) -> None:
-    with pytest.raises(ParameterError) as caught:
-        cls(**{key: value})
-    assert caught.value.key == f"inverse.{key}"

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from made_up_maps import MadeUpModel, MadeUpSimulator, problem, straight
 
-from snapjump.checks import ParameterError
 from snapjump.inverse.physics import CANDIDATES, PhysicsOptions, Search, fit, step
 
 REACHED_BAR = 3.0e-4
@@ -121,19 +120,3 @@ def test_a_fit_to_many_points_finds_the_slopes_and_to_one_keeps_the_given_ones()
     design = given.designs(given.unscaled(np.array([[0.5, 0.5]])))
     true = MadeUpModel().jacobian(design)[0, :, :2] * (given.high - given.low)
     assert fit(search, wrong)[2] == pytest.approx(true, rel=0.1, abs=0.05)
-
-
-@pytest.mark.parametrize(
-    ("options", "key"),
-    [
-        ({"slopes": "none"}, "inverse.slopes"),
-        ({"finishing": "draft"}, "inverse.finishing"),
-        ({"tolerance_bar": 0.0}, "inverse.tolerance_bar"),
-        ({"most_simulations": 7}, "inverse.most_simulations"),
-        ({"robust": 1}, "inverse.robust"),
-    ],
-)
-def test_bad_options_are_named(options: dict[str, Any], key: str) -> None:
-    with pytest.raises(ParameterError) as caught:
-        PhysicsOptions(**options)
-    assert caught.value.key == key

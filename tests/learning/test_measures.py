@@ -30,19 +30,11 @@ def test_measures() -> None:
     assert np.allclose(errors(Off(rows, True), rows), OFF, atol=1e-5)
     found = measures(Off(rows, True), rows)
     expected = {
-        "mae_bar": (3.5 + 1.0) / 2.0,
-        "mae_x_bar": 3.5,
-        "mae_y_bar": 1.0,
-        "rms_x_bar": np.sqrt(12.5),
-        "median_x_bar": 3.5,
-        "p95_x_bar": 4.0,
-        "p95_y_bar": 1.0,
-        "p95_bar": 4.0,
-        "coverage": 0.75,
-        "coverage_x": 0.5,
-        "coverage_y": 1.0,
+        "mae_bar": (3.5 + 1.0) / 2.0, "mae_x_bar": 3.5, "mae_y_bar": 1.0,
+        "rms_x_bar": np.sqrt(12.5), "median_x_bar": 3.5, "p95_x_bar": 4.0, "p95_y_bar": 1.0,
+        "p95_bar": 4.0, "coverage": 0.75, "coverage_x": 0.5, "coverage_y": 1.0,
         "half_width_bar": 3.5,
-    }
+    }  # fmt: skip
     for key, value in expected.items():
         assert found[key] == pytest.approx(value, rel=1e-4), key
 

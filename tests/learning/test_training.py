@@ -3,6 +3,7 @@
 from dataclasses import asdict
 
 import pytest
+from refusals import refused
 
 from snapjump.checks import ParameterError
 from snapjump.learning.training import Training, make_training
@@ -42,9 +43,9 @@ def test_the_rate_rises_and_falls_to_nothing() -> None:
 )
 def test_values_that_are_not_allowed(key: str, values: tuple) -> None:
     for value in values:
-        with pytest.raises(ParameterError) as caught:
+        with refused(f"training.{key}") as caught:
             make_training({**asdict(Training()), key: value})
-        assert caught.value.key == f"training.{key}" and caught.value.value is value
+        assert caught.value.value is value
 
 
 def test_every_key_must_be_there_and_no_other() -> None:

@@ -1,28 +1,23 @@
 """References, and what several of the physics tests are built from."""
 
-import json
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from families import FAMILIES
+from references import outputs_of
 
+from snapjump import Design, Environment, Result, Robot
 from snapjump.composition import Simulation, with_tier
 from snapjump.declare.members import member_class
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
-from snapjump.parameters.robot import Robot
-from snapjump.results import Result
 from snapjump.simulation import simulate
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.critical import Snap, find_snap
 
 DISCRETIZATIONS = FAMILIES["discretization"]
 DER = DISCRETIZATIONS["der"]
-REFERENCES = json.loads((Path(__file__).parent / "references.json").read_text())
 
 
 def slender(ratio: float) -> Robot:
@@ -39,7 +34,7 @@ def discretized(name: str, elements: int, clamp: str = "half_element") -> Any:
 @pytest.fixture(scope="session")
 def reference() -> Callable[[str], Any]:
     """The outputs of a reference entry."""
-    return lambda name: REFERENCES[name]["outputs"]
+    return outputs_of
 
 
 @pytest.fixture(scope="session")

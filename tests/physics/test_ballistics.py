@@ -60,14 +60,11 @@ def test_free_fall(integrator, step_s, accuracy, single_mass, reference):
     model = mass_model(simulation, G, 0.0)
     duration = VY / G / scales.time_s
     march = March(
-        models=[model],
-        masses=np.array([4e-3 / scales.mass_kg]),
+        models=[model], masses=np.array([4e-3 / scales.mass_kg]),
         states=np.array([[0.0, START / scales.length_m]]),
-        velocities=np.array([[VX, VY]]) / scales.velocity_m_s,
-        simulation=simulation,
-        ending=TimedEnding(duration),
-        recorder=make_recorder(2, duration, duration),
-    )
+        velocities=np.array([[VX, VY]]) / scales.velocity_m_s, simulation=simulation,
+        ending=TimedEnding(duration), recorder=make_recorder(2, duration, duration),
+    )  # fmt: skip
     march.queue.acceleration[0, 1] = -G / scales.acceleration_m_s2
     march.run()
     x, y = march.memory.start[:, 0] * scales.length_m

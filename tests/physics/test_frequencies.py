@@ -2,21 +2,16 @@
 
 import numpy as np
 import pytest
+from bare_models import cantilever
 from families import FAMILIES
 from scipy.linalg import eigh
 
-from snapjump.clamp.constant_rate import ConstantRate
-from snapjump.contact.none import NoContact
-from snapjump.damping.none import NoDamping
 from snapjump.declare.members import member_class
 from snapjump.discretization.base import TURN_INERTIA
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
-from snapjump.engine.model import Model, numbers_of
+from snapjump.engine.model import numbers_of
 from snapjump.engine.work import make_work
-from snapjump.frame.parts.cantilever import CantileverFrame
-from snapjump.friction.none import NoFriction
-from snapjump.load.tip import TipLoad
 from snapjump.parameters.robot import Robot
 
 ELEMENTS = 80
@@ -66,15 +61,7 @@ def cantilever_tangent(elements: int, name: str, ratio: float) -> tuple[np.ndarr
     length = 1.0 / elements
     rod = member_class("discretization", name)(elements).beam(Robot(thickness_m=0.02 * ratio))
     dofs = rod.node_dofs()
-    model = Model(
-        rod,
-        CantileverFrame(),
-        ConstantRate(0.0, 1.0, 1.0, 0.0),
-        NoContact.Law(),
-        NoFriction.Law(),
-        NoDamping.Law(),
-        TipLoad(0.0, 0.0, 0.0),
-    )
+    model = cantilever(rod)
     memory = make_work(elements + 1, 0, 2, ROWS, len(numbers_of(model)), 1, dofs)
     memory.state[0::dofs, 0] = np.linspace(0.0, 1.0, elements + 1)
     equilibrate(model, numbers_of(model), np.zeros(elements + 1), memory, False)

@@ -4,11 +4,8 @@ import numpy as np
 import pytest
 from families import FAMILIES
 
+from snapjump import Design, Environment, Robot, simulate_jump
 from snapjump.declare.members import member_class
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
-from snapjump.parameters.robot import Robot
-from snapjump.simulation import simulate_jump
 from snapjump.statics.critical import find_snap
 
 DESIGNS = {

@@ -5,10 +5,8 @@ import dataclasses
 import numpy as np
 import pytest
 
+from snapjump import Design, Environment, Robot
 from snapjump.declare.members import member_class
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
-from snapjump.parameters.robot import Robot
 
 
 def test_equal_clamps_jump_straight_up(jump):

@@ -17,13 +17,8 @@ CASES = [
 TURNING = ("corotational", "geometrically_exact")
 MORE = [(epsilon, lag, "0.0e+00") for epsilon in (0.1, 0.2, 0.3) for lag in (0.02, 0.05)]
 NAMES = (
-    "before_E",
-    "before_ymid",
-    "after_E",
-    "after_ymid",
-    "before_theta_mid",
-    "after_theta_mid",
-)
+    "before_E", "before_ymid", "after_E", "after_ymid", "before_theta_mid", "after_theta_mid",
+)  # fmt: skip
 
 
 def middle_tangent(equilibrium) -> float:

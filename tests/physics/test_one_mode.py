@@ -8,16 +8,12 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from bare_models import bare_model
 from scipy.linalg import eigh
 
 from snapjump.clamp.smooth_start import SmoothStart
-from snapjump.contact.none import NoContact
-from snapjump.damping.none import NoDamping
 from snapjump.ending.timed import TimedEnding
-from snapjump.engine.model import Model
 from snapjump.frame.fixed import FixedFrame
-from snapjump.friction.none import NoFriction
-from snapjump.load.none import NoLoad
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.scenes.runner import March
 from snapjump.stepping.fixed import FixedStep
@@ -52,17 +48,7 @@ def marched(straight, beam, integrator, mode, place, speed, step, steps) -> tupl
     velocity[3:-2:2] = AMPLITUDE * speed * omega * shape
     still = SmoothStart(0.0, 1.0, 0.0, 0.0, 1.0)
     march = March(
-        models=[
-            Model(
-                straight.beam.rod,
-                FixedFrame.Body(0.5, 0.0),
-                still,
-                NoContact.Law(),
-                NoFriction.Law(),
-                NoDamping.Law(),
-                NoLoad(),
-            )
-        ],
+        models=[bare_model(straight.beam.rod, FixedFrame.Body(0.5, 0.0), clamp=still)],
         masses=straight.beam.masses,
         states=state[None, :],
         simulation=beam(1e-5, integrator=integrator),

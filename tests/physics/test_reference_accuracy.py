@@ -3,10 +3,8 @@
 import numpy as np
 import pytest
 
+from snapjump import Design, Environment, simulate_jump
 from snapjump.declare.members import member_class
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
-from snapjump.simulation import simulate_jump
 
 DESIGNS = [
     (0.2, 0.1, 0.3, 0.768),

@@ -4,9 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from snapjump.checks import ParameterError
+from snapjump import Design, ParameterError
 from snapjump.composition import with_tier
-from snapjump.parameters.design import Design
 from snapjump.scenes.jump_start import critical, start_angle_rad
 
 BASE = with_tier("draft")

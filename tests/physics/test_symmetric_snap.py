@@ -9,14 +9,9 @@ SLENDERNESS = {1e-3: 2.5e-5, 1e-2: 5e-5, 0.2: 2e-4, 0.3: 2e-4, 0.4: 2e-4}
 QUICK = [1e-3, 0.1, 0.2, 0.3]
 MORE = [1e-2, 0.03, 0.05, 0.4]
 NAMES = (
-    "alpha_asym",
-    "E_before_asym",
-    "E_after_asym",
-    "dE_asym",
-    "ymid_before_asym",
-    "ymin_before_asym",
-    "ymid_after_asym",
-)
+    "alpha_asym", "E_before_asym", "E_after_asym", "dE_asym", "ymid_before_asym",
+    "ymin_before_asym", "ymid_after_asym",
+)  # fmt: skip
 
 
 def figures(found) -> np.ndarray:

@@ -4,8 +4,9 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+from refusals import refused
 
-from snapjump.checks import ParameterError
+from snapjump import Environment, ParameterError
 from snapjump.composition import with_tier
 from snapjump.declare.fields import number
 from snapjump.declare.inputs import (
@@ -16,7 +17,6 @@ from snapjump.declare.inputs import (
     value_at,
     with_inputs,
 )
-from snapjump.parameters.environment import Environment
 from snapjump.plan.parts.axes import default_axes, recorded_axes
 from snapjump.plan.sobol import Sobol
 
@@ -83,10 +83,8 @@ def test_two_of_one_name_are_called_by_their_paths() -> None:
     ],
 )
 def test_what_no_robot_has(options: dict[str, Any], key: str) -> None:
-    with pytest.raises(ParameterError) as caught:
+    with refused(key):
         Sobol(**options).axes(BASE)
-    assert caught.value.key == key
-    assert "\n" not in str(caught.value)
 
 
 def test_a_range_that_is_not_declared_has_to_be_given() -> None:

@@ -6,9 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
-from snapjump.parameters.robot import Robot
+from snapjump import Design, Environment, Robot
 
 SNAP_S, TOUCH_S, LIFTOFF_S, END_S = 5.0e-3, 5.6e-3, 6.0e-3, 8.0e-3
 
@@ -86,25 +84,13 @@ def make_jump(nodes: int = 65, scene: str = "jump") -> Any:
     apex_x = centre_x[-1] + com_vx[-1] * fall
     apex_y = centre_y[-1] + 0.5 * com_vy[-1] ** 2 / gravity
     arrays = {
-        "time_s": time,
-        "node_x_m": node_x,
-        "node_y_m": node_y,
-        "clamp_left_rad": alpha,
-        "clamp_right_rad": alpha - design.delta_alpha,
-        "node_gap_m": node_y,
-        "node_normal_N": node_normal,
-        "node_friction_N": -0.3 * node_normal,
-        "corner_x_m": corner_x,
-        "corner_y_m": corner_y,
-        "corner_gap_m": corner_y,
-        "corner_normal_N": corner_normal,
-        "corner_friction_N": 0.1 * corner_normal,
-        "com_x_m": centre_x,
-        "com_y_m": centre_y,
-        "com_vx_m_s": com_vx,
-        "com_vy_m_s": com_vy,
-        **books,
-    }
+        "time_s": time, "node_x_m": node_x, "node_y_m": node_y, "clamp_left_rad": alpha,
+        "clamp_right_rad": alpha - design.delta_alpha, "node_gap_m": node_y,
+        "node_normal_N": node_normal, "node_friction_N": -0.3 * node_normal, "corner_x_m": corner_x,
+        "corner_y_m": corner_y, "corner_gap_m": corner_y, "corner_normal_N": corner_normal,
+        "corner_friction_N": 0.1 * corner_normal, "com_x_m": centre_x, "com_y_m": centre_y,
+        "com_vx_m_s": com_vx, "com_vy_m_s": com_vy, **books,
+    }  # fmt: skip
     summary = {
         "x_bar": float(apex_x / length),
         "y_bar": float(apex_y / length),

@@ -11,14 +11,11 @@ from snapjump.plots.training import draw_training
 
 CURVES = [
     {
-        "epoch": n,
-        "train_loss": 1.0 / n,
-        "validation_mae_bar": 2.0 / n,
-        "learning_rate": 1e-3,
+        "epoch": n, "train_loss": 1.0 / n, "validation_mae_bar": 2.0 / n, "learning_rate": 1e-3,
         "batch_size": 64,
     }
     for n in range(1, 20)
-]
+]  # fmt: skip
 
 
 def shares(picture: np.ndarray, colour: str) -> int:

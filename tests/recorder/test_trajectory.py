@@ -2,27 +2,19 @@
 
 import numpy as np
 import pytest
+from bare_models import bare_model
 from plain_python import plain_work
 
-from snapjump.clamp.constant_rate import ConstantRate
-from snapjump.contact.none import NoContact
-from snapjump.damping.none import NoDamping
 from snapjump.declare.members import member_class
 from snapjump.discretization.parts.loose_nodes import LooseNodes
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import LARGEST_RESIDUAL, STAGE, STEP, TIME
-from snapjump.engine.model import Model
 from snapjump.frame.parts.no_frame import NoFrame
-from snapjump.friction.none import NoFriction
-from snapjump.load.none import NoLoad
 from snapjump.recorder import trajectory
 from snapjump.recorder.none import NoRecorder
 
 TABLEAU = member_class("integrator", "tr_bdf2")().scheme()
-CLAMP = ConstantRate(0.0, 1.0, 1.0, 0.0)
-MODEL = Model(
-    LooseNodes(), NoFrame(), CLAMP, NoContact.Law(), NoFriction.Law(), NoDamping.Law(), NoLoad()
-)
+MODEL = bare_model(LooseNodes(), NoFrame())
 MASSES = np.array([2.0])
 
 

@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 
-from snapjump.checks import ParameterError
+from snapjump import ParameterError, Robot
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
-from snapjump.parameters.robot import Robot
 from snapjump.statics.threshold_curve import ThresholdCurve, direct
 
 MESHES = (

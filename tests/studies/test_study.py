@@ -21,11 +21,8 @@ from snapjump.studies.study import Study
 from snapjump.tasks.publish import replaced
 
 CONFIG: dict[str, Any] = {
-    "task": {"name": "squares", "cells": 3},
-    "effort": "quick",
-    "figures": True,
-    "seed": 0,
-}
+    "task": {"name": "squares", "cells": 3}, "effort": "quick", "figures": True, "seed": 0
+}  # fmt: skip
 calls: list[str] = []
 
 

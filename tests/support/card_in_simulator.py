@@ -70,16 +70,13 @@ def main() -> None:
     print(
         json.dumps(
             {
-                "starts": starts,
-                "outcome": refilled.queue.outcome.tolist(),
-                "progress": told,
-                "passes": int(refilled.passes),
-                "bytes_sent": refilled.card.bytes_sent,
+                "starts": starts, "outcome": refilled.queue.outcome.tolist(), "progress": told,
+                "passes": int(refilled.passes), "bytes_sent": refilled.card.bytes_sent,
                 "differs_in_chunks": difference(chunked, short),
                 "status_in_chunks": chunked.queue.outcome[:, STATUS].tolist(),
             }
         )
-    )
+    )  # fmt: skip
 
 
 if __name__ == "__main__":

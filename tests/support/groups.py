@@ -16,16 +16,12 @@ from xdist.scheduler import LoadScopeScheduling
 # what a process of its own compiles, it has not.
 GROUPS = {
     "single": (
-        "physics",
-        "recorder",
-        "stepping",
-        "test_command_line.py",
-        "tracking",
+        "physics", "recorder", "stepping", "test_command_line.py", "tracking",
         "docs/test_tutorial.py",
     ),
     "lanes": ("engine", "batch", "targets", "dataset", "executor", "cuda", "tasks"),
     "studies": ("experiments",),
-}
+}  # fmt: skip
 PLACES = [(group, start) for group, starts in GROUPS.items() for start in starts]
 
 

@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from snapjump import Design, Environment
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation, with_tier
 from snapjump.contact.logbarrier import LogBarrier
@@ -11,8 +12,6 @@ from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.ending.flight import FlightEnding
 from snapjump.engine.model import Model, TimeLimit
 from snapjump.load.gravity import Gravity
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
 from snapjump.scenes.frame_body import frame_model
 from snapjump.scenes.resting import resting_guess
 from snapjump.scenes.runner import March

@@ -5,11 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.dataset.columns import (
-    Rows,
-    columns_of,
-    slope_columns,
-)
+from snapjump.dataset.columns import Rows, columns_of, slope_columns
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.generate import Generation, generate
 from snapjump.dataset.manifest import write_manifest
@@ -26,14 +22,13 @@ CONFIG: dict[str, Any] = {
     "contact": {"name": "logbarrier", "distance_m": 1e-3},
     "backend": BACKEND,
 }
+# Friction with derivatives that are asked for.
+WIDE_STICK = {"name": "implicit", "velocity_threshold_m_s": 0.01}
 # The same for the command line.
 OVERRIDES = (
-    "task=dataset",
-    "accuracy=draft",
-    "discretization.elements=24",
-    "stepping.tolerance=1e-5",
+    "task=dataset", "accuracy=draft", "discretization.elements=24", "stepping.tolerance=1e-5",
     "contact.distance_m=1e-3",
-)
+)  # fmt: skip
 
 
 def small(

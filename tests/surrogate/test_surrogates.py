@@ -1,12 +1,9 @@
 """What every surrogate has in common, member by member."""
 
-import math
-
 import pytest
 import torch
 from forward_models import jumps
 
-from snapjump.checks import ParameterError
 from snapjump.declare.members import make_member, member_class, member_names
 from snapjump.surrogate.base import MassScaled, Rows, Standardisation, Surrogate
 
@@ -84,31 +81,6 @@ def test_its_slopes_are_those_of_its_values(name: str) -> None:
             move = step * torch.eye(4, dtype=torch.double)[axis]
             change = (network(designs + move) - network(designs - move)).sum(dim=1) / (2.0 * step)
             assert torch.allclose(change, slopes[:, axis], rtol=1e-4, atol=1e-4)
-
-
-@pytest.mark.parametrize(
-    ("name", "key", "value"),
-    [
-        ("mlp", "width", 0),
-        ("mlp", "layers", 65),
-        ("resnet", "width", 0),
-        ("resnet", "blocks", 1.5),
-        ("ensemble", "members", 1),
-        ("ensemble", "width", 5000),
-        ("ensemble", "blocks", 0),
-        ("gradient_mlp", "width", "wide"),
-        ("gradient_mlp", "layers", 0),
-        ("gradient_mlp", "slope_weight", -0.1),
-        ("gradient_mlp", "slope_weight", math.nan),
-        ("rbf", "neighbours", 4),
-        ("rbf", "kernel", "gaussian"),
-        ("rbf", "smoothing", -1.0),
-    ],
-)
-def test_bad_options(name: str, key: str, value: object) -> None:
-    with pytest.raises(ParameterError) as caught:
-        member_class("surrogate", name)(**{**SMALL[name], key: value})
-    assert caught.value.key == f"surrogate.{key}"
 
 
 def test_the_paper_s_network_has_the_paper_s_size() -> None:

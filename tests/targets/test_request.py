@@ -6,17 +6,13 @@ from typing import Any
 import numpy as np
 import pytest
 from made_up_maps import MadeUpModel
+from refusals import refused
 
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import construct
 from snapjump.inverse.bayesian import BayesianOptions
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
-from snapjump.targets.request import (
-    SHIPPED,
-    checked_target,
-    checkpoint_path,
-    usable_forward,
-)
+from snapjump.targets.request import SHIPPED, checked_target, checkpoint_path, usable_forward
 from snapjump.targets.robust import Tolerance
 
 TOLERANCE = {"delta_alpha_rad": 0.002, "epsilon": 0.001, "mass_bar": 0.01, "mu": 0.02}
@@ -36,9 +32,8 @@ def test_targets() -> None:
     ],
 )
 def test_bad_targets(value: Any) -> None:
-    with pytest.raises(ParameterError) as caught:
+    with refused("target"):
         checked_target(value)
-    assert caught.value.key == "target" and "\n" not in str(caught.value)
 
 
 def test_tolerances() -> None:
@@ -55,9 +50,8 @@ def test_tolerances() -> None:
     ],
 )
 def test_bad_tolerances(group: Any, key: str) -> None:
-    with pytest.raises(ParameterError) as caught:
+    with refused(key):
         construct("tolerance", Tolerance, group)
-    assert caught.value.key == key
 
 
 def test_checkpoints() -> None:
@@ -83,9 +77,8 @@ def test_bad_checkpoints(value: Any) -> None:
 def test_environments_outside_the_training_range(values: Any, key: str) -> None:
     base, model = SimpleNamespace(environment=SimpleNamespace(**values)), MadeUpModel()
     for method in (GaussNewtonOptions(), BayesianOptions(robust=True)):
-        with pytest.raises(ParameterError) as caught:
+        with refused(key, "[0."):
             usable_forward(base, model, method)
-        assert caught.value.key == key and "[0." in str(caught.value)
     forward, warning = usable_forward(base, model, BayesianOptions())
     assert forward is None and key in warning and "\n" not in warning
 

@@ -10,6 +10,7 @@ from typing import Any
 
 import pyarrow.parquet as pq
 import pytest
+from refusals import refused
 from small_datasets import OVERRIDES
 
 from snapjump.checks import ParameterError
@@ -20,12 +21,8 @@ from snapjump.tasks.dataset import check_keys
 ROOT = Path(__file__).resolve().parents[2]
 PLAN = ("plan=sobol", "plan.count=16", "dataset.shard_size=8")
 KEYS: dict[str, Any] = {
-    "path": None,
-    "sensitivities": False,
-    "shard_size": 8,
-    "part": 1,
-    "parts": 1,
-}
+    "path": None, "sensitivities": False, "shard_size": 8, "part": 1, "parts": 1,
+}  # fmt: skip
 
 
 def results(folder: Path) -> list[dict[str, Any]]:
@@ -141,9 +138,8 @@ def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(tmp_path: Path) -> None
     ],
 )
 def test_bad_keys(change: dict[str, Any], key: str) -> None:
-    with pytest.raises(ParameterError) as caught:
+    with refused(key):
         check_keys({**KEYS, **change})
-    assert caught.value.key == key
 
 
 @pytest.mark.parametrize("key", KEYS)

@@ -13,21 +13,11 @@ CONFIG: dict[str, Any] = {
 }
 COSTS = {f"one_percent_{name}_bar": 0.1 for name in ("delta_alpha", "epsilon", "mass_bar", "mu")}
 SUMMARY: dict[str, Any] = {
-    "reachable": True,
-    "target_x_bar": 5.0,
-    "target_y_bar": 14.0,
-    "epsilon": 0.1877201,
-    "delta_alpha_rad": 0.0970151,
-    "predicted_x_bar": 5.0,
-    "predicted_y_bar": 14.0,
-    "simulated_x_bar": 4.983,
-    "simulated_y_bar": 13.991,
-    "error_bar": 0.0192,
-    "solve_seconds": 0.0153,
-    "simulations": 0,
-    "solutions": 1,
-    **COSTS,
-}
+    "reachable": True, "target_x_bar": 5.0, "target_y_bar": 14.0, "epsilon": 0.1877201,
+    "delta_alpha_rad": 0.0970151, "predicted_x_bar": 5.0, "predicted_y_bar": 14.0,
+    "simulated_x_bar": 4.983, "simulated_y_bar": 13.991, "error_bar": 0.0192,
+    "solve_seconds": 0.0153, "simulations": 0, "solutions": 1, **COSTS,
+}  # fmt: skip
 
 
 def told(**changes: Any) -> dict[str, str]:

@@ -29,14 +29,10 @@ def job(path: Path) -> ResultFolder:
     folder.write_config({"seed": 0})
     folder.write_result({"status": "ok"})
     child = {
-        "name": "a cell",
-        "status": "refused",
-        "message": "why",
-        "started_at": "2026-01-01T00:00:00+00:00",
-        "finished_at": "2026-01-01T00:00:01+00:00",
-        "params": {"integrator": {"name": "sdirk2"}},
-        "metrics": {"error": 0.5},
-    }
+        "name": "a cell", "status": "refused", "message": "why",
+        "started_at": "2026-01-01T00:00:00+00:00", "finished_at": "2026-01-01T00:00:01+00:00",
+        "params": {"integrator": {"name": "sdirk2"}}, "metrics": {"error": 0.5},
+    }  # fmt: skip
     write_children(folder, [child, {**child, "name": "another", "status": "ok"}])
     return folder
 

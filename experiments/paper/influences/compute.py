@@ -164,8 +164,8 @@ def energy_row(simulation: Simulation) -> Row:
     mass_kg = simulation.environment.mass_kg(robot)
     vx, vy = float(kept["com_vx_m_s"][-1]), float(kept["com_vy_m_s"][-1])
     climbed_m = float(kept["com_y_m"][-1] - kept["com_y_m"][0])
-    upward_J = 0.5 * mass_kg * vy**2  # noqa: N806
-    sideways_J = 0.5 * mass_kg * vx**2  # noqa: N806
+    upward_J = 0.5 * mass_kg * vy**2
+    sideways_J = 0.5 * mass_kg * vx**2
     parts = {
         "rise": upward_J + mass_kg * robot.gravity_m_s2 * climbed_m,
         "sideways": sideways_J,

@@ -135,7 +135,7 @@ def deeper(rows: list[Row], alike: list[Row]) -> float:
 def paragraphs(
     curves: Mapping[float, list[Row]],
     small: list[Row],
-    unit_mJ: float,  # noqa: N803
+    unit_mJ: float,
 ) -> list[str]:
     """What is shown and what is found."""
     alike = curves[0.0]

@@ -8,21 +8,21 @@ from typing import Any
 
 import numpy as np
 import pytest
+from cells import STANDARD, all_done, check_figures, done
 
-from experiments.compositions import changed, composed, described
+from experiments.compositions import changed, composed
 from experiments.paper import exact
 from experiments.paper.bifurcation import judge
 from experiments.paper.bifurcation.compute import branch_rows, compared_rows, shape_rows
 from experiments.paper.bifurcation.part import TIERS, Bifurcation
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
-from snapjump.composition import with_tier
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch, Point
 from snapjump.statics.critical import find_snap, start_point
 from snapjump.statics.landmarks import symmetric_fold, turned_back
-from snapjump.studies.base import Cell, Done
+from snapjump.studies.base import FAILED
 
-COARSE = changed(described(with_tier("standard")), {"discretization": {"elements": 32}})
+COARSE = changed(STANDARD, {"discretization": {"elements": 32}})
 EPSILON = 0.2
 Rows = list[dict[str, Any]]
 
@@ -106,16 +106,23 @@ def test_errors_that_fall_with_the_square_of_the_mesh_are_of_order_two() -> None
     assert judge.orders(tiers) == pytest.approx(2.0)
 
 
-def test_a_snap_without_a_loop_is_none(landmarks: Rows) -> None:
-    exactly = [{**row, **judge.exact_row(row["epsilon"])} for row in landmarks]
+@pytest.fixture
+def exactly(landmarks: Rows) -> Rows:
+    """The landmarks, without any error."""
+    return [{**row, **judge.exact_row(row["epsilon"])} for row in landmarks]
+
+
+def test_a_snap_without_a_loop_is_none(exactly: Rows) -> None:
     tiers = dict.fromkeys(("standard", "reference", "paper"), exactly)
+
+    def verdict(change: Any) -> str:
+        other = [row | change(row) for row in exactly]
+        return judge.snap_statement({**tiers, "standard": other}).verdict
+
     assert judge.snap_statement(tiers).verdict == CONFIRMED
-    off = [{**row, "alpha_critical_rad": 1.01 * row["alpha_critical_rad"]} for row in exactly]
-    assert judge.snap_statement({**tiers, "standard": off}).verdict == LIMITED
-    back = [{**row, "alpha_back_rad": row["alpha_critical_rad"]} for row in exactly]
-    assert judge.snap_statement({**tiers, "standard": back}).verdict == NOT_CONFIRMED
-    upwards = [{**row, "midpoint_after_bar": 0.1} for row in exactly]
-    assert not any(judge.snaps(row) for row in upwards)
+    assert verdict(lambda row: {"alpha_critical_rad": 1.01 * row["alpha_critical_rad"]}) == LIMITED
+    assert verdict(lambda row: {"alpha_back_rad": row["alpha_critical_rad"]}) == NOT_CONFIRMED
+    assert not any(judge.snaps({**row, "midpoint_after_bar": 0.1}) for row in exactly)
 
 
 def test_angles_that_do_not_grow(landmarks: Rows) -> None:
@@ -133,8 +140,7 @@ def test_angles_that_do_not_grow(landmarks: Rows) -> None:
     assert verdict(0.4, 0.5, 1.1, 0.9) == NOT_CONFIRMED
 
 
-def test_the_fold_may_come_first_in_made_up_arches(landmarks: Rows) -> None:
-    exactly = [{**row, **judge.exact_row(row["epsilon"])} for row in landmarks]
+def test_the_fold_may_come_first_in_made_up_arches(exactly: Rows) -> None:
     tiers = dict.fromkeys(("standard", "reference", "paper"), exactly)
     first = judge.fold_statement(exactly, tiers)
     assert first.verdict == NOT_CONFIRMED and "at 3 of 3 pre-compressions" in first.found
@@ -149,29 +155,22 @@ def test_the_fold_may_come_first_in_made_up_arches(landmarks: Rows) -> None:
     assert last.verdict == CONFIRMED and "at 0 of 3 pre-compressions" in last.found
 
 
-def finished(name: str, rows: Rows, status: str = "ok") -> Done:
-    return Done(Cell(name, {}), status, "" if rows else "it broke", rows, "", "", "")
-
-
 def test_conclusion_with_its_figures(branches: Rows, landmarks: Rows, tmp_path: Path) -> None:
     part = Bifurcation()
     planned = part.plan(COARSE, 0)
     assert len(planned) == 9 and json.dumps([dict(cell.inputs) for cell in planned])
     shapes = shape_rows({"groups": COARSE, "epsilon": EPSILON})
     kinds = {"branches": branches, "shapes": shapes, "angles": landmarks, "compared": landmarks}
-    done = {cell.name: finished(cell.name, kinds[cell.inputs["kind"]]) for cell in planned}
-    sizes = dict(zip(TIERS, (56, 104, 224, 66), strict=True))
-    for tier, elements in sizes.items():
-        done[tier] = finished(tier, [{**row, "elements": elements} for row in landmarks])
-    found = part.conclude(done)
+    cells = all_done(part, COARSE, lambda cell: kinds[cell.inputs["kind"]])
+    for tier, elements in zip(TIERS, (56, 104, 224, 66), strict=True):
+        cells[tier] = done(tier, [{**row, "elements": elements} for row in landmarks])
+    found = part.conclude(cells)
     assert len(found.statements) == 3
     assert np.isfinite(list(found.summary.values())).all()
-    for name, figure in found.section.figures.items():
-        figure.draw(tmp_path / f"{name}.png")
-        assert (tmp_path / f"{name}.png").stat().st_size > 20_000
+    check_figures(found, tmp_path, 20_000)
 
 
 def test_nothing_is_judged_without_all_cells(landmarks: Rows) -> None:
-    done = {"standard": finished("standard", landmarks), "paper": finished("paper", [], "failed")}
-    found = Bifurcation().conclude(done)
+    broken = done("paper", [], FAILED, "it broke")
+    found = Bifurcation().conclude({"standard": done("standard", landmarks), "paper": broken})
     assert not found.statements and "paper (failed: it broke)" in found.section.paragraphs[0]

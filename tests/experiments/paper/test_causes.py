@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from small_datasets import CONFIG
+from cells import COARSE, STANDARD, all_done, check_figures, done
 
-from experiments.compositions import changed, composed, described
+from experiments.compositions import changed, composed
 from experiments.paper.causes import judge
 from experiments.paper.causes.compute import (
     DAMPING,
@@ -26,12 +26,7 @@ from experiments.paper.causes.judge import Shift, shift
 from experiments.paper.causes.part import Causes, noise
 from experiments.paper.settings import BASELINE, groups_at
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
-from snapjump.composition import with_tier
-from snapjump.simulation import build
-from snapjump.studies.base import FAILED, OK, Done
-
-STANDARD = described(with_tier("standard"))
-COARSE = described(build(CONFIG))
+from snapjump.studies.base import FAILED
 
 
 def shifted(x: float, y: float, tail: float = 1.0) -> Shift:
@@ -50,15 +45,11 @@ def test_all_choices_lead_from_one_end_to_the_other() -> None:
         if title != FRAME:
             there, back = changed(there, converged), changed(back, papers)
     # By adaptive steps the paper's integrator is not meant to be replaced alone.
-    assert there | {"stepping": None, "accuracy": None} == at[REFERENCE] | {
-        "stepping": None,
-        "accuracy": None,
-    }
+    apart = {"stepping": None, "accuracy": None}
+    assert there | apart == at[REFERENCE] | apart
     assert back["damping"]["relaxation_time_s"] == 0.0
-    assert back | {"damping": None, "accuracy": None} == at[PAPER] | {
-        "damping": None,
-        "accuracy": None,
-    }
+    apart = {"damping": None, "accuracy": None}
+    assert back | apart == at[PAPER] | apart
 
 
 def test_exchanges_can_be_composed_and_differ_from_their_ends() -> None:
@@ -125,25 +116,22 @@ def test_report(tmp_path: Path) -> None:
     """The whole part from jumps that are made up, and without one of its cells."""
     rng = np.random.default_rng(0)
     part = Causes()
-    done = {}
-    for cell in part.plan(STANDARD, 0):
+
+    def rows_of(cell: Any) -> Any:
         if cell.inputs.get("kind") == "starts":
-            made: list[Any] = [{"clear_span_bar": 0.81, "epsilon_left": 0.19}]
-        else:
-            count = len(cell.inputs["designs"])
-            made = rows(*zip(rng.normal(5.0, 0.1, count), rng.normal(14.0, 0.1, count),
-                             strict=True))  # fmt: skip
-        done[cell.name] = Done(cell, OK, "", made, "", "", "")
-    found = part.conclude(done)
+            return [{"clear_span_bar": 0.81, "epsilon_left": 0.19}]
+        count = len(cell.inputs["designs"])
+        return rows(*rng.normal((5.0, 14.0), 0.1, (count, 2)))
+
+    cells = all_done(part, STANDARD, rows_of)
+    found = part.conclude(cells)
     assert [one.verdict for one in found.statements] == [LIMITED, LIMITED, CONFIRMED]
     assert "ε = 0.190" in found.statements[0].found
-    for name, figure in found.section.figures.items():
-        figure.draw(tmp_path / f"{name}.png")
-        assert (tmp_path / f"{name}.png").stat().st_size > 10_000
+    check_figures(found, tmp_path)
     assert "Failed jumps" not in " ".join(found.section.paragraphs)
-    one = done[PAPER]
+    one = cells[PAPER]
     gained = [*one.rows[:-1], *rows((np.nan, np.nan), status="energy_gained")]
-    told = part.conclude({**done, PAPER: replace(one, rows=gained)}).section.paragraphs[-1]
+    told = part.conclude({**cells, PAPER: replace(one, rows=gained)}).section.paragraphs[-1]
     assert "paper (1 of 32 jumps failed: energy_gained)" in told
-    lost = Done(done[PAPER].cell, FAILED, "no memory", [], "", "", "")
-    assert "no memory" in part.conclude({**done, PAPER: lost}).section.paragraphs[0]
+    lost = done(one.cell, [], FAILED, "no memory")
+    assert "no memory" in part.conclude({**cells, PAPER: lost}).section.paragraphs[0]

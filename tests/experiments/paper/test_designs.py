@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from cells import STANDARD, all_done, check_figures
 
 from experiments.compositions import described
 from experiments.paper.designs import judge
@@ -13,12 +14,7 @@ from experiments.paper.designs.part import Designs
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.composition import with_tier
 from snapjump.parameters.robot import Robot
-from snapjump.studies.base import OK, Cell, Done
-
-
-@pytest.fixture(scope="module")
-def cells() -> list[Cell]:
-    return list(Designs().plan(described(with_tier("standard")), 0))
+from snapjump.studies.base import Cell
 
 
 def row(miss: float | None, case: Any = MANY_ROBOTS[0]) -> dict[str, Any]:
@@ -97,17 +93,15 @@ def test_a_flight_ends_at_the_apex_and_begins_at_lift_off() -> None:
     assert np.gradient(slope, rise[0])[5:-5] == pytest.approx(-second, rel=1e-3)
 
 
-def test_a_cell_at_draft_reaches_what_it_is_to(cells: list[Cell]) -> None:
+def test_a_cell_at_draft_reaches_what_it_is_to() -> None:
+    planned = Designs().plan(STANDARD, 0)[0]
     target = [["A", 0.768, 0.3, 3.5, 16.0]]
     found = {}
     for method in ("gauss_newton", "physics"):
         inputs = {
-            **cells[0].inputs,
-            "groups": described(with_tier("draft")),
-            "method": method,
-            "cases": target,
-            "tiers": ["draft", "standard"],
-        }
+            **planned.inputs, "groups": described(with_tier("draft")), "method": method,
+            "cases": target, "tiers": ["draft", "standard"],
+        }  # fmt: skip
         (found[method],) = Designs().compute(inputs)
     learned, refined = found["gauss_newton"], found["physics"]
     # The forward model is that of standard; physics hits at the tier that it searches at.
@@ -117,17 +111,12 @@ def test_a_cell_at_draft_reaches_what_it_is_to(cells: list[Cell]) -> None:
     assert 0.0 < learned["liftoff_y_bar"] < 2.0 < learned["draft_y_bar"]
 
 
-def test_conclusion_and_figures(cells: list[Cell], tmp_path: Any) -> None:
-    done = {
-        cell.name: Done(
-            cell, OK, "", [row(0.3, case) for case in GROUPS[cell.inputs["group"]]], "run", "", ""
-        )
-        for cell in cells
-    }
-    found = Designs().conclude(done)
+def test_conclusion_and_figures(tmp_path: Any) -> None:
+    def rows_of(cell: Cell) -> Any:
+        return [row(0.3, case) for case in GROUPS[cell.inputs["group"]]]
+
+    found = Designs().conclude(all_done(Designs(), STANDARD, rows_of))
     assert [one.verdict for one in found.statements] == [CONFIRMED]
     assert found.summary["designs_adam_mean_mm"] == pytest.approx(0.3)
     assert len(found.section.tables["designs"].rows) == sum(map(len, GROUPS.values()))
-    for name, figure in found.section.figures.items():
-        figure.draw(tmp_path / f"{name}.png")
-        assert (tmp_path / f"{name}.png").stat().st_size > 10_000
+    check_figures(found, tmp_path)

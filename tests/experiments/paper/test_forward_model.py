@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from cells import STANDARD
 
 from experiments.compositions import described
 from experiments.paper.forward_model import judge
@@ -11,7 +12,6 @@ from experiments.paper.forward_model.compute import DATA_DRIVEN, METHODS, datase
 from experiments.paper.forward_model.figure import draw_forward_model
 from experiments.paper.forward_model.part import ForwardModels, snake_case
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
-from snapjump.composition import with_tier
 from snapjump.simulation import build
 
 
@@ -62,7 +62,7 @@ def test_the_misses_and_the_times_of_designs() -> None:
 
 
 def test_the_plan_has_the_paper_s_size() -> None:
-    cells = ForwardModels().plan(described(with_tier("standard")), 0)
+    cells = ForwardModels().plan(STANDARD, 0)
     assert cells[0].inputs["plan"]["points"] ** 4 == 50_625
     assert cells[1].inputs["surrogate"]["name"] == "mlp"
     assert len(cells) == 2 + 3 * 10 + 2

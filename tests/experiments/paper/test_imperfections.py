@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from cells import STANDARD, all_done, check_figures, done
 
 from experiments.compositions import described
 from experiments.paper.imperfections import judge
@@ -19,7 +20,7 @@ from experiments.paper.settings import BASELINE, NAMES
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.composition import with_tier
 from snapjump.simulation import simulate_jump
-from snapjump.studies.base import OK, Cell, Done, Row
+from snapjump.studies.base import Cell, Row
 
 ERRORS = np.linspace(-0.2, 0.2, 41)
 Power = Callable[[np.ndarray], np.ndarray]
@@ -80,7 +81,7 @@ def test_cells_at_draft() -> None:
     part = Imperfections()
     inputs: dict[str, Any] = {"kind": "curves", "groups": draft, "factors": [0.9, 1.0, 1.1]}
     rows = part.compute(inputs)
-    found = changes_of(Done(Cell("curves", inputs), OK, "", rows, "run", "", ""))
+    found = changes_of(done(Cell("curves", inputs), rows))
     alone = simulate_jump(accuracy="draft")  # the baseline is the default
     assert found.apex == pytest.approx([alone.x_bar, alone.y_bar], rel=1e-12)
     assert found.at(0.0) == pytest.approx(0.0)
@@ -100,34 +101,31 @@ def test_exact_slopes_agree_with_secants_where_steps_are_fine() -> None:
     part, groups = Imperfections(), described(with_tier("reference"))
     inputs: dict[str, Any] = {"kind": "curves", "groups": groups, "factors": [0.98, 1.0, 1.02]}
     rows = part.compute(inputs)
-    curve = changes_of(Done(Cell("curves", inputs), OK, "", rows, "run", "", ""))
+    curve = changes_of(done(Cell("curves", inputs), rows))
     rows = part.compute({"kind": "slopes", "groups": groups})
-    exact = tangents_of(Done(Cell("slopes", {}), OK, "", rows, "run", "", ""))
+    exact = tangents_of(done("slopes", rows))
     assert [row["parameter"] for row in rows] == list(NAMES)
     assert np.abs(exact - curve.secants).max() < 0.1  # of up to 1.3
 
 
 def test_plan_conclusion_and_figures(tmp_path: Any) -> None:
     part = Imperfections()
-    done = {}
-    for cell in part.plan(described(with_tier("standard")), 0):
-        rows: list[Row]
+
+    def rows_of(cell: Cell) -> list[Row]:
         if cell.inputs["kind"] == "curves":
-            rows = [
+            return [
                 {"parameter": name, "factor": f, "x_bar": 5.0 * f, "y_bar": 14.0 / f**0.5}
                 for name in NAMES
                 for f in cell.inputs["factors"]
             ]
-        elif cell.inputs["kind"] == "slopes":
-            rows = [{"parameter": n, "x_elasticity": 1.0, "y_elasticity": -0.5} for n in NAMES]
-        else:
-            rows = others(0.1)
-        done[cell.name] = Done(cell, OK, "", rows, "run", "", "")
+        if cell.inputs["kind"] == "slopes":
+            return [{"parameter": n, "x_elasticity": 1.0, "y_elasticity": -0.5} for n in NAMES]
+        return others(0.1)
+
+    cells = all_done(part, STANDARD, rows_of)
     # Every percent, and the eight of the released program's ten points that lie in between.
-    assert len(done["curves, standard"].cell.inputs["factors"]) == 49
-    found = part.conclude(done)
+    assert len(cells["curves, standard"].cell.inputs["factors"]) == 49
+    found = part.conclude(cells)
     assert [one.verdict for one in found.statements] == [CONFIRMED]
     assert found.summary["elasticity_epsilon_x_trend"] == pytest.approx(1.0)
-    for name, figure in found.section.figures.items():
-        figure.draw(tmp_path / f"{name}.png")
-        assert (tmp_path / f"{name}.png").stat().st_size > 10_000
+    check_figures(found, tmp_path)

@@ -6,9 +6,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from small_datasets import CONFIG
+from cells import COARSE, all_done, check_figures
 
-from experiments.compositions import described
 from experiments.paper.influences import judge as rules
 from experiments.paper.influences import part as module
 from experiments.paper.influences.compute import MOUNT_HEIGHT, SWEEPS, rows_of
@@ -28,9 +27,7 @@ from experiments.paper.settings import BASELINE
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.trends import plateau
 from snapjump.simulation import build
-from snapjump.studies.base import OK, Done
 
-COARSE = described(build(CONFIG))
 H1, H2 = 0.07, 0.27
 HEIGHTS = np.linspace(0.01, 0.35, 137)
 
@@ -149,17 +146,14 @@ def test_report(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr(module, "groups_at", lambda groups, tier: coarse)
     monkeypatch.setattr(module, "SHORT_CHANGES", {"stepping": {"tolerance": 3e-6}})
     part = Influences()
-    cells = part.plan(COARSE, 0)
-    done = {c.name: Done(c, OK, "", part.compute(c.inputs), "", "", "") for c in cells}
-    found = part.conclude(done)
+    cells = all_done(part, COARSE)
+    found = part.conclude(cells)
     assert len(found.statements) == 9
     assert "h1 = 0.0" in found.statements[0].found
-    swept = done["epsilon, standard"]
+    swept = cells["epsilon, standard"]
     broken = {**swept.rows[3], "status": "step_underflow", "x_bar": None, "y_bar": None}
     lost = replace(swept, rows=[*swept.rows[:3], broken, *swept.rows[4:]])
-    none = part.conclude({**done, "epsilon, standard": lost})
+    none = part.conclude({**cells, "epsilon, standard": lost})
     assert not none.statements
     assert "epsilon, standard (1 of 17 jumps failed: step_underflow)" in none.section.paragraphs[0]
-    for name, figure in found.section.figures.items():
-        figure.draw(tmp_path / f"{name}.png")
-        assert (tmp_path / f"{name}.png").stat().st_size > 10_000
+    check_figures(found, tmp_path)

@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from cells import STANDARD, all_done, check_figures, done
 
 from experiments.compositions import described
 from experiments.paper.learned import shipped_forward, shipped_inputs
@@ -14,7 +15,7 @@ from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
 from snapjump.inverse.base import Problem
-from snapjump.studies.base import FAILED, OK, Cell, Done
+from snapjump.studies.base import Cell
 from snapjump.targets.region import AchievableRegion
 
 LEVELS = {"low": 4.0, "middle": 6.0, "high": 8.0}
@@ -29,13 +30,9 @@ def rectangle(
     return Region(mass_bar, mu, apexes, apexes, outline_of(apexes), outline_of(apexes))
 
 
-def finished(cell: Cell, rows: Any) -> Done:
-    return Done(cell, OK, "", rows, "run", "", "")
-
-
 @pytest.fixture(scope="module")
 def cells() -> list[Cell]:
-    return list(Regions().plan(described(with_tier("standard")), 0))
+    return list(Regions().plan(STANDARD, 0))
 
 
 def test_the_area_of_a_rectangle() -> None:
@@ -58,7 +55,7 @@ def test_a_cell_at_draft_is_the_region_that_inverse_design_knows(cells: list[Cel
     inputs = {**cells[0].inputs, "groups": draft, "points": 3}
     rows = Regions().compute(inputs)
     assert len(rows) == 9
-    region = region_of(finished(Cell("one", inputs), rows))
+    region = region_of(done(Cell("one", inputs), rows))
     # The forward model's apexes are within a percent or two of a coarse simulation's.
     assert np.abs(region.apexes / region.predicted - 1.0).max() < 0.1
     forward = shipped_forward()
@@ -118,30 +115,20 @@ def test_friction_widens_regions_or_not() -> None:
     assert verdict((9.0, 5.0, 4.0), same) == NOT_CONFIRMED  # narrower
 
 
-def test_a_cell_that_failed_leaves_no_verdict(cells: list[Cell]) -> None:
-    done = {cells[0].name: Done(cells[0], FAILED, "ValueError: no", [], "run", "", "")}
-    found = Regions().conclude(done)
-    assert not found.statements
-    assert "ValueError: no" in found.section.paragraphs[0]
-
-
-def test_conclusion_and_figures_of_made_up_regions(cells: list[Cell], tmp_path: Any) -> None:
-    done = {}
-    for cell in cells:
+def test_conclusion_and_figures_of_made_up_regions(tmp_path: Any) -> None:
+    def rows_of(cell: Cell) -> Any:
         m, mu, points = (cell.inputs[key] for key in ("mass_bar", "mu", "points"))
         off = 0.98 if cell.inputs["tier"] == "reference" else 1.0
         region = np.meshgrid(
             np.linspace(0.1 / m, 8.0 * mu**0.2 / m, points), np.linspace(5.0 / m, 20.0 / m, points)
         )
-        rows = [
+        return [
             {"x_bar": off * x, "y_bar": y, "predicted_x_bar": x, "predicted_y_bar": y}
             for x, y in zip(*(axis.T.ravel().tolist() for axis in region), strict=True)
         ]
-        done[cell.name] = finished(cell, rows)
-    found = Regions().conclude(done)
+
+    found = Regions().conclude(all_done(Regions(), STANDARD, rows_of))
     assert found.statements[0].verdict == CONFIRMED
     assert "95 % of x within 2 %, of y within 0 %" in found.statements[0].accuracy
     assert found.summary["region_area_mass_exponent"] == pytest.approx(-2.0)
-    for name, figure in found.section.figures.items():
-        figure.draw(tmp_path / f"{name}.png")
-        assert (tmp_path / f"{name}.png").stat().st_size > 10_000
+    check_figures(found, tmp_path)

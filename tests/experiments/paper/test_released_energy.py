@@ -6,18 +6,17 @@ from typing import Any
 
 import numpy as np
 import pytest
+from cells import STANDARD, all_done, check_figures
 
-from experiments.compositions import changed, described
+from experiments.compositions import changed
 from experiments.paper import exact
 from experiments.paper.released_energy import judge
 from experiments.paper.released_energy.compute import PAPER, arches, snap_rows
 from experiments.paper.released_energy.part import ReleasedEnergy
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
-from snapjump.composition import with_tier
 from snapjump.scenes.jump_start import fitted_mount_height_bar
-from snapjump.studies.base import Cell, Done
+from snapjump.studies.base import Cell
 
-STANDARD = described(with_tier("standard"))
 COARSE = changed(STANDARD, {"discretization": {"elements": 40}})
 EPSILONS = tuple(round(0.01 * k, 2) for k in range(1, 31))
 Rows = list[dict[str, Any]]
@@ -109,17 +108,12 @@ def test_the_plan_and_the_conclusion_with_its_figures(tmp_path: Path) -> None:
     assert json.dumps([dict(cell.inputs) for cell in planned])
     groups = arches(STANDARD)[PAPER][0]
     assert groups["discretization"] == {"name": "der", "elements": 66, "clamp": "two_nodes"}
-    done = {
-        cell.name: Done(
-            Cell(cell.name, cell.inputs), "ok", "",
-            [arch(e, d) for d in cell.inputs["delta_alphas_rad"] for e in cell.inputs["epsilons"]],
-            "", "", "",
-        )
-        for cell in planned
-    }  # fmt: skip
-    found = part.conclude(done)
+
+    def rows_of(cell: Cell) -> Rows:
+        lags, epsilons = cell.inputs["delta_alphas_rad"], cell.inputs["epsilons"]
+        return [arch(e, d) for d in lags for e in epsilons]
+
+    found = part.conclude(all_done(part, STANDARD, rows_of))
     assert len(found.statements) == 2 and np.isfinite(list(found.summary.values())).all()
     assert len(found.section.tables["released_heights_errors"].rows) == 5
-    for name, figure in found.section.figures.items():
-        figure.draw(tmp_path / f"{name}.png")
-        assert (tmp_path / f"{name}.png").stat().st_size > 20_000
+    check_figures(found, tmp_path, 20_000)

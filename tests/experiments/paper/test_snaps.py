@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from cells import STANDARD
 
-from experiments.compositions import described
 from experiments.paper.settings import SETTINGS, snap_groups, snap_of
 from experiments.paper.snaps.compute import imperfection_rows, motion_rows
 from experiments.paper.snaps.figure import STYLES, draw_imperfections, draw_snaps
@@ -22,18 +22,14 @@ from experiments.paper.snaps.judge import (
 )
 from experiments.paper.snaps.part import TINY, Snaps
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
-from snapjump.composition import with_tier
 from snapjump.scenes.swing import follow, outcome
 from snapjump.simulation import simulate
-from snapjump.studies.base import FAILED, Done
-
-BASE = described(with_tier("standard"))
 
 
 @pytest.fixture(scope="module")
 def undamped() -> list[dict[str, Any]]:
     """The two snaps of the figure without damping."""
-    inputs = {"groups": snap_groups(BASE, "undamped"), "epsilon": 0.1, "rate_rad_s": 20.0}
+    inputs = {"groups": snap_groups(STANDARD, "undamped"), "epsilon": 0.1, "rate_rad_s": 20.0}
     return motion_rows({**inputs, "delta_alpha_rad": [0.0, 0.1]})
 
 
@@ -54,7 +50,7 @@ def test_agreement_sees_a_difference() -> None:
 
 
 def test_a_swing_is_the_snap_of_the_library() -> None:
-    simulation = snap_of(snap_groups(BASE, "standard"), 0.2, 0.1)
+    simulation = snap_of(snap_groups(STANDARD, "standard"), 0.2, 0.1)
     own, library = outcome(follow(simulation)), simulate(simulation)
     assert own["alpha_snap_rad"] == pytest.approx(library.alpha_snap_rad, abs=1e-4)
     assert own["midpoint_velocity_m_s"] == pytest.approx(library.midpoint_velocity_m_s, rel=1e-2)
@@ -63,14 +59,14 @@ def test_a_swing_is_the_snap_of_the_library() -> None:
 
 
 def test_a_beam_that_does_not_snap_has_no_numbers() -> None:
-    groups = snap_groups(BASE, "standard")
+    groups = snap_groups(STANDARD, "standard")
     groups["robot"] = {**groups["robot"], "rotation_end_rad": 0.3}
     row = outcome(follow(snap_of(groups, 0.1, 0.1)))
     assert row["status"] == "ok" and row["theta_max_rad"] is None
 
 
 def test_a_tiny_mismatch_is_amplified_in_proportion() -> None:
-    inputs = {"groups": snap_groups(BASE, "standard"), "epsilon": 0.1, "rate_rad_s": 20.0}
+    inputs = {"groups": snap_groups(STANDARD, "standard"), "epsilon": 0.1, "rate_rad_s": 20.0}
     rows = imperfection_rows({**inputs, "imperfections_rad": [1e-6, 1e-5]})
     tilts = [row["theta_max_rad"] for row in rows]
     assert tilts[1] == pytest.approx(10.0 * tilts[0], rel=1e-2)
@@ -107,15 +103,8 @@ def test_the_statement_tells_the_limit(undamped: list[dict[str, Any]]) -> None:
     assert "0.2 rad/s (0.59 rad from rounding)" in told.found and "2.9e-05 rad at 20" in told.found
 
 
-def test_a_cell_that_failed_leaves_no_verdict() -> None:
-    cell = Snaps().plan(BASE, 0)[0]
-    found = Snaps().conclude({cell.name: Done(cell, FAILED, "it broke", [], "", "", "")})
-    assert not found.statements
-    assert f"{cell.name} ({FAILED}: it broke)" in found.section.paragraphs[0]
-
-
 def test_the_plan() -> None:
-    cells = Snaps().plan(BASE, 0)
+    cells = Snaps().plan(STANDARD, 0)
     assert len(cells) == len(SETTINGS) + len(TINY)
     assert cells[1].inputs["groups"]["discretization"]["elements"] == 99
     assert cells[2].inputs["groups"]["damping"] == {"name": "none"}

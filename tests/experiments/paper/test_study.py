@@ -5,31 +5,20 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from cells import GIVEN, STANDARD, done, run_study
 
-from experiments.compositions import described
 from experiments.paper import study as module
 from experiments.paper.base import Found, Part
 from experiments.paper.parts import PARTS
 from experiments.paper.statement import CONFIRMED, Statement
 from experiments.paper.study import Paper, source_digest
 from snapjump.checks import ParameterError
-from snapjump.composition import with_tier
 from snapjump.files.result_folder import ResultFolder
-from snapjump.studies.base import Cell, Done, Section
-
-SIMULATION = with_tier("standard")
+from snapjump.studies.base import FAILED, Cell, Done, Section
 
 
 def configured(figure: Any) -> dict[str, Any]:
-    return {
-        **described(SIMULATION),
-        "task": {"name": "paper"},
-        "figure": figure,
-        "effort": "quick",
-        "figures": False,
-        "publish": None,
-        "seed": 0,
-    }
+    return {**STANDARD, **GIVEN, "task": {"name": "paper"}, "figure": figure, "figures": False}
 
 
 class Letters(Part):
@@ -66,11 +55,7 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def run(figure: str, name: str) -> tuple[Any, ResultFolder]:
-    folder = ResultFolder(Path(name))
-    folder.path.mkdir()
-    study = Paper()
-    study.prepare(configured(figure))
-    return study.run(folder, lambda done, text: None), folder
+    return run_study(Paper(), configured(figure), Path(name))
 
 
 def test_one_part_and_then_all_of_them() -> None:
@@ -88,6 +73,7 @@ def test_one_part_and_then_all_of_them() -> None:
 
 
 def test_the_parts_there_are() -> None:
+    Paper().prepare({**configured("all"), "backend": {"name": "lanes"}})  # which is free
     with pytest.raises(ParameterError, match="figure = 'trees' .* one of all, letters, others"):
         Paper().prepare(configured("trees"))
     with pytest.raises(ParameterError, match="figure = 'letters' .* all with publish=docs"):
@@ -108,10 +94,6 @@ def test_settings_that_the_figures_have_of_their_own(changes: Any, told: str) ->
         Paper().prepare({**configured("all"), **changes})
 
 
-def test_the_backend_is_free() -> None:
-    Paper().prepare({**configured("all"), "backend": {"name": "lanes"}})
-
-
 def test_no_block_for_the_readme_if_a_cell_failed(monkeypatch: pytest.MonkeyPatch) -> None:
     def compute(part: Part, inputs: Mapping[str, Any]) -> Any:
         raise ZeroDivisionError(inputs["letter"])
@@ -125,9 +107,13 @@ def test_no_block_for_the_readme_if_a_cell_failed(monkeypatch: pytest.MonkeyPatc
 def test_every_part_is_whole(name: str) -> None:
     part = PARTS[name]()
     assert part.name == name
-    cells = part.plan(described(SIMULATION), 0)
+    cells = part.plan(STANDARD, 0)
     assert cells and len({cell.name for cell in cells}) == len(cells)
     drawn = {f"experiments.paper.{name}.{module}" for module in ("figure", "judge", "part")}
     assert not drawn & set(part.sources), "drawing and judging must not do cells again"
     assert f"experiments.paper.{name}.compute" in part.sources
     assert len(source_digest(part)) == 16
+    broken = done(cells[0], [], FAILED, "it broke")
+    found = part.conclude({cells[0].name: broken})
+    assert not found.statements
+    assert f"{cells[0].name} ({FAILED}: it broke)" in found.section.paragraphs[0]

@@ -6,9 +6,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from small_datasets import CONFIG
+from cells import COARSE, all_done, check_figures, done
 
-from experiments.compositions import described
 from experiments.paper.jumps import numbers
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.trajectories import part as module
@@ -16,24 +15,18 @@ from experiments.paper.trajectories.compute import rows_of, varied
 from experiments.paper.trajectories.figure import flight
 from experiments.paper.trajectories.judge import limit, slant, tuned
 from experiments.paper.trajectories.part import Trajectories
-from snapjump.simulation import build
-from snapjump.studies.base import FAILED, OK, Cell, Done
-
-COARSE = described(build(CONFIG))
+from snapjump.studies.base import FAILED
 
 
 def sweep(ratios: list[float], lean: float) -> list[dict[str, Any]]:
     """Rows of a sweep whose jumps are all ten high."""
     return [
         {
-            "delta_alpha_rad": 0.01 * k,
-            "x_bar": 10.0 * ratio,
-            "y_bar": 10.0,
-            "liftoff_vx_m_s": np.tan(np.radians(lean)),
-            "liftoff_vy_m_s": 1.0,
+            "delta_alpha_rad": 0.01 * k, "x_bar": 10.0 * ratio, "y_bar": 10.0,
+            "liftoff_vx_m_s": np.tan(np.radians(lean)), "liftoff_vy_m_s": 1.0,
         }
         for k, ratio in enumerate(ratios)
-    ]
+    ]  # fmt: skip
 
 
 def test_verdicts() -> None:
@@ -69,19 +62,16 @@ def test_report(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     few = varied("delta_alpha_rad", [0.0, 0.05, 0.1])
     monkeypatch.setattr(module, "mismatches", lambda stride=1: few)
     part = Trajectories()
-    cells = part.plan(COARSE, 0)
-    done = {c.name: Done(c, OK, "", part.compute(c.inputs), "", "", "") for c in cells}
-    found = part.conclude(done)
+    cells = all_done(part, COARSE)
+    found = part.conclude(cells)
     assert len(found.statements) == 1 and found.summary["trajectories_lean_most_deg"] > 5.0
-    for name, figure in found.section.figures.items():
-        figure.draw(tmp_path / f"{name}.png")
-        assert (tmp_path / f"{name}.png").stat().st_size > 10_000
-    few_rows = [{**done["ranges"].rows[0], "status": "not_finite", "liftoff_vx_m_s": None}]
-    spread = replace(done["ranges"], rows=[*done["ranges"].rows, *few_rows])
-    assert "1 failed)" in part.conclude({**done, "ranges": spread}).statements[0].found
-    swept = done["mismatches, standard"]
+    check_figures(found, tmp_path)
+    few_rows = [{**cells["ranges"].rows[0], "status": "not_finite", "liftoff_vx_m_s": None}]
+    spread = replace(cells["ranges"], rows=[*cells["ranges"].rows, *few_rows])
+    assert "1 failed)" in part.conclude({**cells, "ranges": spread}).statements[0].found
+    swept = cells["mismatches, standard"]
     broken = replace(swept, rows=[*swept.rows[:-1], *few_rows])
-    none = part.conclude({**done, "mismatches, standard": broken})
+    none = part.conclude({**cells, "mismatches, standard": broken})
     assert not none.statements and "not_finite" in none.section.paragraphs[0]
-    lost = {**done, "ranges": Done(Cell("ranges", {}), FAILED, "no memory", [], "", "", "")}
+    lost = {**cells, "ranges": done("ranges", [], FAILED, "no memory")}
     assert "no memory" in part.conclude(lost).section.paragraphs[0]

@@ -1,0 +1,368 @@
+"""Chains of elements against strains written down independently and differentiated exactly.
+
+Discrete elastic rods by their turning angles; elements whose nodes turn by Crisfield's rotations of
+the ends against the chord, and by Simo and Reissner's strains at the middle.
+"""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from bare_models import bare_model
+from plain_python import assembled, complex_step, dense, residual_of
+
+from snapjump.clamp.constant_rate import ConstantRate
+from snapjump.damping.kelvin_voigt import KelvinVoigt
+from snapjump.damping.mass_proportional import MassProportional
+from snapjump.damping.none import NoDamping
+from snapjump.discretization.base import EndTangents
+from snapjump.discretization.corotational import Corotational
+from snapjump.discretization.der import DiscreteElasticRod
+from snapjump.discretization.geometrically_exact import GeometricallyExact
+from snapjump.discretization.parts.beam_elements import Span
+from snapjump.engine.assemble import Motion
+from snapjump.engine.model import Model
+from snapjump.frame.fixed import FixedFrame
+from snapjump.frame.parts.cantilever import CantileverFrame
+from snapjump.load.tip import TipLoad
+from snapjump.parameters.robot import Robot
+
+ELEMENTS = 9
+LENGTH = 1.0 / ELEMENTS
+CLAMP = ConstantRate(0.3, 1.5, 0.7, 0.1)
+STILL = Motion(0.0, 0.0, 0.0, 0.0)
+MOVING = Motion(0.4, 30.0, 30.0, 0.0)
+RELAXATION = 2e-3
+ELASTIC, VISCOUS = NoDamping.Law(), KelvinVoigt.Law(RELAXATION)
+
+
+class Rod:
+    """A discrete elastic rod, turned at its ends by the clamps' directions."""
+
+    dofs, close, closest = 2, 1e-8, 1e-8
+
+    def __init__(self, clamp: str):
+        self.beam = DiscreteElasticRod(ELEMENTS, clamp).beam(Robot())
+
+    def bent(self, seed: int) -> Any:
+        """A random arch, 0.1 % stretched, with kinks."""
+        nodes = ELEMENTS + 1 if self.beam.clamp_offset == 0.0 else ELEMENTS - 1
+        return np.ravel(kinked(np.random.default_rng(seed), nodes, 0.2))
+
+    def strains(self, q: Any, left: Any, right: Any, held: float = 1.0) -> Any:
+        """Strains whose squares sum up to twice the energy, by complex-safe geometry."""
+        rod = self.beam
+        ex, ey = np.diff(q[0::2]), np.diff(q[1::2])
+        lengths = np.sqrt(ex * ex + ey * ey)
+        cx = np.concatenate([[np.cos(left)], ex / lengths, [np.cos(right)]])
+        cy = np.concatenate([[np.sin(left)], ey / lengths, [np.sin(right)]])
+        sine = cx[:-1] * cy[1:] - cy[:-1] * cx[1:]
+        cosine = cx[:-1] * cx[1:] + cy[:-1] * cy[1:]
+        bending = 2.0 * sine / (1.0 + cosine)
+        hinges = np.full(len(bending), rod.element_length)
+        hinges[[0, -1]] = rod.clamp_hinge_length
+        bending = bending / np.sqrt(hinges)
+        bending[-1] = held * bending[-1]
+        stretch = np.sqrt(rod.stretching_stiffness / rod.element_length)
+        return np.concatenate([stretch * (lengths - rod.element_length), bending])
+
+    def moments(self, gradient: Any) -> Any:
+        """The clamps' directions are where the left hinge begins and where the right one ends."""
+        return [-gradient[-2], gradient[-1]]
+
+    def tip_turn(self, q: Any) -> Any:
+        return np.arctan((q[-1] - q[-3]) / (q[-2] - q[-4]))
+
+
+class Turning:
+    """Elements whose nodes turn: the third coordinate is the rotation times the length."""
+
+    dofs, close, closest = 3, 1e-9, 1e-10
+
+    def __init__(self, beam: Any):
+        self.beam = beam
+
+    def bent(self, seed: int) -> Any:
+        """A random arch, 0.1 % stretched, with kinks."""
+        rng = np.random.default_rng(seed)
+        places = kinked(rng, ELEMENTS + 1, 0.1)
+        turns = np.linspace(1.0, -1.0, ELEMENTS + 1) + rng.uniform(-0.1, 0.1, ELEMENTS + 1)
+        return np.ravel(np.column_stack([places, LENGTH * turns]))
+
+    def strains(self, q: Any, left: Any, right: Any, held: float = 1.0) -> Any:
+        """Strains whose squares sum up to twice the energy."""
+        beam = self.beam
+        ex, ey = np.diff(q[0::3]), np.diff(q[1::3])
+        theta = q[2::3] / LENGTH
+        stretch = np.sqrt(beam.stretching_stiffness / LENGTH)
+        if isinstance(beam, Corotational.Beam):
+            chord = np.arctan(ey / ex)
+            ends = np.array([theta[:-1] - chord, theta[1:] - chord])
+            root = np.linalg.cholesky(np.array([[4.0, 2.0], [2.0, 4.0]]) / LENGTH)
+            lengths = np.sqrt(ex * ex + ey * ey)
+            return np.concatenate([stretch * (lengths - LENGTH), *(root.T @ ends)])
+        middle = 0.5 * (theta[:-1] + theta[1:])
+        c, s = np.cos(middle), np.sin(middle)
+        shearing = np.sqrt(beam.shear_stiffness / LENGTH) * (c * ey - s * ex)
+        bending = np.diff(theta) / np.sqrt(LENGTH)
+        return np.concatenate([stretch * (c * ex + s * ey - LENGTH), shearing, bending])
+
+    def moments(self, gradient: Any) -> Any:
+        """The left clamp's counts against its direction, as of a hinge that begins there."""
+        return [-LENGTH * gradient[2], LENGTH * gradient[-3]]
+
+    def tip_turn(self, q: Any) -> Any:
+        return q[-1] / LENGTH
+
+
+def kinked(rng: Any, nodes: int, kink: float) -> Any:
+    """Places (nodes, 2) of an arch."""
+    turns = np.linspace(0.9, -0.9, nodes - 1) + rng.uniform(-kink, kink, nodes - 1)
+    lengths = LENGTH * (1.0 + rng.uniform(-1e-3, 1e-3, nodes - 1))
+    steps = np.column_stack([lengths * np.cos(turns), lengths * np.sin(turns)])
+    return np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
+
+
+RODS = {clamp: Rod(clamp) for clamp in ("half_element", "two_nodes")}
+TURNING = {
+    "corotational": Turning(Corotational.Beam(LENGTH, 2e5)),
+    "geometrically_exact": Turning(GeometricallyExact.Beam(LENGTH, 2e5, 6e4)),
+}
+CHAINS = RODS | TURNING
+chains = pytest.mark.parametrize("chain", CHAINS.values(), ids=CHAINS)
+rods = pytest.mark.parametrize("chain", RODS.values(), ids=RODS)
+turning = pytest.mark.parametrize("chain", TURNING.values(), ids=TURNING)
+seeds = pytest.mark.parametrize("seed", range(3))
+
+
+def model_of(chain: Any, damping: Any = ELASTIC, **others: Any) -> Model:
+    frame = others.pop("frame", FixedFrame.Body(0.4, 0.0))
+    return bare_model(chain.beam, frame, clamp=CLAMP, damping=damping, **others)
+
+
+def masses_of(chain: Any, q: Any, each: float = 0.0) -> Any:
+    return np.full(len(q) // chain.dofs, each)
+
+
+def free(chain: Any) -> slice:
+    return slice(chain.dofs, -chain.dofs)
+
+
+def directions(time: float = 0.0) -> tuple[float, float]:
+    """Of the clamps."""
+    turned = CLAMP.start + CLAMP.rate * time
+    return -turned, turned - CLAMP.delta_alpha
+
+
+def tangents_of(left: float, right: float, left_rate: float, right_rate: float) -> EndTangents:
+    return EndTangents(
+        np.cos(left), np.sin(left), left_rate, np.cos(right), np.sin(right), right_rate, 0.0, 0.0
+    )
+
+
+def energy_gradient(chain: Any, q: Any, time: float = 0.0) -> Any:
+    """By the strains, in the nodes' coordinates and the two directions of the clamps."""
+
+    def energy(z: Any) -> Any:
+        return 0.5 * np.sum(chain.strains(z[:-2], z[-2], z[-1]) ** 2)
+
+    return complex_step(energy, np.concatenate([q, directions(time)]))
+
+
+def moved_back(q: Any, seed: int) -> Any:
+    """Where a chain was that is on its way to q."""
+    return q + np.random.default_rng(seed).normal(0.0, 1e-4, len(q))
+
+
+@rods
+def test_energy_is_that_of_turning_angles_and_lengths(chain):
+    rod, q = chain.beam, chain.bent(0)
+    left, right = directions()
+    ex, ey = np.diff(q[0::2]), np.diff(q[1::2])
+    hinges = np.full(len(ex) + 1, rod.element_length)
+    hinges[[0, -1]] = rod.clamp_hinge_length
+    turns = np.diff(np.concatenate([[left], np.arctan2(ey, ex), [right]]))
+    curvature = 2.0 * np.tan(0.5 * turns) / hinges
+    xi = np.hypot(ex, ey) / rod.element_length - 1.0
+    expected = 0.5 * np.sum(curvature**2 * hinges)
+    expected += 0.5 * rod.stretching_stiffness * np.sum(xi**2) * rod.element_length
+    energy = rod.internal_energy(q, tangents_of(left, right, 0.0, 0.0))
+    assert energy == pytest.approx(expected, rel=1e-12)
+
+
+@turning
+@pytest.mark.parametrize("turn", [0.3, -3.1, 20.0])
+def test_element_value_gradient_and_hessian(chain, turn):
+    beam = chain.beam
+    z = np.array([0.99 * LENGTH * np.cos(turn + 0.2), LENGTH * np.sin(turn + 0.2), turn])
+
+    def element(z):
+        return beam.strain_element(ELASTIC, Span(*z, 0.0, 0.0, 0.0, 0.0))
+
+    own = element(z)
+    hessian = [[own.xx, own.xy, own.xt], [own.xy, own.yy, own.yt], [own.xt, own.yt, own.tt]]
+    for found, function in (
+        (own[:3], lambda z: beam.straining_energy(*z)),
+        (hessian, lambda z: np.array(element(z)[:3])),
+    ):
+        expected = complex_step(function, z)
+        np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-13 * np.abs(expected).max())
+
+
+@chains
+@seeds
+def test_residual_is_the_gradient_of_the_energy(chain, seed):
+    q, (left, right) = chain.bent(seed), directions()
+    tangents = tangents_of(left, right, 0.0, 0.0)
+    by_hand = 0.5 * np.sum(chain.strains(q, left, right) ** 2)
+    assert chain.beam.internal_energy(q, tangents) == pytest.approx(by_hand, rel=1e-12)
+    gradient = energy_gradient(chain, q)[:-2]
+    own = complex_step(lambda y: chain.beam.internal_energy(y, tangents), q)
+    scale = np.abs(gradient).max()
+    assert np.abs(own - gradient).max() <= 1e-10 * scale
+    _, work = assembled(model_of(chain), STILL, masses_of(chain, q), q)
+    error = (residual_of(work, 0) - gradient)[free(chain)]
+    assert np.abs(error).max() <= chain.close * scale
+
+
+@chains
+@seeds
+@pytest.mark.parametrize("damping", [ELASTIC, VISCOUS, MassProportional.Law(3.0)])
+def test_band_is_the_derivative_of_the_residual(chain, seed, damping):
+    """Up to a term that damping would make unsymmetric: eta J^T dJ/dt, left out of the band."""
+    q = chain.bent(seed)
+    origin, dofs, inner = moved_back(q, seed), chain.dofs, free(chain)
+    model, masses = model_of(chain, damping), masses_of(chain, q, LENGTH)
+
+    def residual(y):
+        return residual_of(assembled(model, MOVING, masses, y, origin=origin)[1], 0)
+
+    def jacobian(time):
+        left, right = directions(MOVING.time + time)
+        position = q + time * (q - origin) * MOVING.rate_factor
+        return complex_step(lambda y: chain.strains(y, left, right), position)
+
+    _, work = assembled(model, MOVING, masses, q, origin=origin)
+    matrix, expected = dense(work, 0), complex_step(residual, q)
+    if damping is VISCOUS:
+        change = (jacobian(1e-5) - jacobian(-1e-5)) / 2e-5
+        expected = expected - RELAXATION * jacobian(0.0).T @ change
+    error = np.abs(matrix[inner, inner] - expected[inner, inner]).max()
+    assert error <= 1e-8 * np.abs(expected).max()
+    # Slave nodes are left as identities without a load.
+    assert np.array_equal(matrix[:dofs, :], np.eye(dofs, len(q)))
+    assert np.array_equal(matrix[-dofs:, :], np.eye(len(q))[-dofs:])
+    assert not residual_of(work, 0)[[*range(dofs), *range(-dofs, 0)]].any()
+
+
+@chains
+@seeds
+def test_kelvin_voigt_is_the_gradient_of_its_dissipation(chain, seed):
+    """Viscous forces are eta J^T s' with the strains' Jacobian J and rates s'."""
+    q = chain.bent(seed)
+    origin, masses, inner = moved_back(q, seed), masses_of(chain, q), free(chain)
+    velocity = (q - origin) * MOVING.rate_factor
+    left, right = directions(MOVING.time)
+    everything = np.concatenate([q, [left, right]])
+    jacobian = complex_step(lambda z: chain.strains(z[:-2], z[-2], z[-1]), everything)
+    rates = jacobian @ np.concatenate([velocity, [-CLAMP.rate, CLAMP.rate]])
+    expected = RELAXATION * jacobian[:, :-2].T @ rates
+    damped, elastic = (
+        residual_of(assembled(model_of(chain, d), MOVING, masses, q, origin=origin)[1], 0)
+        for d in (VISCOUS, ELASTIC)
+    )
+    error = np.abs((damped - elastic)[inner] - expected[inner]).max()
+    assert error <= 1e-8 * np.abs(expected).max()
+    tangents = tangents_of(left, right, -CLAMP.rate, CLAMP.rate)
+    powers = chain.beam.chain_powers(VISCOUS, q, velocity, tangents)
+    assert powers.dissipation == pytest.approx(RELAXATION * rates @ rates, rel=1e-9)
+    assert powers.dissipation > 0.0
+    assert chain.beam.chain_powers(ELASTIC, q, velocity, tangents).dissipation == 0.0
+
+
+@chains
+def test_end_forces_and_moments_are_those_of_the_energy(chain):
+    q = chain.bent(4)
+    gradient = energy_gradient(chain, q)
+    at_nodes = gradient[:-2]
+    last = len(q) - chain.dofs
+    expected = [*chain.moments(gradient), *at_nodes[:2], *at_nodes[last : last + 2]]
+    tangents = tangents_of(*directions(), 0.0, 0.0)
+    actual = chain.beam.chain_powers(ELASTIC, q, 0.0 * q, tangents)[1:]
+    near = chain.closest * np.abs(gradient).max()
+    np.testing.assert_allclose(actual, expected, rtol=0.0, atol=near)
+
+
+@rods
+def test_rigid_motion_costs_nothing(chain):
+    rod, q, turn = chain.beam, chain.bent(1), 3.0
+    velocity = np.empty_like(q)
+    velocity[0::2] = 5.0 - turn * q[1::2]
+    velocity[1::2] = -2.0 + turn * q[0::2]
+    along = tangents_of(-0.3, 0.2, turn, turn)
+    still = rod.chain_powers(ELASTIC, q, velocity, along)
+    moving = rod.chain_powers(KelvinVoigt.Law(1.0), q, velocity, along)
+    assert abs(moving.dissipation) < 1e-10
+    np.testing.assert_allclose(moving[1:], still[1:], rtol=1e-7)
+    # One clamp that does not turn along is enough to dissipate.
+    held = rod.chain_powers(KelvinVoigt.Law(1.0), q, velocity, tangents_of(-0.3, 0.2, 0.0, turn))
+    assert held.dissipation > 1.0
+
+
+@turning
+@pytest.mark.parametrize("turn", [0.7, 3.0, -7.0, 40.0])
+def test_rigid_turns_change_nothing(chain, turn):
+    beam, q = chain.beam, chain.bent(1)
+    x, y = q[0::3], q[1::3]
+    c, s = np.cos(turn), np.sin(turn)
+    places = [c * x - s * y + 5.0, s * x + c * y, q[2::3] + LENGTH * turn]
+    turned = np.ravel(np.column_stack(places))
+    energy = beam.internal_energy(q, None)
+    assert beam.internal_energy(turned, None) == pytest.approx(energy, rel=1e-11)
+    spinning = np.ravel(np.column_stack([-3.0 * y, 3.0 * x, np.full_like(x, 3.0 * LENGTH)]))
+    assert abs(beam.chain_powers(KelvinVoigt.Law(1.0), q, spinning, None).dissipation) < 1e-9
+
+
+@pytest.mark.parametrize("name", ["half_element", *TURNING])
+@seeds
+def test_free_end_feels_its_force_and_moment_only(name, seed):
+    chain = CHAINS[name]
+    q, (left, _), dofs = chain.bent(seed), directions(), chain.dofs
+    load = TipLoad(3.0, -4.0, 2.5)
+    model = model_of(chain, frame=CantileverFrame(), load=load)
+    masses = masses_of(chain, q)
+
+    def potential(y):
+        work = load.force_x * y[-dofs] + load.force_y * y[1 - dofs]
+        work = work + load.moment * chain.tip_turn(y)
+        return 0.5 * np.sum(chain.strains(y, left, 0.0, held=0.0) ** 2) - work
+
+    def residual(y):
+        return residual_of(assembled(model, STILL, masses, y)[1], 0)
+
+    gradient = complex_step(potential, q)
+    error = np.abs(residual(q) - gradient)[dofs:].max()
+    assert error <= chain.close * np.abs(gradient).max()
+    expected = complex_step(residual, q)
+    error = np.abs(dense(assembled(model, STILL, masses, q)[1], 0) - expected)[dofs:, dofs:].max()
+    assert error <= 1e-8 * np.abs(expected).max()
+
+
+@turning
+def test_lumped_inertia_is_that_of_rigid_half_elements(chain):
+    """2 (l/2)^3 / 3 about a node, in theta."""
+    q = chain.bent(0)
+    heavy, light = (
+        dense(assembled(model_of(chain), MOVING, masses_of(chain, q, each), q)[1], 0)
+        for each in (LENGTH, 0.0)
+    )
+    inertia = np.diag(heavy - light)[free(chain)] / MOVING.rate_factor**2
+    expected = np.tile([LENGTH, LENGTH, LENGTH**3 / 12.0 / LENGTH**2], ELEMENTS - 1)
+    np.testing.assert_allclose(inertia, expected, rtol=1e-6)
+
+
+def test_two_fixed_nodes_leave_out_the_clamped_elements():
+    half, two = (RODS[clamp].beam for clamp in ("half_element", "two_nodes"))
+    assert half.element_length == two.element_length == LENGTH
+    assert (half.clamp_offset, half.clamp_hinge_length) == (0.0, 0.5 * LENGTH)
+    assert (two.clamp_offset, two.clamp_hinge_length) == (LENGTH, LENGTH)

@@ -1,0 +1,27 @@
+"""Models of which only what a test is about does anything."""
+
+from typing import Any
+
+from snapjump.clamp.constant_rate import ConstantRate
+from snapjump.contact.none import NoContact
+from snapjump.damping.none import NoDamping
+from snapjump.engine.model import Model
+from snapjump.frame.parts.cantilever import CantileverFrame
+from snapjump.friction.none import NoFriction
+from snapjump.load.none import NoLoad
+from snapjump.load.tip import TipLoad
+
+NOTHING = {
+    "clamp": ConstantRate(0.0, 1.0, 1.0, 0.0), "contact": NoContact.Law(),
+    "friction": NoFriction.Law(), "damping": NoDamping.Law(), "load": NoLoad(),
+}  # fmt: skip
+
+
+def bare_model(discretization: Any, frame: Any, **members: Any) -> Model:
+    """Without contact, friction, damping and load, but for the members that are given."""
+    return Model(discretization, frame, **(NOTHING | members))
+
+
+def cantilever(discretization: Any, force_x: float = 0.0) -> Model:
+    """One clamp that stands still, and a force along the beam at its tip."""
+    return bare_model(discretization, CantileverFrame(), load=TipLoad(force_x, 0.0, 0.0))

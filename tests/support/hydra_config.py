@@ -1,0 +1,17 @@
+"""What Hydra composes of the configurations in ``conf``, as a task is given it."""
+
+from typing import Any
+
+from command_line import ROOT
+from hydra import compose, initialize_config_dir
+from omegaconf import OmegaConf
+
+from snapjump.tasks.names import register_resolvers
+
+CONF = ROOT / "conf"
+
+
+def hydra_config(*overrides: str) -> Any:
+    register_resolvers()
+    with initialize_config_dir(str(CONF), version_base="1.3"):
+        return OmegaConf.to_container(compose("config", list(overrides)), resolve=True)
