@@ -5,7 +5,8 @@ from dataclasses import asdict
 import pytest
 
 from snapjump.checks import ParameterError
-from snapjump.learning.training import Training, make_training
+from snapjump.learning.training import Training
+from snapjump.tasks.complete import whole
 
 
 def test_batches_double_in_equal_stretches() -> None:
@@ -43,17 +44,17 @@ def test_the_rate_rises_and_falls_to_nothing() -> None:
 def test_values_that_are_not_allowed(key: str, values: tuple) -> None:
     for value in values:
         with pytest.raises(ParameterError) as caught:
-            make_training({**asdict(Training()), key: value})
+            whole(Training, {**asdict(Training()), key: value})
         assert caught.value.key == f"training.{key}" and caught.value.value is value
 
 
 def test_every_key_must_be_there_and_no_other() -> None:
     values = asdict(Training())
-    assert make_training(values) == Training()
+    assert whole(Training, values) == Training()
     with pytest.raises(ParameterError, match=r"training\.optimizer"):
-        make_training({**values, "optimizer": "sgd"})
+        whole(Training, {**values, "optimizer": "sgd"})
     for key in values:
         with pytest.raises(ParameterError, match=f"training.{key}"):
-            make_training({other: value for other, value in values.items() if other != key})
+            whole(Training, {other: value for other, value in values.items() if other != key})
     with pytest.raises(ParameterError, match="training"):
-        make_training(None)
+        whole(Training, None)
