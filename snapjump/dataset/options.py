@@ -1,6 +1,6 @@
 """``dataset``: its folder, its files, and which of several jobs that share it this one is."""
 
-from snapjump.checks import ParameterError, check_integer
+from snapjump.checks import check_integer, check_text
 from snapjump.declare.fields import Part, flag, integer
 
 
@@ -15,8 +15,8 @@ class DatasetOptions(Part):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if self.path is not None and (not isinstance(self.path, str) or not self.path):
-            raise ParameterError("dataset.path", self.path, "null, or a folder")
+        if self.path is not None:
+            check_text("dataset.path", self.path, "null, or a folder")
 
 
 class SharedDataset(DatasetOptions):

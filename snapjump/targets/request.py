@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from snapjump import learning
-from snapjump.checks import ParameterError, is_finite_number
+from snapjump.checks import ParameterError, check_text, is_finite_number
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS, value_at
 from snapjump.inverse.base import Array, InverseOptions
@@ -36,9 +36,10 @@ def fits(value: Sequence[float]) -> bool:
 
 def checkpoint_path(value: Any) -> Path:
     """Where a forward model lies, null: the one that comes along. Raises ParameterError."""
-    if value is not None and (not isinstance(value, str) or not value):
-        raise ParameterError("checkpoint", value, "null, or a file that task=train left")
-    return Path(value) if value else SHIPPED
+    if value is None:
+        return SHIPPED
+    check_text("checkpoint", value, "null, or a file that task=train left")
+    return Path(value)
 
 
 def trained_forward(path: Path) -> "ForwardModel":

@@ -12,7 +12,7 @@ from snapjump.tasks.base import INTERRUPTED, OK, Outcome, Progress
 from snapjump.tasks.complete import check_complete, whole
 from snapjump.terminal.block import number
 from snapjump.tracking.base import DatasetUse
-from snapjump.tracking.tracked import write_datasets
+from snapjump.tracking.parts.tracked import write_datasets
 
 if TYPE_CHECKING:
     from snapjump.dataset.folder import DatasetFolder

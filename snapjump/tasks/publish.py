@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from snapjump.checks import ParameterError
+from snapjump.checks import ParameterError, check_text
 from snapjump.files.atomic import atomic_file, write_text
 from snapjump.files.page import page
 from snapjump.files.result_folder import ResultFolder
@@ -21,8 +21,7 @@ def check_publish(config: Mapping[str, Any]) -> None:
     target, task = config["publish"], config["task"].get("name")
     if target is None:
         return
-    if not isinstance(target, str) or not target:
-        raise ParameterError("publish", target, "null, or a folder such as docs/studies")
+    check_text("publish", target, "null, or a folder such as docs/studies")
     if Path(target).exists() and not Path(target).is_dir():
         raise ParameterError("publish", target, "a folder, and this is a file")
     if not is_study(task):

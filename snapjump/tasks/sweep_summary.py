@@ -21,7 +21,7 @@ from snapjump.tasks.exit_codes import (
 from snapjump.tasks.names import cell_name
 from snapjump.terminal.block import markdown_table, number, table
 from snapjump.tracking.base import Record, TrackingError
-from snapjump.tracking.tracked import milliseconds, record_folder
+from snapjump.tracking.parts.tracked import milliseconds, record_folder
 
 if TYPE_CHECKING:
     from snapjump.tasks.sweep import Sweep

@@ -13,7 +13,7 @@ from snapjump.tasks.base import INTERRUPTED, NOT_FINITE, OK, Outcome, Progress
 from snapjump.tasks.complete import whole
 from snapjump.terminal.block import number
 from snapjump.tracking.base import DatasetUse
-from snapjump.tracking.tracked import write_curves, write_datasets
+from snapjump.tracking.parts.tracked import write_curves, write_datasets
 
 if TYPE_CHECKING:
     from snapjump.learning.data import JumpData
