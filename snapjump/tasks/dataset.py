@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
 from snapjump.tasks.base import INTERRUPTED, OK, Outcome, Progress
 from snapjump.tasks.complete import check_complete, whole
@@ -57,7 +56,7 @@ class GenerateDataset:
             self._locks = self._folder.claim(self._options.part, self._options.parts)
         except OSError as error:
             allowed = f"a folder that can be written to ({error.strerror})"
-            raise ParameterError("dataset.path", str(self._folder.path), allowed) from error
+            raise self._folder.refused(allowed) from error
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         """Generate, read it all once more, and leave figures and the record of its hash."""

@@ -4,6 +4,7 @@ import csv
 import io
 import os
 import sys
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -21,7 +22,7 @@ from snapjump.tasks.exit_codes import (
 from snapjump.tasks.names import cell_name
 from snapjump.terminal.block import markdown_table, number, table
 from snapjump.tracking.base import Record, TrackingError
-from snapjump.tracking.parts.tracked import milliseconds, record_folder
+from snapjump.tracking.parts.tracked import milliseconds, numbers_of, record_folder
 
 if TYPE_CHECKING:
     from snapjump.tasks.sweep import Sweep
@@ -48,11 +49,7 @@ class Cell:
 
     def numbers(self) -> dict[str, float]:
         """The results that are numbers."""
-        return {
-            key: value
-            for key, value in self.result.items()
-            if isinstance(value, (int, float)) and not isinstance(value, bool)
-        }
+        return numbers_of(self.result)
 
 
 def summarise(sweep: "Sweep", stopped_by: BaseException | None) -> int:
@@ -197,9 +194,8 @@ def _record(sweep: "Sweep", cells: Sequence[Cell], files: Sequence[str], interru
     return True
 
 
-def _statuses(cells: Sequence[Cell]) -> dict[str, int]:
-    statuses = [cell.status for cell in cells]
-    return {status: statuses.count(status) for status in dict.fromkeys(statuses)}
+def _statuses(cells: Sequence[Cell]) -> Counter[str]:
+    return Counter(cell.status for cell in cells)
 
 
 def _count(cells: Sequence[Cell]) -> str:

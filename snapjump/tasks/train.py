@@ -1,13 +1,12 @@
 """``task=train``: a forward model from a dataset, its errors, and the file it is kept in."""
 
 import os
-import shutil
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from snapjump.checks import ParameterError
-from snapjump.files.atomic import atomic_file
+from snapjump.files.atomic import write_bytes
 from snapjump.files.result_folder import ResultFolder
 from snapjump.tasks.base import INTERRUPTED, NOT_FINITE, OK, Outcome, Progress
 from snapjump.tasks.complete import whole
@@ -20,6 +19,7 @@ if TYPE_CHECKING:
     from snapjump.learning.learn import Learned
     from snapjump.surrogate.base import SurrogateOptions
 
+ROWS = ("rows_train", "rows_validation", "rows_test")
 # What the command that makes the dataset does not know.
 OF_TRAINING = ("task", "surrogate", "training", "tracking", "figures")
 
@@ -56,21 +56,15 @@ class Train:
         from snapjump.learning.timing import microseconds
 
         dataset = self._data.dataset
-        use = DatasetUse(
-            name=dataset.folder.path.name,
-            digest=dataset.sha256,
-            path=str(dataset.folder.path),
-            rows=dataset.rows,
-            context="training",
-        )
+        path = dataset.folder.path
+        use = DatasetUse(path.name, dataset.sha256, str(path), dataset.rows, "training")
         write_datasets(folder, [use])
         try:
             learned = learn(self._data, self._options, progress, self._config)
         except FloatingPointError as error:
             return Outcome(NOT_FINITE, str(error))
         file = folder.path / FORWARD_MODEL
-        with open(learned.file, "rb") as source, atomic_file(file, "wb") as target:
-            shutil.copyfileobj(source, target)
+        write_bytes(file, learned.file.read_bytes())
         write_curves(folder, learned.curves)
         if self._config["figures"]:
             self._draw(folder, learned)
@@ -83,11 +77,7 @@ class Train:
             **about["measures"],
             "train_seconds": about["train_seconds"],
             "trained_before": learned.kept,
-            "epochs": about["epochs"],
-            "parameters": about["parameters"],
-            "rows_train": about["rows_train"],
-            "rows_validation": about["rows_validation"],
-            "rows_test": about["rows_test"],
+            **{key: about[key] for key in ("epochs", "parameters", *ROWS)},
             "dataset_sha256": dataset.sha256,
             "inference_us": inference_us,
         }

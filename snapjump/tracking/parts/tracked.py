@@ -113,11 +113,6 @@ def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Recor
     config = folder.config() or {}
     result = dict(folder.result() or {"status": "interrupted"})
     origin = folder.provenance() or {}
-    numbers = {
-        key: float(value)
-        for key, value in result.items()
-        if isinstance(value, (int, float)) and not isinstance(value, bool)
-    }
     words = {key: str(value) for key, value in result.items() if isinstance(value, (str, bool))}
     return Record(
         name=name,
@@ -125,7 +120,7 @@ def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Recor
         started_ms=milliseconds(origin.get("started_at")),
         ended_ms=milliseconds(origin.get("finished_at")),
         params=flat({key: value for key, value in config.items() if key != "tracking"}),
-        metrics=numbers,
+        metrics=numbers_of(result),
         tags={
             **words,
             "command": str(origin.get("command")),
@@ -143,6 +138,12 @@ def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Recor
         ],
         curves=read_curves(folder),
     )
+
+
+def numbers_of(result: Mapping[str, Any]) -> dict[str, float]:
+    """What is a number in a result."""
+    numbers = {key: v for key, v in result.items() if isinstance(v, (int, float))}
+    return {key: float(v) for key, v in numbers.items() if not isinstance(v, bool)}
 
 
 def flat(values: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
