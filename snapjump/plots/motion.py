@@ -53,19 +53,24 @@ class Motion(Poses):
         return self.pad_force[:, :, 1].sum(axis=1)
 
 
+def finite_samples(arrays: dict[str, Any]) -> dict[str, Array]:
+    """The samples at which all arrays (K, ...) are there and finite."""
+    data = {name: np.asarray(values, float) for name, values in arrays.items()}
+    count = min(len(column) for column in data.values())
+    good = np.ones(count, bool)
+    for column in data.values():
+        good &= np.isfinite(column[:count].reshape(count, -1)).all(axis=1)
+    return {name: column[:count][good] for name, column in data.items()}
+
+
 def read_motion(result: Any) -> Motion | None:
     """The motion of a result, without samples that are not finite; None if none is left."""
     arrays = result.arrays
     if any(np.size(arrays.get(key, ())) == 0 for key in ("time_s", "node_x_m", "node_y_m")):
         return None
-    data = {name: np.asarray(arrays[name], float) for name in NAMES if name in arrays}
-    count = min(len(column) for column in data.values())
-    good = np.ones(count, bool)
-    for column in data.values():
-        good &= np.isfinite(column[:count].reshape(count, -1)).all(axis=1)
-    if not good.any():
+    data = finite_samples({name: arrays[name] for name in NAMES if name in arrays})
+    if not len(data["time_s"]):
         return None
-    data = {name: column[:count][good] for name, column in data.items()}
     length = float(result.simulation.robot.length_m)
     gravity = float(getattr(result.simulation.robot, "gravity_m_s2", 0.0))
     time = 1e3 * (data["time_s"] - data["time_s"][0])

@@ -24,14 +24,12 @@ def checked_target(value: Any) -> Array:
     allowed = f"[x, y] of an apex in L: two numbers, y >= 0, none beyond {FARTHEST_BAR:g}"
     if not isinstance(value, Sequence) or isinstance(value, str) or len(value) != 2:
         raise ParameterError("target", value, allowed)
-    if not all(is_finite_number(number) for number in value) or not fits(value):
+    x, y = value
+    if not (is_finite_number(x) and is_finite_number(y)):
+        raise ParameterError("target", list(value), allowed)
+    if not (abs(x) <= FARTHEST_BAR and 0.0 <= y <= FARTHEST_BAR):
         raise ParameterError("target", list(value), allowed)
     return np.array(value, dtype=float)
-
-
-def fits(value: Sequence[float]) -> bool:
-    """Whether an apex is above the ground, and not astronomically far."""
-    return abs(value[0]) <= FARTHEST_BAR and 0.0 <= value[1] <= FARTHEST_BAR
 
 
 def checkpoint_path(value: Any) -> Path:

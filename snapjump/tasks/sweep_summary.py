@@ -1,7 +1,5 @@
 """What a sweep came to: a table on the terminal and on disk, a figure, and the parent record."""
 
-import csv
-import io
 import os
 import sys
 from collections import Counter
@@ -134,15 +132,16 @@ def main_results(cells: Sequence[Cell]) -> list[str]:
 
 def full_csv(cells: Sequence[Cell]) -> str:
     """Every result of every cell."""
-    results = list(dict.fromkeys(key for cell in cells for key in cell.result))
-    file = io.StringIO()
-    writer = csv.writer(file, lineterminator="\n")
+    import pandas as pd
+
     inputs = list(cells[0].inputs) if cells else []
-    writer.writerow([*inputs, *results, "folder"])
-    for cell in cells:
-        values = [cell.result.get(key, "") for key in results]
-        writer.writerow([*cell.inputs.values(), *values, cell.name])
-    return file.getvalue()
+    results = list(dict.fromkeys(key for cell in cells for key in cell.result))
+    rows = [
+        [*cell.inputs.values(), *[cell.result.get(key) for key in results], cell.name]
+        for cell in cells
+    ]
+    table = pd.DataFrame(rows, columns=[*inputs, *results, "folder"], dtype=object)
+    return str(table.to_csv(index=False))
 
 
 def draw(sweep: "Sweep", cells: Sequence[Cell]) -> bool:
