@@ -64,6 +64,12 @@ def check_choice(key: str, value: Any, choices: Sequence[str]) -> None:
         raise ParameterError(key, value, "one of " + ", ".join(choices))
 
 
+def check_text(key: str, value: Any, allowed: str) -> None:
+    """Require a text that is not empty."""
+    if not isinstance(value, str) or not value:
+        raise ParameterError(key, value, allowed)
+
+
 def check_group(key: str, value: Any) -> None:
     """Require a group of values by their names."""
     if not isinstance(value, Mapping):

@@ -62,7 +62,7 @@ def tables(tmp_path_factory: pytest.TempPathFactory) -> Path:
     if "PYTEST_XDIST_WORKER" in os.environ:
         folder = folder.parent
     with FileLock(folder / "tables.lock"):
-        Sqlite(str(folder / "tables.db")).prepare()
+        Sqlite(path=str(folder / "tables.db")).prepare()
     return folder / "tables.db"
 
 

@@ -17,7 +17,6 @@ from snapjump.tasks.names import register_resolvers
 from snapjump.tasks.registry import TASKS
 from snapjump.terminal.help_page import TABLEAUX, describe
 from snapjump.tiers import TIERS
-from snapjump.tracking.registry import TRACKERS
 
 FOLDERS = (CONF, TABLEAUX)
 MEMBERS = [(family, name) for family, members in FAMILIES.items() for name in members]
@@ -57,7 +56,7 @@ def test_every_member_has_its_file_and_every_file_its_member(family: str) -> Non
 
 def test_groups_that_are_no_family_of_the_library() -> None:
     assert files("task") == set(TASKS)
-    assert files("tracking") == set(TRACKERS)
+    assert files("tracking") == set(member_names("tracking"))
     assert files("accuracy") == set(TIERS)
     others = {"task", "tracking", "accuracy", "robot", "experiment", "cluster"}
     assert {path.name for path in CONF.iterdir() if path.is_dir()} == set(EVERY) | others

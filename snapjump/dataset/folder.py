@@ -52,23 +52,19 @@ class DatasetFolder:
             if not lock.acquire(wait=False):
                 for other in locks[:taken]:
                     other.release()
-                raise ParameterError(
-                    "dataset.path", str(self.path), "a folder that no other process writes to"
-                )
+                raise self.refused("a folder that no other process writes to")
         return locks
 
     def check(self, specification: Specification) -> None:
         """Raise ParameterError for a folder of something else, or of another dataset."""
         if self.path.exists() and not self.path.is_dir():
-            raise ParameterError("dataset.path", str(self.path), "a folder, and this is a file")
+            raise self.refused("a folder, and this is a file")
         if not self.specification.exists():
             self._check_empty()
             return
         there = read_sealed(self.specification)
         if there is None:
-            raise ParameterError(
-                "dataset.path", str(self.path), f"a folder whose {SPECIFICATION} is not damaged"
-            )
+            raise self.refused(f"a folder whose {SPECIFICATION} is not damaged")
         mine = specification.plain
         found = first_difference(by_path(mine), by_path(there)) or first_difference(mine, there)
         if found is None:
@@ -94,13 +90,14 @@ class DatasetFolder:
                 for left in file.parent.glob(f".{file.name}.*"):
                     left.unlink(missing_ok=True)
 
+    def refused(self, allowed: str) -> ParameterError:
+        """What is wrong with the folder, as an error."""
+        return ParameterError("dataset.path", str(self.path), allowed)
+
     def _check_empty(self) -> None:
         files = self.path.iterdir() if self.path.is_dir() else ()
-        others = [file.name for file in files if not file.name.startswith(".")]
-        if [name for name in others if name != SHARDS]:
-            raise ParameterError(
-                "dataset.path", str(self.path), f"a new folder, or one with a {SPECIFICATION}"
-            )
+        if [f for f in files if not f.name.startswith(".") and f.name != SHARDS]:
+            raise self.refused(f"a new folder, or one with a {SPECIFICATION}")
 
 
 def by_path(plain: Mapping[str, Any]) -> dict[str, Any]:

@@ -55,7 +55,8 @@ def generate(
         generation.kept = rows_of(specification, set(numbers) - set(missing))
         if missing:
             with executor:
-                _rounds(folder, specification, executor, backend, missing, generation, progress)
+                maker = _Maker(folder, specification, executor, backend, progress, generation)
+                maker.make_all(missing)
     finally:
         generation.manifest = write_manifest(folder, specification)
     return generation
@@ -81,50 +82,44 @@ def rows_of(specification: Specification, numbers: set[int]) -> int:
     return sum(last - first for first, last in stretches)
 
 
-def _rounds(
-    folder: DatasetFolder,
-    specification: Specification,
-    executor: Executor,
-    backend: Mapping[str, Any],
-    missing: list[int],
-    generation: Generation,
-    progress: Progress,
-) -> None:
-    """Make shards until all of them are whole."""
-    asked = dict(backend)
-    if asked["name"] == "lanes" and asked.get("threads") is None:
-        asked["threads"] = executor.threads
-    threads = asked.get("threads") or executor.cores
-    generation.cores = min(executor.cores, executor.at_once * threads)
-    for _ in range(ROUNDS):
-        _make(folder, specification, executor, asked, missing, generation, progress)
-        missing = look(folder, specification, missing, [])
-        if not missing:
-            return
-    raise GenerationError(f"shards {missing} are damaged whenever they are written")
+@dataclass
+class _Maker:
+    """Makes shards with an executor that has been claimed, and counts rows and time."""
 
+    folder: DatasetFolder
+    specification: Specification
+    executor: Executor
+    backend: Mapping[str, Any]
+    progress: Progress
+    generation: Generation
 
-def _make(
-    folder: DatasetFolder,
-    specification: Specification,
-    executor: Executor,
-    backend: Mapping[str, Any],
-    missing: list[int],
-    generation: Generation,
-    progress: Progress,
-) -> None:
-    """Make shards, counting rows and time."""
-    total = rows_of(specification, set(missing))
-    pace = Pace(generation.kept + total, generation.kept, progress)
-    jobs = [job_of(folder, specification, backend, number) for number in missing]
-    try:
-        answers = executor.answers(
-            make_shard, jobs, lambda share: pace.show(share * specification.shard_size)
-        )
-        pace.show()
-        for entry in answers:
-            pace.made += entry["rows"]
+    def __post_init__(self) -> None:
+        if self.backend["name"] == "lanes" and self.backend.get("threads") is None:
+            self.backend = {**self.backend, "threads": self.executor.threads}
+        threads = self.backend.get("threads") or self.executor.cores
+        self.generation.cores = min(self.executor.cores, self.executor.at_once * threads)
+
+    def make_all(self, missing: list[int]) -> None:
+        """Make shards until all of them are whole."""
+        for _ in range(ROUNDS):
+            self._make(missing)
+            missing = look(self.folder, self.specification, missing, [])
+            if not missing:
+                return
+        raise GenerationError(f"shards {missing} are damaged whenever they are written")
+
+    def _make(self, missing: list[int]) -> None:
+        kept, specification = self.generation.kept, self.specification
+        pace = Pace(kept + rows_of(specification, set(missing)), kept, self.progress)
+        jobs = [job_of(self.folder, specification, self.backend, number) for number in missing]
+        try:
+            answers = self.executor.answers(
+                make_shard, jobs, lambda share: pace.show(share * specification.shard_size)
+            )
             pace.show()
-    finally:
-        generation.made += pace.made
-        generation.seconds += pace.seconds
+            for entry in answers:
+                pace.made += entry["rows"]
+                pace.show()
+        finally:
+            self.generation.made += pace.made
+            self.generation.seconds += pace.seconds

@@ -87,22 +87,22 @@ def open_dataset(path: str | Path) -> Dataset:
     folder = DatasetFolder(Path(path))
     manifest = read_sealed(folder.manifest)
     if manifest is None:
-        raise _refused(folder, f"a folder with a {folder.manifest.name} that is not damaged")
+        raise folder.refused(f"a folder with a {folder.manifest.name} that is not damaged")
     if not manifest["complete"]:
         have = f"{manifest['rows']} of {manifest['designs']} rows are there"
-        raise _refused(folder, f"a dataset that is complete ({have})")
+        raise folder.refused(f"a dataset that is complete ({have})")
     specification = manifest["specification"]
     try:
         check_known(specification["configuration"])
     except ParameterError as error:
-        raise _refused(folder, f"one of members that are known here ({error})") from error
+        raise folder.refused(f"one of members that are known here ({error})") from error
     for number, listed in enumerate(manifest["shards"]):
         entry, reason = read_entry(folder, number, sha256_of(specification))
         if entry is None:
             name = folder.shard(number).name
-            raise _refused(folder, f"a dataset without damage ({reason or name + ' is missing'})")
+            raise folder.refused(f"a dataset without damage ({reason or name + ' is missing'})")
         if entry["content_sha256"] != listed["content_sha256"]:
-            raise _refused(folder, f"a manifest of these shards (shard {number} is another)")
+            raise folder.refused(f"a manifest of these shards (shard {number} is another)")
     contents = [listed["content_sha256"] for listed in manifest["shards"]]
     return Dataset(
         folder,
@@ -112,7 +112,3 @@ def open_dataset(path: str | Path) -> Dataset:
         specification,
         len(contents),
     )
-
-
-def _refused(folder: DatasetFolder, allowed: str) -> ParameterError:
-    return ParameterError("dataset.path", str(folder.path), allowed)

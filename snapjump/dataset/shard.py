@@ -10,7 +10,7 @@ from snapjump.dataset.columns import Rows, columns_of, content_sha256, table_of
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.sealed import read_sealed, sha256_of, write_sealed
 from snapjump.dataset.specification import Specification
-from snapjump.files.atomic import atomic_file
+from snapjump.files.atomic import write_bytes
 from snapjump.files.provenance import now, origin
 
 if TYPE_CHECKING:
@@ -48,8 +48,7 @@ def write_table(
     stream = pa.BufferOutputStream()
     pq.write_table(table, stream, compression="zstd", write_page_checksum=True)
     whole = stream.getvalue()
-    with atomic_file(folder.shard(number), "wb") as file:
-        file.write(whole)
+    write_bytes(folder.shard(number), whole)
     entry = {
         "shard": number,
         "rows": len(table),

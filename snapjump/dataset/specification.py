@@ -5,8 +5,9 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from snapjump.checks import ParameterError, check_integer
+from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
+from snapjump.dataset.options import DatasetOptions
 from snapjump.dataset.sealed import sha256_of
 from snapjump.declare.inputs import with_inputs
 from snapjump.declare.members import make_member, member_group
@@ -17,7 +18,6 @@ from snapjump.scenes.sensitivities import check_differentiable
 from snapjump.simulation import PLAIN, build
 
 FORMAT = 1  # of the files; another number for another hash. Columns are told by each file
-LARGEST_SHARD = 1_000_000
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ def specify(
     ``config``: groups as for :func:`snapjump.simulation.build`, and ``plan``. Raises
     ParameterError for what no design of the plan could be simulated with.
     """
-    check_integer("dataset.shard_size", shard_size, 1, LARGEST_SHARD)
+    given = DatasetOptions(sensitivities=sensitivities, shard_size=shard_size)
     scene = (config.get("sim") or {}).get("name", "jump")
     if scene != "jump":
         raise ParameterError("sim", scene, "jump, which is what datasets are of")
@@ -73,9 +73,7 @@ def specify(
     middles = {axis.path: 0.5 * (axis.low + axis.high) for axis in axes}
     simulation = with_inputs(configured, middles)
     plan = options.plan(tuple(axis.range for axis in axes))
-    if not isinstance(sensitivities, bool):
-        raise ParameterError("dataset.sensitivities", sensitivities, "true or false")
-    if sensitivities:
+    if given.sensitivities:
         check_differentiable(simulation, [axis.path for axis in axes], "plan.inputs")
     whole = {group: asdict(getattr(simulation, group)) for group in PLAIN} | {
         part.group: member_group(part) for part in simulation.parts if part.group != "backend"
@@ -88,8 +86,8 @@ def specify(
         "format": FORMAT,
         "plan": {"name": options.name, **options.settings},
         "inputs": [asdict(axis) for axis in axes],
-        "shard_size": shard_size,
-        "sensitivities": sensitivities,
+        "shard_size": given.shard_size,
+        "sensitivities": given.sensitivities,
         "configuration": {
             "accuracy": {"name": simulation.accuracy},
             **configuration,

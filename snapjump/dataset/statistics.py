@@ -117,35 +117,17 @@ def gather(dataset: Dataset) -> Statistics:
 
 def _add(found: Statistics, table: Any) -> None:
     """Count the rows of one shard."""
-    bins = found.edges.shape[1] - 1
-    places = [
-        _places(table[axis.column].to_numpy(), edges)
-        for axis, edges in zip(found.axes, found.edges, strict=True)
-    ]
-    status = np.array(table["status"].to_pylist())
-    known = np.isin(status, KNOWN)
+    inputs = [table[axis.column].to_numpy() for axis in found.axes]
+    outcomes = [table[name].to_numpy() for name in OUTCOMES]
+    known = np.isin(np.array(table["status"].to_pylist()), KNOWN)
     marked = ~(known & table["within_tier"].to_numpy())
-    values = [table[name].to_numpy() for name in OUTCOMES]
     for k, (i, j) in enumerate(found.pairs):
-        cells = places[i] * bins + places[j]
-        found.rows[k] += _counted(cells, bins)
-        found.marked[k] += _counted(cells[marked], bins)
-        found.known[k] += _counted(cells[known], bins)
-        for o, value in enumerate(values):
-            found.sums[o, k] += _counted(cells[known], bins, value[known])
-    for o, value in enumerate(values):
-        level = _places(value[known], found.levels[o])
-        for axis, place in enumerate(places):
-            cells = place[known] * LEVELS + level
-            counts = np.bincount(cells, minlength=bins * LEVELS)
-            found.spread[o, axis] += counts.reshape(bins, LEVELS)
-
-
-def _places(values: Array, edges: Array) -> NDArray[np.int64]:
-    """The bin of each value; the last one has its upper edge."""
-    return np.clip(np.searchsorted(edges, values, side="right") - 1, 0, len(edges) - 2)
-
-
-def _counted(cells: NDArray[np.int64], bins: int, weights: Array | None = None) -> Array:
-    counts = np.bincount(cells, weights, minlength=bins * bins)
-    return counts.reshape(bins, bins).astype(np.float64)
+        edges = found.edges[i], found.edges[j]
+        for counts, rows in ((found.rows, ...), (found.marked, marked), (found.known, known)):
+            counts[k] += np.histogram2d(inputs[i][rows], inputs[j][rows], edges)[0]
+        for sums, outcome in zip(found.sums, outcomes, strict=True):
+            weights = outcome[known]
+            sums[k] += np.histogram2d(inputs[i][known], inputs[j][known], edges, weights=weights)[0]
+    for spread, levels, outcome in zip(found.spread, found.levels, outcomes, strict=True):
+        for counts, values, edges in zip(spread, inputs, found.edges, strict=True):
+            counts += np.histogram2d(values[known], outcome[known], (edges, levels))[0]

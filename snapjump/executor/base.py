@@ -1,7 +1,8 @@
 """The contract of an executor: does pieces of work, here or elsewhere, and hands back answers."""
 
+import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, Protocol
+from typing import Any, Self
 
 from snapjump.declare.fields import Part, required
 
@@ -11,27 +12,33 @@ Progress = Callable[[float], None]  # share of a job that is done
 Work = Callable[[Job, Progress | None], Answer]
 
 
-class Executor(Protocol):
-    """``with executor:`` claims what it needs and lets go of it."""
+class Executor:
+    """``with executor:`` claims what it needs and lets go of it. By default it works in this
+    process, and there is nothing to claim and nothing that could fail."""
 
     def check(self) -> None:
         """Find out quickly whether it can work; raises ParameterError."""
 
-    def __enter__(self) -> "Executor": ...
+    def __enter__(self) -> Self:
+        return self
 
-    def __exit__(self, *error: object) -> None: ...
+    def __exit__(self, *error: object) -> None:
+        """Let go."""
 
     @property
     def cores(self) -> int:
         """Processor cores that work at once."""
+        return len(os.sched_getaffinity(0))
 
     @property
     def at_once(self) -> int:
         """Jobs that are done at once."""
+        return 1
 
     @property
     def threads(self) -> int | None:
         """Threads that a job is to use; None: as many as its process has cores."""
+        return None
 
     def answers(self, work: Work, jobs: Sequence[Job], progress: Progress) -> Iterator[Answer]:
         """The answer to each job as soon as it is there, in any order.
@@ -39,6 +46,7 @@ class Executor(Protocol):
         ``work`` is a function of a module. ``progress`` hears of the job under way where that is
         known, else of 0.0 from time to time. What ``work`` raises, this raises.
         """
+        raise NotImplementedError
 
 
 class ExecutorOptions(Part):

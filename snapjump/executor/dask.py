@@ -12,14 +12,14 @@ from urllib.parse import urlsplit
 
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import integer
-from snapjump.executor.base import Answer, ExecutorOptions, Job, Progress, Work
+from snapjump.executor.base import Answer, Executor, ExecutorOptions, Job, Progress, Work
 
 CONNECT_TIMEOUT_S = 10.0
 ADDRESS = re.compile(r"(tcp|tls)://[^\s:/]+:\d{1,5}")
 PATIENCE_S = 0.5  # between looks at what has been finished
 
 
-class DaskExecutor:
+class DaskExecutor(Executor):
     """A client of the scheduler at ``scheduler``, or of a cluster of its own on this machine.
 
     A job whose worker dies is done again by another; one that takes four workers down is given up

@@ -39,6 +39,12 @@ def write_text(path: Path, text: str) -> None:
         file.write(text)
 
 
+def write_bytes(path: Path, content: bytes) -> None:
+    """Write a whole file of bytes at once."""
+    with atomic_file(path, "wb") as file:
+        file.write(content)
+
+
 def flush(path: Path) -> None:
     """Have the disk hold all of a file that some other code wrote."""
     with open(path, "rb") as file:

@@ -52,8 +52,12 @@ def origin() -> dict[str, Any]:
     return {
         **git_state(),
         "source_sha256": source_hash(),
-        "versions": {"python": platform.python_version(), **_versions()},
-        "machine": _machine(),
+        "versions": {"python": platform.python_version(), **{p: _version(p) for p in PACKAGES}},
+        "machine": {
+            "system": platform.platform(),
+            "processor": _processor(),
+            "cores": os.cpu_count(),
+        },
     }
 
 
@@ -96,22 +100,11 @@ def _git(*arguments: str) -> str | None:
     return answer.stdout.strip()
 
 
-def _versions() -> dict[str, str | None]:
-    found: dict[str, str | None] = {}
-    for name in PACKAGES:
-        try:
-            found[name] = version(name)
-        except PackageNotFoundError:
-            found[name] = None
-    return found
-
-
-def _machine() -> dict[str, Any]:
-    return {
-        "system": platform.platform(),
-        "processor": _processor(),
-        "cores": os.cpu_count(),
-    }
+def _version(name: str) -> str | None:
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return None
 
 
 def _processor() -> str:

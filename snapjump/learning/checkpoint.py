@@ -19,7 +19,7 @@ from torch import Tensor
 from snapjump.checks import ParameterError
 from snapjump.dataset.sealed import canonical
 from snapjump.declare.members import check_known, make_member
-from snapjump.files.atomic import atomic_file
+from snapjump.files.atomic import write_bytes
 from snapjump.plan.parts.axes import Axis, default_axes
 from snapjump.surrogate.base import Inputs, Surrogate
 
@@ -41,8 +41,7 @@ def write_checkpoint(path: Path, network: Surrogate, about: Mapping[str, Any]) -
             raise ValueError(f"{name} is not finite")
     text = canonical(about)
     metadata = {"format": FORMAT, "about": text, "sha256": _sha256(text, tensors)}
-    with atomic_file(path, "wb") as file:
-        file.write(save(tensors, metadata))
+    write_bytes(path, save(tensors, metadata))
 
 
 def read_checkpoint(path: str | Path) -> Checkpoint:

@@ -13,7 +13,7 @@ import torch
 from numpy.typing import NDArray
 
 from snapjump.checks import ParameterError
-from snapjump.files.atomic import atomic_file
+from snapjump.files.atomic import write_bytes
 from snapjump.learning.forward_model import ForwardModel
 from snapjump.learning.threads import torch_threads
 from snapjump.learning.timing import microseconds
@@ -64,8 +64,7 @@ def export(model: ForwardModel, path: Path, seed: int = 0) -> Exported:
         one, one_torched = {INPUT: designs[:1]}, torched[:1]
         onnx_us = microseconds(lambda: session.run([OUTPUT], one))
         torch_us = microseconds(lambda: model.network(one_torched))
-    with atomic_file(path, "wb") as file:
-        file.write(content)
+    write_bytes(path, content)
     return Exported(difference, onnx_us, torch_us)
 
 

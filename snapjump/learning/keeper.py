@@ -41,33 +41,27 @@ class AtomicFiles(CheckpointIO):
 
 class Keeper(Callback):
     """``curves``: a row an epoch; ``best``: the weights of the smallest validation error;
-    ``seconds``: of all runs that this training took."""
+    ``seconds``: of all runs that this training took; ``stopped``: whether it is at its end."""
 
     def __init__(self, file: Path, progress: Progress):
         self.file, self.progress = file, progress
         self.curves: list[dict[str, float]] = []
         self.best: dict[str, torch.Tensor] = {}
         self.seconds = 0.0
-        self._stopped = False
+        self.stopped = False
         self._clock, self._saved = time.perf_counter(), -math.inf
 
     def state_dict(self) -> dict[str, Any]:
         """All of it, in a checkpoint."""
-        return {
-            "curves": self.curves,
-            "best": self.best,
-            "seconds": self.seconds,
-            "stopped": self._stopped,
-        }
+        return {name: getattr(self, name) for name in ("curves", "best", "seconds", "stopped")}
 
     def load_state_dict(self, state: dict[str, Any]) -> None:
         """What an earlier run kept."""
-        self.curves, self.best = state["curves"], state["best"]
-        self.seconds, self._stopped = state["seconds"], state["stopped"]
+        vars(self).update(state)
 
     def on_train_start(self, trainer: Trainer, pl_module: LightningModule) -> None:
         """A training that had already stopped does not go on."""
-        trainer.should_stop = self._stopped
+        trainer.should_stop = self.stopped
         self._clock = time.perf_counter()
 
     def on_train_epoch_end(self, trainer: Trainer, pl_module: LightningModule) -> None:
@@ -89,8 +83,8 @@ class Keeper(Callback):
         )
         now = time.perf_counter()
         self.seconds, self._clock = self.seconds + now - self._clock, now
-        self._stopped = trainer.should_stop
-        if self._stopped or epoch + 1 == training.epochs or now - self._saved >= SAVE_EVERY_S:
+        self.stopped = trainer.should_stop
+        if self.stopped or epoch + 1 == training.epochs or now - self._saved >= SAVE_EVERY_S:
             trainer.save_checkpoint(self.file)
             self._saved = now
         text = f"epoch {epoch + 1}, validation MAE {error:.4f} L"

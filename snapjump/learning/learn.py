@@ -43,6 +43,7 @@ DETERMINES = (
     "learning/lightning_module.py",
     "learning/training.py",
     "surrogate/base.py",
+    "surrogate/parts/layers.py",
 )
 
 

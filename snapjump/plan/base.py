@@ -1,7 +1,8 @@
 """The contract of a plan: numbered designs, of which any stretch can be had on its own."""
 
 from collections.abc import Mapping
-from typing import Any, Protocol
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,27 +13,6 @@ from snapjump.declare.members import member_group
 from snapjump.plan.parts.axes import Axis, Range, checked_range, default_axes, planned
 
 Array = NDArray[np.float64]
-
-
-class Plan(Protocol):
-    """Designs 0 to ``count`` - 1; the same numbers on every machine."""
-
-    @property
-    def count(self) -> int:
-        """How many designs there are."""
-
-    def designs(self, first: int, last: int) -> Array:
-        """Designs first to last - 1, shape (last - first, I): a column for each of I ranges.
-
-        Memory is in proportion to the stretch, never to ``count``. Raises ValueError for a
-        stretch that is not within the plan.
-        """
-
-
-def check_stretch(first: int, last: int, count: int) -> None:
-    """Raise ValueError unless 0 <= first <= last <= count."""
-    if not 0 <= first <= last <= count:
-        raise ValueError(f"designs {first} to {last} of a plan of {count}")
 
 
 def stretched(unit: Array, ranges: tuple[Range, ...]) -> Array:
@@ -87,10 +67,42 @@ class PlanOptions(Part):
         box = {"name", *settings(PlanOptions)}
         return {key: value for key, value in member_group(self).items() if key not in box}
 
-    @required
-    def plan(self, ranges: tuple[Range, ...]) -> Plan:
+    def plan(self, ranges: tuple[Range, ...]) -> "Plan":
         """The plan over these ranges."""
+        return Plan(self, ranges)
+
+    @required
+    def size(self, inputs: int) -> int:
+        """How many designs there are of so many inputs."""
         raise NotImplementedError
+
+    @required
+    def designs(self, ranges: tuple[Range, ...], first: int, last: int) -> Array:
+        """Designs first to last - 1 over the ranges, as :class:`Plan` has them."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Designs 0 to ``count`` - 1 over some ranges; the same numbers on every machine."""
+
+    options: PlanOptions
+    ranges: tuple[Range, ...]
+
+    @property
+    def count(self) -> int:
+        """How many designs there are."""
+        return self.options.size(len(self.ranges))
+
+    def designs(self, first: int, last: int) -> Array:
+        """Designs first to last - 1, shape (last - first, I): a column for each of I ranges.
+
+        Memory is in proportion to the stretch, never to ``count``. Raises ValueError for a
+        stretch that is not within the plan.
+        """
+        if not 0 <= first <= last <= self.count:
+            raise ValueError(f"designs {first} to {last} of a plan of {self.count}")
+        return self.options.designs(self.ranges, first, last)
 
 
 def checked_inputs(given: Any) -> dict[str, Range | None]:
@@ -109,3 +121,6 @@ class RandomPlanOptions(PlanOptions):
 
     count: int = integer(4096, least=1, most=MOST_DESIGNS)
     seed: int = integer(0, least=0, most=LARGEST_SEED)
+
+    def size(self, inputs: int) -> int:
+        return self.count

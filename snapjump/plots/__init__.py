@@ -6,6 +6,7 @@ when a picture is drawn.
 
 import pathlib
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from snapjump.plots.books import Books, read_books
@@ -31,11 +32,12 @@ def figures(
     for name, draw in pictures:
         if progress is not None:
             progress(len(written) / len(pictures), f"drawing {name}")
-        written.append(draw(folder / name))
+        draw(folder / name)
+        written.append(folder / name)
     return written
 
 
-Draw = Callable[[pathlib.Path], pathlib.Path]
+Draw = Callable[[pathlib.Path], Any]
 
 
 def _pictures(result: Any, scene: str, film: bool) -> list[tuple[str, Draw]]:
@@ -43,36 +45,24 @@ def _pictures(result: Any, scene: str, film: bool) -> list[tuple[str, Draw]]:
     from snapjump.plots.branches import branches_picture
     from snapjump.plots.energy import energy_picture
     from snapjump.plots.film import draw_film
-    from snapjump.plots.jump import apex_of, headline, jump_picture, number, since_start
+    from snapjump.plots.jump import headline, jump_picture, number
     from snapjump.plots.point import point_picture
     from snapjump.plots.snap import snap_picture
 
-    chosen: list[tuple[str, Draw]] = []
     title = headline(result)
     if any(name.startswith(("branch_", "shapes_")) for name in result.arrays):
         critical = number(result.summary, "alpha_critical_rad")
-        chosen.append(
-            (f"{scene}.png", lambda path: branches_picture(result.arrays, title, critical, path))
-        )
-        return chosen
+        return [(f"{scene}.png", partial(branches_picture, result.arrays, title, critical))]
+    chosen: list[tuple[str, Draw]] = []
     motion, books = read_motion(result), read_books(result)
-    if motion is not None and motion.node_x.shape[1] < 3:
-        chosen.append(
-            (f"{scene}.png", lambda path: point_picture(result.arrays, motion, title, path))
-        )
-    elif motion is not None:
-        apex_ms = since_start(result, "apex_time_s")
-        if motion.centre is not None:
-            chosen.append((f"{scene}.png", lambda path: jump_picture(result, motion, path)))
-        else:
-            chosen.append((f"{scene}.png", lambda path: snap_picture(motion, title, path)))
-        if film and motion.count > 1:
-            chosen.append(
-                (f"{scene}.gif", lambda path: draw_film(motion, apex_ms, apex_of(result), path))
-            )
+    if motion is not None:
+        picture = jump_picture if motion.centre is not None else snap_picture
+        picture = picture if motion.is_beam else point_picture
+        chosen.append((f"{scene}.png", partial(picture, result, motion)))
+        if film and motion.is_beam and motion.count > 1:
+            chosen.append((f"{scene}.gif", partial(draw_film, result, motion)))
     if books is not None:
-        window = _busy(motion, books)
-        chosen.append(("energy.png", lambda path: energy_picture(books, title, window, path)))
+        chosen.append(("energy.png", partial(energy_picture, books, title, _busy(motion, books))))
     return chosen
 
 
@@ -80,7 +70,7 @@ def _busy(motion: Motion | None, books: Books) -> tuple[float, float] | None:
     """From the snap to the end of the strike (ms), if that is a part of the run worth a panel."""
     from snapjump.plots.moments import settled, snap_interval
 
-    if motion is None or motion.node_x.shape[1] < 3:
+    if motion is None or not motion.is_beam:
         return None
     snap = snap_interval(motion)
     begin = float(motion.time[snap[0]]) if snap is not None else 0.0

@@ -5,6 +5,8 @@ from typing import Any
 
 import numpy as np
 
+from snapjump.plots.motion import finite_samples
+
 STORED = ("elastic_J", "kinetic_J", "gravitational_J", "contact_J")
 LOST = ("friction_loss_J", "damping_loss_J", "numerical_loss_J")
 WORK = "clamp_work_J"
@@ -37,18 +39,13 @@ def read_books(result: Any) -> Books | None:
     names = [name for name in (*STORED, WORK, *LOST) if np.size(arrays.get(name, ())) > 0]
     if "time_s" not in arrays or not any(name in STORED for name in names):
         return None
-    time = np.asarray(arrays["time_s"], float)
-    columns = {name: np.asarray(arrays[name], float) for name in names}
-    count = min(len(time), *(len(column) for column in columns.values()))
-    good = np.isfinite(time[:count])
-    for column in columns.values():
-        good &= np.isfinite(column[:count])
-    if good.sum() < 2:
+    columns = finite_samples({name: arrays[name] for name in ("time_s", *names)})
+    time = columns.pop("time_s")
+    if len(time) < 2:
         return None
     robot = result.simulation.robot
     unit = float(robot.bending_stiffness_N_m2 / robot.length_m)
-    columns = {name: column[:count][good] / unit for name, column in columns.items()}
-    time = time[:count][good]
+    columns = {name: column / unit for name, column in columns.items()}
 
     def pick(wanted: tuple[str, ...]) -> dict[str, np.ndarray]:
         return {name[:-2]: columns[name] for name in wanted if name in columns}

@@ -17,9 +17,9 @@ class View:
     origin_x: float
     origin_y: float
 
-    def at(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Pixels of points in L."""
-        return self.origin_x + self.scale * x, self.origin_y - self.scale * y
+    def at(self, points: Array) -> Array:
+        """Pixels (..., 2) of points (..., 2) in L."""
+        return np.array([self.origin_x, self.origin_y]) + points * (self.scale, -self.scale)
 
 
 def views(motion: Motion, film: Poses, close: int, size: tuple[int, int], bar: int) -> list[View]:
@@ -34,10 +34,8 @@ def views(motion: Motion, film: Poses, close: int, size: tuple[int, int], bar: i
 
 def _boxes(film: Poses) -> Array:
     """Room needed by each pose (M, 4): left, low, right, high; a turning robot needs no less."""
-    x, y = film.node_x, film.node_y
-    if film.corner_x is not None and film.corner_y is not None:
-        x, y = np.hstack([x, film.corner_x]), np.hstack([y, film.corner_y])
-    left, right, low, high = x.min(axis=1), x.max(axis=1), y.min(axis=1), y.max(axis=1)
+    points = film.outline()
+    (left, low), (right, high) = points.min(axis=1).T, points.max(axis=1).T
     return np.stack([left - ROOM, low, right + ROOM, high + 0.5 * ROOM], axis=1)
 
 

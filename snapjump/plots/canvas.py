@@ -44,10 +44,9 @@ class Canvas:
         self._draw = ImageDraw.Draw(self._image)
         self._draw.fontmode = "1"
 
-    def line(self, x: Any, y: Any, colour: str, width: float) -> None:
-        """A line through points x, y (P,), round at its ends."""
-        points = np.stack([2.0 * np.asarray(x), 2.0 * np.asarray(y)], axis=1)
-        flat: list[float] = np.clip(points, -1e4, 1e4).ravel().tolist()
+    def line(self, points: Any, colour: str, width: float) -> None:
+        """A line through points (P, 2), round at its ends."""
+        flat: list[float] = np.clip(2.0 * np.asarray(points), -1e4, 1e4).ravel().tolist()
         fill, thick = COLOURS.index(colour), max(1, round(2.0 * width))
         self._draw.line(flat, fill=fill, width=thick, joint="curve" if thick > 3 else None)
 
@@ -57,9 +56,9 @@ class Canvas:
         if corners[2] >= corners[0] and corners[3] >= corners[1]:
             self._draw.rectangle(corners.tolist(), fill=COLOURS.index(colour))
 
-    def disc(self, x: float, y: float, radius: float, colour: str, rim: str | None = None) -> None:
+    def disc(self, at: Point, radius: float, colour: str, rim: str | None = None) -> None:
         """A filled circle, with a rim of another colour if wanted."""
-        box = [2.0 * (x - radius), 2.0 * (y - radius), 2.0 * (x + radius), 2.0 * (y + radius)]
+        box = [2.0 * (value + side) for side in (-radius, radius) for value in at]
         outline = None if rim is None else COLOURS.index(rim)
         self._draw.ellipse(box, fill=COLOURS.index(colour), outline=outline, width=3)
 
@@ -73,7 +72,7 @@ class Canvas:
         head = min(9.0, 0.7 * size)
         base = np.asarray(tip) - head * along
         side = 0.45 * head * np.array([-along[1], along[0]])
-        self.line([tail[0], base[0]], [tail[1], base[1]], colour, 2.5)
+        self.line([tail, base], colour, 2.5)
         corners = 2.0 * np.array([tip, base + side, base - side])
         self._draw.polygon(corners.ravel().tolist(), fill=COLOURS.index(colour))
 

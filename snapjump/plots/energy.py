@@ -9,71 +9,57 @@ from snapjump.plots import palette
 from snapjump.plots.books import Books
 from snapjump.plots.saving import picture
 
-LINES: dict[str, tuple[str, dict[str, Any]]] = {
-    "elastic": ("elastic", {"color": palette.BEAM, "lw": 2.2}),
-    "kinetic": ("kinetic", {"color": palette.CLAMP, "lw": 2.2}),
-    "gravitational": ("gravitational", {"color": palette.CENTRE, "lw": 2.0}),
-    "contact": ("contact", {"color": palette.FORCE, "lw": 1.6}),
-    "friction_loss": ("lost to friction", {"color": palette.PLUM, "lw": 2.2}),
-    "damping_loss": ("lost to damping", {"color": palette.VIOLET, "lw": 2.2}),
-    "numerical_loss": ("lost to numerics", {"color": palette.SKY, "lw": 2.2}),
+# Label, colour and width of each line.
+LINES = {
+    "elastic": ("elastic", palette.BEAM, 2.2),
+    "kinetic": ("kinetic", palette.CLAMP, 2.2),
+    "gravitational": ("gravitational", palette.CENTRE, 2.0),
+    "contact": ("contact", palette.FORCE, 1.6),
+    "friction_loss": ("lost to friction", palette.PLUM, 2.2),
+    "damping_loss": ("lost to damping", palette.VIOLET, 2.2),
+    "numerical_loss": ("lost to numerics", palette.SKY, 2.2),
 }
 
 
 def energy_picture(
     books: Books, headline: str, window: tuple[float, float] | None, path: pathlib.Path
-) -> pathlib.Path:
+) -> None:
     """Stored energies above, work and losses below; on the right the same, close to `window`."""
+    whole = float(books.time[0]), float(books.time[-1])
+    struck = np.any(books.stored.get("contact", 0.0))
+    close_up = "snap and strike" if struck else "snap"
+    zooms = [("whole run", whole)] if window is None else [("whole run", whole), (close_up, window)]
+    width = 0.675 if window is None else 0.325
     with picture(path, (12.0, 8.0), headline) as figure:
-        columns: list[tuple[float, float, tuple[float, float] | None]] = [(0.075, 0.325, None)]
-        if window is None:
-            columns = [(0.075, 0.675, None)]
-        else:
-            columns.append((0.425, 0.325, window))
-        struck = np.any(books.stored.get("contact", 0.0))
-        close_up = "snap and strike" if struck else "snap"
-        for place, (left, width, zoom) in enumerate(columns):
-            upper = figure.add_axes((left, 0.43, width, 0.46))
-            lower = figure.add_axes((left, 0.08, width, 0.28))
+        for place, (title, limits) in enumerate(zooms):
+            upper = figure.add_axes((0.075 + 0.35 * place, 0.43, width, 0.46))
+            lower = figure.add_axes((0.075 + 0.35 * place, 0.08, width, 0.28))
             _draw_stored(upper, books)
             _draw_balance(lower, books)
             for axes in (upper, lower):
                 axes.grid(True)
-                axes.set_xlim(zoom or (books.time[0], books.time[-1]))
-            upper.tick_params(labelbottom=False)
+                axes.set_xlim(limits)
+                axes.tick_params(labelbottom=axes is lower, labelleft=place == 0)
+                if place == 0 and window is not None:
+                    axes.axvspan(*window, color=palette.SHADE, zorder=0)
             lower.set_xlabel("time from the start (ms)")
-            upper.set_title("whole run" if zoom is None else close_up, loc="left")
+            upper.set_title(title, loc="left")
             if place == 0:
                 lower.set_title("balance = stored − initial − work + losses")
-            if place > 0:
-                upper.tick_params(labelleft=False)
-                lower.tick_params(labelleft=False)
-            else:
                 upper.set_ylabel("stored energy (EI/L)")
                 lower.set_ylabel("work and losses (EI/L)")
-                if window is not None:
-                    for axes in (upper, lower):
-                        axes.axvspan(*window, color=palette.SHADE, zorder=0)
-        _second_scale(upper, books)
-        _second_scale(lower, books)
         for axes, top in ((upper, 0.89), (lower, 0.36)):
-            handles, labels = axes.get_legend_handles_labels()
-            figure.legend(
-                handles,
-                labels,
-                loc="upper left",
-                bbox_to_anchor=(0.805, top + 0.015),
-                handlelength=1.5,
-            )
-    return path
+            _second_scale(axes, books)
+            corner = {"loc": "upper left", "bbox_to_anchor": (0.805, top + 0.015)}
+            figure.legend(*axes.get_legend_handles_labels(), handlelength=1.5, **corner)
 
 
 def _draw_stored(axes: Any, books: Books) -> None:
     """Each stored energy and their sum."""
     for name, values in books.stored.items():
-        label, style = LINES[name]
+        label, colour, width = LINES[name]
         if np.any(values):
-            axes.plot(books.time, values, label=label, **style)
+            axes.plot(books.time, values, label=label, color=colour, lw=width)
     axes.plot(books.time, books.total, color=palette.INK, lw=1.6, ls="--", label="total stored")
     axes.axhline(0.0, color=palette.QUIET, lw=0.8, zorder=1)
 
@@ -83,11 +69,11 @@ def _draw_balance(axes: Any, books: Books) -> None:
     if np.any(books.work):
         axes.plot(books.time, books.work, color=palette.QUIET, lw=2.2, label="work of the clamps")
     for name, values in books.lost.items():
-        label, style = LINES[name]
+        label, colour, width = LINES[name]
         if name == "numerical_loss":
             label = f"{label} ({values[-1]:.1g})"
         if np.any(values):
-            axes.plot(books.time, values, label=label, **style)
+            axes.plot(books.time, values, label=label, color=colour, lw=width)
     worst = float(np.max(np.abs(books.balance)))
     label = f"balance (within {worst:.0e})"
     axes.plot(books.time, books.balance, color=palette.INK, lw=1.6, ls=":", label=label, zorder=5)

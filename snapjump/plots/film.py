@@ -1,17 +1,18 @@
 """jump.gif and snap.gif: slow motion of the snap and strike, then the flight to the apex."""
 
-import io
 import pathlib
+from typing import Any
 
 import numpy as np
 
+from snapjump.files.atomic import atomic_file
 from snapjump.plots import palette
 from snapjump.plots.camera import View, views
 from snapjump.plots.canvas import Canvas
+from snapjump.plots.jump import apex_of, since_start
 from snapjump.plots.moments import settled, snap_interval
 from snapjump.plots.motion import Array, Motion, Poses, poses
 from snapjump.plots.robot_drawing import arrows, clamp_stubs
-from snapjump.plots.saving import save_bytes
 from snapjump.plots.trajectory import flight_end
 
 SIZE = (420, 460)
@@ -36,14 +37,10 @@ def film_times(motion: Motion, apex_ms: float | None) -> tuple[Array, int]:
     return np.concatenate([near, np.linspace(last, end, FLIGHT + 1)[1:]]), len(near)
 
 
-def draw_film(
-    motion: Motion,
-    apex_ms: float | None,
-    apex: tuple[float, float] | None,
-    path: pathlib.Path,
-) -> pathlib.Path:
+def draw_film(result: Any, motion: Motion, path: pathlib.Path) -> None:
     """Draw and write the film."""
-    times, close = film_times(motion, apex_ms)
+    apex = apex_of(result)
+    times, close = film_times(motion, since_start(result, "apex_time_s"))
     shown = poses(motion, times)
     cameras = views(motion, shown, close, SIZE, BAR)
     pictures = []
@@ -56,12 +53,9 @@ def draw_film(
         _draw_caption(canvas, camera, motion, times, k)
         pictures.append(canvas.picture())
     durations = [FRAME_MS] * (len(pictures) - 1) + [HOLD_MS]
-    buffer = io.BytesIO()
-    pictures[0].save(
-        buffer, "GIF", save_all=True, append_images=pictures[1:], duration=durations, loop=0,
-        optimize=False,
-    )  # fmt: skip
-    return save_bytes(buffer.getvalue(), path)
+    more = {"append_images": pictures[1:], "duration": durations, "loop": 0, "optimize": False}
+    with atomic_file(path, "wb") as file:
+        pictures[0].save(file, "GIF", save_all=True, **more)
 
 
 def _draw_world(
@@ -77,39 +71,34 @@ def _draw_world(
         return
     surface = view.origin_y
     canvas.rectangle((0.0, surface, canvas.width, canvas.height), palette.GROUND)
-    canvas.line([0.0, canvas.width], [surface, surface], palette.INK, 1.0)
+    canvas.line([(0.0, surface), (canvas.width, surface)], palette.INK, 1.0)
     if k > 0:
-        canvas.line(*view.at(*shown.centre[: k + 1].T), palette.CENTRE, 1.5)
+        canvas.line(view.at(shown.centre[: k + 1]), palette.CENTRE, 1.5)
     if apex is not None:
-        x, y = view.at(np.array(apex[0]), np.array(apex[1]))
-        canvas.disc(float(x), float(y), 4.0, palette.FORCE)
-        to_left = x > 0.5 * canvas.width
+        x, y = view.at(np.array(apex)).tolist()
+        canvas.disc((x, y), 4.0, palette.FORCE)
+        side, anchor = (-1.0, "rm") if x > 0.5 * canvas.width else (1.0, "lm")
         mark = f"apex ({apex[0]:.2f}, {apex[1]:.2f}) L"
-        place = (
-            float(x) - 0.6 * view.scale - 12.0 if to_left else float(x) + 0.6 * view.scale + 12.0
-        )
-        canvas.text(place, float(y), mark, palette.INK, 14, "rm" if to_left else "lm")
+        canvas.text(x + side * (0.6 * view.scale + 12.0), y, mark, palette.INK, 14, anchor)
 
 
 def _draw_robot(canvas: Canvas, view: View, shown: Poses, k: int) -> None:
     """Frame, clamps, beam and centre of mass, with lines that thin out as the camera retreats."""
     thin = float(np.clip(view.scale / 200.0, 0.3, 1.0))
-    if shown.corner_x is not None and shown.corner_y is not None:
-        corners = view.at(shown.corner_x[k], shown.corner_y[k])
-        canvas.line(*corners, palette.FRAME, 6.0 * thin)
-    x, y = shown.node_x[k], shown.node_y[k]
+    if shown.corners is not None:
+        canvas.line(view.at(shown.corners[k]), palette.FRAME, 6.0 * thin)
+    beam = view.at(shown.nodes[k])
     if thin > 0.5:
-        bars_x, bars_y = view.at(*clamp_stubs(x, y, 0.05))
-        for part in (slice(0, 2), slice(3, 5)):
-            canvas.line(bars_x[part], bars_y[part], palette.CLAMP, 8.0 * thin)
-    line_x, line_y = view.at(x, y)
-    canvas.line(line_x, line_y, palette.BEAM, 4.0 * thin)
+        x, y = shown.nodes[k].T
+        bars = view.at(np.column_stack(clamp_stubs(x, y, 0.05)))
+        for bar in (bars[:2], bars[3:]):
+            canvas.line(bar, palette.CLAMP, 8.0 * thin)
+    canvas.line(beam, palette.BEAM, 4.0 * thin)
     if thin > 0.5:
         for end in (0, -1):
-            canvas.disc(line_x[end], line_y[end], 4.5 * thin, palette.PAPER, palette.INK)
+            canvas.disc(beam[end], 4.5 * thin, palette.PAPER, palette.INK)
     if shown.centre is not None:
-        at = view.at(*shown.centre[k])
-        canvas.disc(float(at[0]), float(at[1]), 2.0 + 3.0 * thin, palette.CENTRE)
+        canvas.disc(view.at(shown.centre[k]), 2.0 + 3.0 * thin, palette.CENTRE)
 
 
 def _draw_push(canvas: Canvas, view: View, motion: Motion, time: float) -> None:
@@ -117,7 +106,7 @@ def _draw_push(canvas: Canvas, view: View, motion: Motion, time: float) -> None:
     sample = int(np.argmin(abs(motion.time - time)))
     for x, vector in zip(motion.pad_x[sample], 0.25 * arrows(motion, sample), strict=True):
         tip = np.array([x, 0.0])
-        canvas.arrow(view.at(*(tip - vector)), view.at(*tip), palette.FORCE)
+        canvas.arrow(view.at(tip - vector), view.at(tip), palette.FORCE)
 
 
 def _draw_caption(canvas: Canvas, view: View, motion: Motion, times: Array, k: int) -> None:
@@ -131,5 +120,5 @@ def _draw_caption(canvas: Canvas, view: View, motion: Motion, times: Array, k: i
     sizes = np.array([0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0])
     bar = float(sizes[np.argmin(abs(sizes * view.scale - 60.0))])
     right, left = canvas.width - 60.0, canvas.width - 60.0 - bar * view.scale
-    canvas.line([left, right], [BAR / 2] * 2, palette.INK, 2.0)
+    canvas.line([(left, BAR / 2), (right, BAR / 2)], palette.INK, 2.0)
     canvas.text(right + 8, BAR / 2, f"{bar:g} L", palette.INK, 14, "lm")

@@ -41,9 +41,8 @@ def draw_filmstrip(
         label = {"va": "bottom", "transform": axes.transData}
         axes.text(left, top + 0.015 * cell[1], name, **label)
         clock = f"{motion.time[index]:.2f} ms"
-        axes.text(
-            left + window[2], top + 0.015 * cell[1], clock, ha="right", weight="bold", **label
-        )
+        right = left + window[2]
+        axes.text(right, top + 0.015 * cell[1], clock, ha="right", weight="bold", **label)
         before = index
     row, column = divmod(rows * columns - 1, columns)
     corner = column * cell[0] + 0.06 * cell[0], -row * cell[1] - 0.12 * cell[1]
@@ -52,9 +51,7 @@ def draw_filmstrip(
 
 def _window(motion: Motion, chosen: Array, aspect: float) -> Window:
     """The part of the world that every panel shows: it holds every instant chosen."""
-    x, y = motion.node_x[chosen], motion.node_y[chosen]
-    if motion.corner_x is not None and motion.corner_y is not None:
-        x, y = np.hstack([x, motion.corner_x[chosen]]), np.hstack([y, motion.corner_y[chosen]])
+    x, y = np.moveaxis(motion.outline()[chosen], -1, 0)
     left, right, low, high = x.min() - 0.1, x.max() + 0.1, y.min() - 0.1, y.max() + 0.08
     if motion.centre is not None:
         low = min(low, -ARROW - 0.05)
@@ -75,31 +72,20 @@ def _draw_panel(
     """One instant, over pale traces of the beam since the instant `before`, moved by `shift`."""
     left, low, width, height = window
     dx, dy = shift
-    axes.fill_between(
-        [left + dx, left + dx + width],
-        low + dy,
-        low + dy + height,
-        color=palette.SHADE,
-        lw=0,
-        zorder=0,
-    )
+    sides, shade = [left + dx, left + dx + width], {"color": palette.SHADE, "lw": 0, "zorder": 0}
+    axes.fill_between(sides, low + dy, low + dy + height, **shade)
     if motion.centre is not None:
-        draw_ground(axes, (low + dy, dy), left + dx, left + dx + width)
+        draw_ground(axes, (low + dy, dy), *sides)
     if index > before + 1:
-        ghost_x, ghost_y = _ghosts(motion, before, index)
         style = {"color": palette.SKY, "lw": 0.9, "alpha": 0.6, "zorder": 2}
-        axes.plot(ghost_x + dx, ghost_y + dy, **style)
-    corners = None
-    if motion.corner_x is not None and motion.corner_y is not None:
-        corners = motion.corner_x[index] + dx, motion.corner_y[index] + dy
-    draw_robot(axes, motion.node_x[index] + dx, motion.node_y[index] + dy, corners)
+        axes.plot(*(_ghosts(motion, before, index) + shift).T, **style)
+    draw_robot(axes, motion, index, shift)
     if motion.centre is not None:
-        x, y = motion.centre[index]
-        axes.plot(x + dx, y + dy, "o", ms=6, color=palette.CENTRE, zorder=6)
+        axes.plot(*(motion.centre[index] + shift), "o", ms=6, color=palette.CENTRE, zorder=6)
     push = motion.push[index]
     if largest > 0.0 and push > 0.05:
-        foot = motion.pad_x[index] + dx, np.full(motion.pad_x.shape[1], dy)
-        draw_forces(axes, foot, ARROW * arrows(motion, index))
+        foot = np.column_stack([motion.pad_x[index], np.zeros_like(motion.pad_x[index])])
+        draw_forces(axes, foot + shift, ARROW * arrows(motion, index))
         strongest = motion.pad_x[index, np.argmax(motion.pad_force[index, :, 1])]
         aside, part = ("left", 0.03) if strongest > left + 0.5 * width else ("right", 0.97)
         size = f"{push:.1f} × weight" if push < 10 else f"{push:.0f} × weight"
@@ -107,13 +93,12 @@ def _draw_panel(
         axes.text(*place, size, color=palette.FORCE, ha=aside, va="bottom")
 
 
-def _ghosts(motion: Motion, before: int, index: int) -> tuple[Array, Array]:
-    """Beams evenly spread over the way between two samples, parted by NaN."""
+def _ghosts(motion: Motion, before: int, index: int) -> Array:
+    """Beams (P, 2) evenly spread over the way between two samples, parted by NaN."""
     path = travel(motion)[before : index + 1]
     marks = np.linspace(path[0], path[-1], GHOSTS + 1)[:-1]
     ghosts = poses(motion, np.interp(marks, path, motion.time[before : index + 1]))
-    gap = np.full((len(marks), 1), np.nan)
-    return np.hstack([ghosts.node_x, gap]).ravel(), np.hstack([ghosts.node_y, gap]).ravel()
+    return np.hstack([ghosts.nodes, np.full((len(marks), 1, 2), np.nan)]).reshape(-1, 2)
 
 
 def _draw_key(
@@ -125,7 +110,7 @@ def _draw_key(
         ("beam in between", {"color": palette.SKY, "lw": 1.0}),
         ("clamp", {"color": palette.CLAMP, "lw": 5.0, "solid_capstyle": "butt"}),
     ]
-    if motion.corner_x is not None:
+    if motion.corners is not None:
         entries.insert(0, ("rigid frame", {"color": palette.FRAME, "lw": 2.8}))
     if motion.centre is not None:
         entries.append(("centre of mass", {"color": palette.CENTRE, "marker": "o", "lw": 0}))

@@ -51,11 +51,10 @@ def headline(result: Any) -> str:
     return text if result.status == "ok" else f"{text}   ({result.status})"
 
 
-def jump_picture(result: Any, motion: Motion, path: pathlib.Path) -> pathlib.Path:
+def jump_picture(result: Any, motion: Motion, path: pathlib.Path) -> None:
     """Filmstrip and trajectory of a jump."""
     with picture(path, (12.0, 8.0), headline(result)) as figure:
         liftoff = since_start(result, "liftoff_time_s")
         draw_filmstrip(figure, motion, liftoff, (0.015, 0.02, 0.63, 0.91))
         axes = figure.add_axes((0.70, 0.07, 0.285, 0.81))
         draw_trajectory(axes, motion, since_start(result, "apex_time_s"), apex_of(result))
-    return path

@@ -12,17 +12,15 @@ TOUCH = 0.05  # what counts as the beam's first touch, in weights of the robot
 
 def beam_in_frame(motion: Motion) -> tuple[Array, Array]:
     """The beam (K, N+1) along and above the line of its clamps, in L."""
-    x, y = motion.node_x, motion.node_y
-    along_x, along_y = x[:, -1:] - x[:, :1], y[:, -1:] - y[:, :1]
-    span = np.maximum(np.hypot(along_x, along_y), 1e-12)
-    cos, sin = along_x / span, along_y / span
-    dx, dy = x - x[:, :1], y - y[:, :1]
+    dx, dy = np.moveaxis(motion.nodes - motion.nodes[:, :1], -1, 0)
+    span = np.maximum(np.hypot(dx[:, -1:], dy[:, -1:]), 1e-12)
+    cos, sin = dx[:, -1:] / span, dy[:, -1:] / span
     return cos * dx + sin * dy, cos * dy - sin * dx
 
 
 def middle_height(motion: Motion) -> Array:
     """Height of the beam's middle above the line of its clamps, in L (K,)."""
-    return beam_in_frame(motion)[1][:, motion.node_x.shape[1] // 2]
+    return beam_in_frame(motion)[1][:, motion.nodes.shape[1] // 2]
 
 
 def snap_interval(motion: Motion) -> tuple[int, int] | None:

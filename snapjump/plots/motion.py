@@ -14,43 +14,53 @@ NAMES = (
 
 
 @dataclass(frozen=True)
-class Motion:
-    """A sampled motion; K samples, N+1 nodes. Lengths in L, times in ms from the start."""
+class Poses:
+    """M instants of a robot. Lengths in L, times in ms from the start."""
+
+    time: Array  # (M,)
+    nodes: Array  # (M, N+1, 2) of the beam
+    corners: Array | None  # (M, 4, 2): left foot, left top, right top, right foot
+    centre: Array | None  # (M, 2) centre of mass
+
+    def outline(self) -> Array:
+        """Nodes and corners (M, P, 2)."""
+        return self.nodes if self.corners is None else np.hstack([self.nodes, self.corners])
+
+
+@dataclass(frozen=True)
+class Motion(Poses):
+    """A sampled motion."""
 
     length_m: float
-    time: Array  # (K,)
-    node_x: Array  # (K, N+1)
-    node_y: Array
-    corner_x: Array | None  # (K, 4): left foot, left top, right top, right foot
-    corner_y: Array | None
-    centre: Array | None  # (K, 2) centre of mass
     velocity: Array | None  # (2,) of the centre of mass at the last sample, L/ms, if it flies
     gravity: float  # L/ms^2
     turning: float  # rad/ms of the frame in flight
-    pad_x: Array  # (K, P) where the ground pushes: centre of pressure of the beam, then corners
-    pad_force: Array  # (K, P, 2) friction and normal force there, over the robot's weight
-    alpha: Array | None  # (K,) leading clamp's angle, rad
+    pad_x: Array  # (M, P) where the ground pushes: centre of pressure of the beam, then corners
+    pad_force: Array  # (M, P, 2) friction and normal force there, over the robot's weight
 
     @property
     def count(self) -> int:
         return len(self.time)
 
     @property
+    def is_beam(self) -> bool:
+        """Whether it is more than a point."""
+        return self.nodes.shape[1] > 2
+
+    @property
     def push(self) -> Array:
-        """Whole normal force of the ground over the robot's weight (K,)."""
+        """Whole normal force of the ground over the robot's weight (M,)."""
         return self.pad_force[:, :, 1].sum(axis=1)
 
 
-@dataclass(frozen=True)
-class Poses:
-    """M instants of a motion, interpolated between samples or in ballistic flight after them."""
-
-    time: Array  # (M,)
-    node_x: Array  # (M, N+1)
-    node_y: Array
-    corner_x: Array | None  # (M, 4)
-    corner_y: Array | None
-    centre: Array | None  # (M, 2)
+def finite_samples(arrays: dict[str, Any]) -> dict[str, Array]:
+    """The samples at which all arrays (K, ...) are there and finite."""
+    data = {name: np.asarray(values, float) for name, values in arrays.items()}
+    count = min(len(column) for column in data.values())
+    good = np.ones(count, bool)
+    for column in data.values():
+        good &= np.isfinite(column[:count].reshape(count, -1)).all(axis=1)
+    return {name: column[:count][good] for name, column in data.items()}
 
 
 def read_motion(result: Any) -> Motion | None:
@@ -58,42 +68,36 @@ def read_motion(result: Any) -> Motion | None:
     arrays = result.arrays
     if any(np.size(arrays.get(key, ())) == 0 for key in ("time_s", "node_x_m", "node_y_m")):
         return None
-    data = {name: np.asarray(arrays[name], float) for name in NAMES if name in arrays}
-    count = min(len(column) for column in data.values())
-    good = np.ones(count, bool)
-    for column in data.values():
-        good &= np.isfinite(column[:count].reshape(count, -1)).all(axis=1)
-    if not good.any():
+    data = finite_samples({name: arrays[name] for name in NAMES if name in arrays})
+    if not len(data["time_s"]):
         return None
-    data = {name: column[:count][good] for name, column in data.items()}
     length = float(result.simulation.robot.length_m)
     gravity = float(getattr(result.simulation.robot, "gravity_m_s2", 0.0))
     time = 1e3 * (data["time_s"] - data["time_s"][0])
-    centre = velocity = None
-    if "com_x_m" in data and "com_y_m" in data:
-        centre = np.stack([data["com_x_m"], data["com_y_m"]], axis=1) / length
-    if result.status == "ok" and "com_vx_m_s" in data and "com_vy_m_s" in data:
-        velocity = np.array([data["com_vx_m_s"][-1], data["com_vy_m_s"][-1]]) / length * 1e-3
-    corner_x = corner_y = None
-    turning = 0.0
-    if "corner_x_m" in data and "corner_y_m" in data:
-        corner_x, corner_y = data["corner_x_m"] / length, data["corner_y_m"] / length
-        turning = _turning_rate(time, corner_x, corner_y)
+
+    def points(name: str, unit: str = "m") -> Array | None:
+        """x and y (K, P, 2), lengths in L; None if the result has none."""
+        keys = [f"{name}x_{unit}", f"{name}y_{unit}"]
+        if not data.keys() >= set(keys):
+            return None
+        return np.stack([data[key].reshape(len(time), -1) for key in keys], axis=-1) / length
+
+    nodes, corners, centre, speed = (
+        *(points(name) for name in ("node_", "corner_", "com_")), points("com_v", "m_s")
+    )  # fmt: skip
+    assert nodes is not None
     pad_x, pad_force = _pads(data, length, _weight(result))
     return Motion(
-        length_m=length,
         time=time,
-        node_x=data["node_x_m"].reshape(len(time), -1) / length,
-        node_y=data["node_y_m"].reshape(len(time), -1) / length,
-        corner_x=corner_x,
-        corner_y=corner_y,
-        centre=centre,
-        velocity=velocity,
+        nodes=nodes,
+        corners=corners,
+        centre=None if centre is None else centre[:, 0],
+        length_m=length,
+        velocity=None if speed is None or result.status != "ok" else speed[-1, 0] * 1e-3,
         gravity=gravity / length * 1e-6,
-        turning=turning,
+        turning=0.0 if corners is None else _turning_rate(time, corners),
         pad_x=pad_x,
         pad_force=pad_force,
-        alpha=data.get("clamp_left_rad"),
     )
 
 
@@ -105,37 +109,38 @@ def poses(motion: Motion, times: Array) -> Poses:
     left = np.maximum(right - 1, 0)
     step = np.where(right > left, motion.time[right] - motion.time[left], 1.0)
     part = np.clip((times - motion.time[left]) / np.maximum(step, 1e-12), 0.0, 1.0)[:, None]
-
-    def mix(column: Array | None) -> Array | None:
-        if column is None:
-            return None
-        return (1.0 - part) * column[left] + part * column[right]
-
-    node_x, node_y = mix(motion.node_x), mix(motion.node_y)
-    corner_x, corner_y, centre = mix(motion.corner_x), mix(motion.corner_y), mix(motion.centre)
-    assert node_x is not None and node_y is not None
+    centre = moved = None
+    after = np.maximum(times - motion.time[-1], 0.0)
+    if motion.centre is not None:
+        centre = moved = (1.0 - part) * motion.centre[left] + part * motion.centre[right]
     if centre is not None and motion.velocity is not None:
-        after = np.maximum(times - motion.time[-1], 0.0)
-        angle = motion.turning * after
         moved = centre + after[:, None] * motion.velocity
         moved[:, 1] -= 0.5 * motion.gravity * after**2
-        node_x, node_y = _carry(node_x, node_y, centre, moved, angle)
-        if corner_x is not None and corner_y is not None:
-            corner_x, corner_y = _carry(corner_x, corner_y, centre, moved, angle)
-        centre = moved
-    return Poses(times, node_x, node_y, corner_x, corner_y, centre)
+
+    def placed(points: Array | None) -> Array | None:
+        if points is None:
+            return None
+        shown = (1.0 - part[..., None]) * points[left] + part[..., None] * points[right]
+        if centre is None or moved is None or motion.velocity is None:
+            return shown
+        return _carry(shown, centre, moved, motion.turning * after)
+
+    nodes = placed(motion.nodes)
+    assert nodes is not None
+    return Poses(times, nodes, placed(motion.corners), moved)
 
 
-def _carry(x: Array, y: Array, old: Array, new: Array, angle: Array) -> tuple[Array, Array]:
-    """Turn points (M, P) by `angle` (M,) about `old` (M, 2) and move them along to `new`."""
+def _carry(points: Array, old: Array, new: Array, angle: Array) -> Array:
+    """Turn points (M, P, 2) by `angle` (M,) about `old` (M, 2) and move them along to `new`."""
     cos, sin = np.cos(angle)[:, None], np.sin(angle)[:, None]
-    dx, dy = x - old[:, :1], y - old[:, 1:]
-    return new[:, :1] + cos * dx - sin * dy, new[:, 1:] + sin * dx + cos * dy
+    dx, dy = np.moveaxis(points - old[:, None], -1, 0)
+    x, y = new[:, :1] + cos * dx - sin * dy, new[:, 1:] + sin * dx + cos * dy
+    return np.stack([x, y], axis=-1)
 
 
-def _turning_rate(time: Array, corner_x: Array, corner_y: Array) -> float:
+def _turning_rate(time: Array, corners: Array) -> float:
     """Mean turning rate of the frame's top (rad/ms) over the last tenth of the motion."""
-    top = np.arctan2(corner_y[:, 2] - corner_y[:, 1], corner_x[:, 2] - corner_x[:, 1])
+    top = np.arctan2(*(corners[:, 2] - corners[:, 1]).T[::-1])
     late = time >= time[-1] - 0.1 * (time[-1] - time[0])
     if late.sum() < 2:
         return 0.0

@@ -1,26 +1,14 @@
 """Files written whole: a reader never sees half a picture."""
 
 import contextlib
-import io
-import os
 import pathlib
 from collections.abc import Iterator
 from typing import Any
 
+from snapjump.files.atomic import atomic_file
 from snapjump.plots import palette
 
 DPI = 120
-
-
-def save_bytes(content: bytes, path: pathlib.Path) -> pathlib.Path:
-    """Write a temporary file beside `path`, then move it there."""
-    partial = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        partial.write_bytes(content)
-        os.replace(partial, path)
-    finally:
-        partial.unlink(missing_ok=True)
-    return path
 
 
 @contextlib.contextmanager
@@ -33,9 +21,8 @@ def picture(path: pathlib.Path, size: tuple[float, float], title: str) -> Iterat
         figure = Figure(figsize=size, dpi=DPI)
         figure.text(0.18 / size[0], 1.0 - 0.3 / size[1], title, fontsize=14, va="center")
         yield figure
-        buffer = io.BytesIO()
-        figure.savefig(buffer, format="png", dpi=DPI, pil_kwargs={"compress_level": 4})
-    save_bytes(buffer.getvalue(), path)
+        with atomic_file(path, "wb") as file:
+            figure.savefig(file, format="png", dpi=DPI, pil_kwargs={"compress_level": 4})
 
 
 def axes_at(figure: Any, left: float, bottom: float, width: float, height: float) -> Any:

@@ -1,11 +1,13 @@
 """snap.png: a filmstrip of the snap, and the motion of the beam's middle."""
 
 import pathlib
+from typing import Any
 
 import numpy as np
 
 from snapjump.plots import palette
 from snapjump.plots.filmstrip import draw_filmstrip
+from snapjump.plots.jump import headline
 from snapjump.plots.moments import middle_height, settled, snap_interval
 from snapjump.plots.motion import Array, Motion
 from snapjump.plots.saving import picture
@@ -13,12 +15,12 @@ from snapjump.plots.saving import picture
 
 def middle_angle(motion: Motion) -> Array:
     """Tangent angle at the middle in rad (K,): over the two elements that meet there."""
-    middle = motion.node_x.shape[1] // 2
-    left, right = max(middle - 1, 0), min(middle + 1, motion.node_x.shape[1] - 1)
-    if motion.node_x.shape[1] % 2 == 0:
-        right = middle  # an odd number of elements: the middle one
-    rise = motion.node_y[:, right] - motion.node_y[:, left]
-    return np.arctan2(rise, motion.node_x[:, right] - motion.node_x[:, left])
+    count = motion.nodes.shape[1]
+    left, right = max(count // 2 - 1, 0), min(count // 2 + 1, count - 1)
+    if count % 2 == 0:
+        right = count // 2  # an odd number of elements: the middle one
+    along, rise = (motion.nodes[:, right] - motion.nodes[:, left]).T
+    return np.arctan2(rise, along)
 
 
 def _close_up(motion: Motion) -> tuple[float, float]:
@@ -30,9 +32,9 @@ def _close_up(motion: Motion) -> tuple[float, float]:
     return max(begin - 0.3 * (end - begin), 0.0), max(end, begin + 1e-9)
 
 
-def snap_picture(motion: Motion, headline: str, path: pathlib.Path) -> pathlib.Path:
+def snap_picture(result: Any, motion: Motion, path: pathlib.Path) -> None:
     """Filmstrip on the left; height and angle of the middle against time on the right."""
-    with picture(path, (12.0, 8.0), headline) as figure:
+    with picture(path, (12.0, 8.0), headline(result)) as figure:
         draw_filmstrip(figure, motion, None, (0.015, 0.02, 0.60, 0.91))
         curves = (
             ("height of the middle over the clamps, y / L", middle_height(motion), palette.BEAM),
@@ -47,4 +49,3 @@ def snap_picture(motion: Motion, headline: str, path: pathlib.Path) -> pathlib.P
             axes.set_xlim(*_close_up(motion))
             if place == 1:
                 axes.set_xlabel("time from the start (ms)")
-    return path

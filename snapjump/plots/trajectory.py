@@ -36,10 +36,7 @@ def draw_trajectory(
     _limits(axes, shown, top)
     draw_ground(axes, (axes.get_ylim()[0], 0.0), *axes.get_xlim())
     for k in range(len(shown.time)):
-        corners = None
-        if shown.corner_x is not None and shown.corner_y is not None:
-            corners = shown.corner_x[k], shown.corner_y[k]
-        draw_robot(axes, shown.node_x[k], shown.node_y[k], corners, scale=0.5, alpha=0.75)
+        draw_robot(axes, shown, k, scale=0.5, alpha=0.75)
     flies = end > motion.time[-1]
     axes.plot(
         *flight.centre.T, ls=(0, (4, 2.5)), lw=1.6, color=palette.CENTRE, alpha=0.75, zorder=7,
@@ -69,9 +66,7 @@ def _silhouettes(motion: Motion, end: float) -> Poses:
 
 def _limits(axes: Any, shown: Poses, top: Any) -> None:
     """Limits that hold the silhouettes and the apex label, in the axes' own proportions."""
-    x, y = shown.node_x, shown.node_y
-    if shown.corner_x is not None and shown.corner_y is not None:
-        x, y = np.hstack([x, shown.corner_x]), np.hstack([y, shown.corner_y])
+    x, y = np.moveaxis(shown.outline(), -1, 0)
     low_x, high_x = min(x.min(), top[0]), max(x.max(), top[0])
     high_y = max(y.max(), top[1], 2.0)
     margin = 0.06 * max(high_y, high_x - low_x) + 0.1

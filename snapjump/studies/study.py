@@ -18,7 +18,7 @@ from snapjump.studies.fingerprint import fingerprint
 from snapjump.studies.report import write_report
 from snapjump.studies.store import CellStore
 from snapjump.tasks.base import OK, Outcome, Progress
-from snapjump.tracking.tracked import write_children
+from snapjump.tracking.parts.tracked import write_children
 
 # Relative to where the command is run, like the folders of all results.
 STORE = Path("outputs/studies")

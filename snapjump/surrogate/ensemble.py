@@ -1,19 +1,14 @@
 """``surrogate=ensemble``: residual networks of different seeds, and intervals from their spread."""
 
 import math
+from functools import partial
 
 import torch
 from torch import Tensor, nn
 
 from snapjump.declare.fields import integer
-from snapjump.surrogate.base import (
-    FOUR,
-    OUTPUTS,
-    Inputs,
-    MassScaled,
-    Rows,
-    SurrogateOptions,
-)
+from snapjump.surrogate.base import FOUR, OUTPUTS, Inputs, MassScaled, Rows, SurrogateOptions
+from snapjump.surrogate.parts.layers import residual
 
 CONFIDENCE = 0.9
 
@@ -43,18 +38,6 @@ class Layers(nn.Module):
         return torch.baddbmm(self.bias, values, self.weight)
 
 
-class Block(nn.Module):
-    """A residual block of every member, as in :mod:`snapjump.surrogate.resnet`."""
-
-    def __init__(self, members: int, width: int):
-        super().__init__()
-        inner, outer = (Layers(members, width, width) for _ in range(2))
-        self.change = nn.Sequential(nn.SiLU(), inner, nn.SiLU(), outer)
-
-    def forward(self, values: Tensor) -> Tensor:
-        return values + self.change(values)
-
-
 class Ensemble(MassScaled):
     """Members see the same batches, side by side; each has its own loss.
 
@@ -69,12 +52,7 @@ class Ensemble(MassScaled):
     def __init__(self, members: int, width: int, blocks: int, inputs: Inputs = FOUR):
         super().__init__(inputs)
         self.members = members
-        self.body = nn.Sequential(
-            Layers(members, inputs.columns, width),
-            *[Block(members, width) for _ in range(blocks)],
-            nn.SiLU(),
-            Layers(members, width, OUTPUTS),
-        )
+        self.body = residual(partial(Layers, members), inputs.columns, width, blocks, OUTPUTS)
         self.register_buffer("scale", torch.ones(OUTPUTS))
         self.register_buffer("least", torch.zeros(OUTPUTS))
 

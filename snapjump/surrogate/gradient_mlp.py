@@ -4,14 +4,8 @@ import torch
 from torch import Tensor, nn
 
 from snapjump.declare.fields import integer, number
-from snapjump.surrogate.base import (
-    FOUR,
-    OUTPUTS,
-    Inputs,
-    MassScaled,
-    Rows,
-    SurrogateOptions,
-)
+from snapjump.surrogate.base import FOUR, OUTPUTS, Inputs, MassScaled, Rows, SurrogateOptions
+from snapjump.surrogate.parts.layers import perceptron
 
 
 class GradientMlpOptions(SurrogateOptions):
@@ -39,11 +33,7 @@ class GradientMlp(MassScaled):
     def __init__(self, width: int, layers: int, slope_weight: float, inputs: Inputs = FOUR):
         super().__init__(inputs)
         self.slope_weight = slope_weight
-        sizes = [inputs.columns, *[width] * layers]
-        parts: list[nn.Module] = []
-        for here, there in zip(sizes[:-1], sizes[1:], strict=True):
-            parts += [nn.Linear(here, there), nn.SiLU()]
-        self.body = nn.Sequential(*parts, nn.Linear(width, OUTPUTS))
+        self.body = perceptron([inputs.columns, *[width] * layers, OUTPUTS], nn.SiLU)
 
     def forward(self, designs: Tensor) -> Tensor:
         return self.apexes(self.body(self.scaled(designs)), designs)

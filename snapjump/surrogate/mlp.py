@@ -4,6 +4,7 @@ from torch import Tensor, nn
 
 from snapjump.declare.fields import integer
 from snapjump.surrogate.base import FOUR, OUTPUTS, Inputs, Surrogate, SurrogateOptions
+from snapjump.surrogate.parts.layers import perceptron
 
 
 class MlpOptions(SurrogateOptions):
@@ -22,11 +23,7 @@ class Mlp(Surrogate):
 
     def __init__(self, width: int, layers: int, inputs: Inputs = FOUR):
         super().__init__(inputs)
-        sizes = [inputs.columns, *[width] * layers]
-        parts: list[nn.Module] = []
-        for here, there in zip(sizes[:-1], sizes[1:], strict=True):
-            parts += [nn.Linear(here, there), nn.ReLU()]
-        self.body = nn.Sequential(*parts, nn.Linear(width, OUTPUTS))
+        self.body = perceptron([inputs.columns, *[width] * layers, OUTPUTS], nn.ReLU)
 
     def forward(self, designs: Tensor) -> Tensor:
         return self.outputs.inverse(self.body(self.inputs(designs)))

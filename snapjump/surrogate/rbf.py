@@ -10,14 +10,7 @@ from torch import Tensor
 
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import choice, integer, number
-from snapjump.surrogate.base import (
-    FOUR,
-    OUTPUTS,
-    Inputs,
-    MassScaled,
-    Rows,
-    SurrogateOptions,
-)
+from snapjump.surrogate.base import FOUR, OUTPUTS, Inputs, MassScaled, Rows, SurrogateOptions
 
 KERNELS = ("linear", "thin_plate_spline", "cubic")
 

@@ -4,6 +4,7 @@ from torch import Tensor, nn
 
 from snapjump.declare.fields import integer
 from snapjump.surrogate.base import FOUR, OUTPUTS, Inputs, MassScaled, SurrogateOptions
+from snapjump.surrogate.parts.layers import residual
 
 
 class ResnetOptions(SurrogateOptions):
@@ -17,30 +18,12 @@ class ResnetOptions(SurrogateOptions):
         return Resnet(self.width, self.blocks, inputs)
 
 
-class Block(nn.Module):
-    """x + W2 s(W1 s(x)): an identity that the block corrects (He et al., arXiv 1603.05027)."""
-
-    def __init__(self, width: int):
-        super().__init__()
-        self.change = nn.Sequential(
-            nn.SiLU(), nn.Linear(width, width), nn.SiLU(), nn.Linear(width, width)
-        )
-
-    def forward(self, values: Tensor) -> Tensor:
-        return values + self.change(values)
-
-
 class Resnet(MassScaled):
     """Smooth, so that its slopes can be trusted as its values can."""
 
     def __init__(self, width: int, blocks: int, inputs: Inputs = FOUR):
         super().__init__(inputs)
-        self.body = nn.Sequential(
-            nn.Linear(inputs.columns, width),
-            *[Block(width) for _ in range(blocks)],
-            nn.SiLU(),
-            nn.Linear(width, OUTPUTS),
-        )
+        self.body = residual(nn.Linear, inputs.columns, width, blocks, OUTPUTS)
 
     def forward(self, designs: Tensor) -> Tensor:
         return self.apexes(self.body(self.scaled(designs)), designs)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from snapjump import learning
-from snapjump.checks import ParameterError, is_finite_number
+from snapjump.checks import ParameterError, check_text, is_finite_number
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS, value_at
 from snapjump.inverse.base import Array, InverseOptions
@@ -24,21 +24,20 @@ def checked_target(value: Any) -> Array:
     allowed = f"[x, y] of an apex in L: two numbers, y >= 0, none beyond {FARTHEST_BAR:g}"
     if not isinstance(value, Sequence) or isinstance(value, str) or len(value) != 2:
         raise ParameterError("target", value, allowed)
-    if not all(is_finite_number(number) for number in value) or not fits(value):
+    x, y = value
+    if not (is_finite_number(x) and is_finite_number(y)):
+        raise ParameterError("target", list(value), allowed)
+    if not (abs(x) <= FARTHEST_BAR and 0.0 <= y <= FARTHEST_BAR):
         raise ParameterError("target", list(value), allowed)
     return np.array(value, dtype=float)
 
 
-def fits(value: Sequence[float]) -> bool:
-    """Whether an apex is above the ground, and not astronomically far."""
-    return abs(value[0]) <= FARTHEST_BAR and 0.0 <= value[1] <= FARTHEST_BAR
-
-
 def checkpoint_path(value: Any) -> Path:
     """Where a forward model lies, null: the one that comes along. Raises ParameterError."""
-    if value is not None and (not isinstance(value, str) or not value):
-        raise ParameterError("checkpoint", value, "null, or a file that task=train left")
-    return Path(value) if value else SHIPPED
+    if value is None:
+        return SHIPPED
+    check_text("checkpoint", value, "null, or a file that task=train left")
+    return Path(value)
 
 
 def trained_forward(path: Path) -> "ForwardModel":

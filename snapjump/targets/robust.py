@@ -1,14 +1,14 @@
 """Robust designs: the least expected miss when no parameter is quite what it should be."""
 
 import time
-from dataclasses import dataclass, fields
+from dataclasses import astuple, dataclass
 
 import numpy as np
 from scipy.optimize import minimize
 from scipy.special import ndtr, ndtri
 from scipy.stats import qmc
 
-from snapjump.checks import check_number
+from snapjump.declare.fields import Part, number
 from snapjump.inverse.base import Array, ForwardModel, Problem, Solution
 
 SAMPLES, REPORTED = 256, 2048  # powers of two, as Sobol's points ask for
@@ -17,24 +17,21 @@ FIRST_STEP = 0.05  # of the descent, as a share of the ranges
 LARGEST = 1.0e3  # of a standard deviation
 
 
-@dataclass(frozen=True)
-class Tolerance:
+class Tolerance(Part):
     """Standard deviations of the parameters as built and met, each normal about its nominal value
     and cut off where the forward model's range ends."""
 
-    delta_alpha_rad: float = 0.002
-    epsilon: float = 0.001
-    mass_bar: float = 0.01
-    mu: float = 0.02
+    group = "tolerance"
 
-    def __post_init__(self) -> None:
-        for field in fields(self):
-            check_number(f"tolerance.{field.name}", getattr(self, field.name), 0.0, LARGEST)
+    delta_alpha_rad: float = number(0.002, least=0.0, most=LARGEST)
+    epsilon: float = number(0.001, least=0.0, most=LARGEST)
+    mass_bar: float = number(0.01, least=0.0, most=LARGEST)
+    mu: float = number(0.02, least=0.0, most=LARGEST)
 
     @property
     def deviations(self) -> Array:
         """All four (4,)."""
-        return np.array([getattr(self, field.name) for field in fields(self)])
+        return np.array(astuple(self))
 
 
 @dataclass(frozen=True)

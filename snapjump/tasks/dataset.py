@@ -2,27 +2,25 @@
 
 import os
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from snapjump.checks import ParameterError, check_integer
 from snapjump.files.result_folder import ResultFolder
 from snapjump.tasks.base import INTERRUPTED, OK, Outcome, Progress
-from snapjump.tasks.simulate import check_complete
+from snapjump.tasks.complete import check_complete, whole
 from snapjump.terminal.block import number
 from snapjump.tracking.base import DatasetUse
-from snapjump.tracking.tracked import write_datasets
+from snapjump.tracking.parts.tracked import write_datasets
 
 if TYPE_CHECKING:
     from snapjump.dataset.folder import DatasetFolder
     from snapjump.dataset.generate import Generation
+    from snapjump.dataset.options import SharedDataset
     from snapjump.dataset.specification import Specification
     from snapjump.executor.base import Executor
     from snapjump.files.lock import FileLock
 
-KEYS = ("path", "sensitivities", "shard_size", "part", "parts")
-MOST_PARTS = 10_000
 # Share of the progress bar for the jumps; the rest is for reading them again and drawing.
 GENERATION_SHARE = 0.95
 
@@ -30,41 +28,40 @@ GENERATION_SHARE = 0.95
 class GenerateDataset:
     """Generates what is missing, then looks at all of it."""
 
-    def __init__(self) -> None:
-        self._config: Mapping[str, Any] = {}
-        self._specification: Specification
-        self._executor: Executor
-        self._folder: DatasetFolder
-        self._locks: list[FileLock] = []
-        self._damaged: list[str] = []
+    _config: Mapping[str, Any]
+    _options: "SharedDataset"
+    _specification: "Specification"
+    _executor: "Executor"
+    _folder: "DatasetFolder"
+    _locks: "list[FileLock]"
+    _damaged: Sequence[str] = ()
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Check every value, the folder and the executor; claim the folder."""
         from snapjump.dataset.folder import DatasetFolder, default_path
+        from snapjump.dataset.options import SharedDataset
         from snapjump.dataset.specification import specify
         from snapjump.declare.members import make_member
 
         self._config = config
-        keys = config.get("dataset") or {}
-        check_keys(keys)
-        self._specification = specify(config, keys["shard_size"], keys["sensitivities"])
+        self._options = whole(SharedDataset, config.get("dataset"))
+        self._specification = specify(config, self._options.shard_size, self._options.sensitivities)
         check_complete(config, self._specification.simulation)
         self._executor = make_member("executor", config.get("executor")).executor()
         self._executor.check()
-        path = keys["path"]
-        self._folder = DatasetFolder(Path(path) if path else default_path(self._specification))
+        path = self._options.path or default_path(self._specification)
+        self._folder = DatasetFolder(Path(path))
         self._folder.check(self._specification)
         try:
-            self._locks = self._folder.claim(keys["part"], keys["parts"])
+            self._locks = self._folder.claim(self._options.part, self._options.parts)
         except OSError as error:
             allowed = f"a folder that can be written to ({error.strerror})"
-            raise ParameterError("dataset.path", str(self._folder.path), allowed) from error
+            raise self._folder.refused(allowed) from error
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         """Generate, read it all once more, and leave figures and the record of its hash."""
         from snapjump.dataset.generate import generate
 
-        keys = self._config["dataset"]
         shown = GENERATION_SHARE if self._config["figures"] else 1.0
         try:
             generation = generate(
@@ -73,8 +70,8 @@ class GenerateDataset:
                 self._executor,
                 self._config["backend"],
                 lambda done, text: progress(shown * done, text),
-                keys["part"],
-                keys["parts"],
+                self._options.part,
+                self._options.parts,
             )
         finally:
             for lock in self._locks:
@@ -138,21 +135,6 @@ class GenerateDataset:
             draw_status(statistics, dataset.statuses, title, path / "status.png")
 
         folder.write_figures(draw)
-
-
-def check_keys(keys: Mapping[str, Any]) -> None:
-    """Check the group ``dataset``, but for what its shards may be. Raises ParameterError."""
-    for key in keys:
-        if key not in KEYS:
-            raise ParameterError(f"dataset.{key}", keys[key], "dataset has " + ", ".join(KEYS))
-    for key in KEYS:
-        if key not in keys:
-            raise ParameterError(f"dataset.{key}", None, "a value, which cannot be left out")
-    path = keys["path"]
-    if path is not None and (not isinstance(path, str) or not path):
-        raise ParameterError("dataset.path", path, "null, or a folder")
-    check_integer("dataset.parts", keys["parts"], 1, MOST_PARTS)
-    check_integer("dataset.part", keys["part"], 1, keys["parts"])
 
 
 def summary(folder: "DatasetFolder", generation: "Generation") -> dict[str, Any]:

@@ -1,15 +1,13 @@
 """One job around its task: checks, files, and a status whatever happens."""
 
-import signal
 import sys
-import threading
 import time
 import traceback
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from typing import Any
 
 from snapjump.checks import ParameterError, check_choice, check_integer
+from snapjump.declare.members import FAMILIES
 from snapjump.files.atomic import write_text
 from snapjump.files.json_file import finite
 from snapjump.files.provenance import now, provenance
@@ -21,43 +19,18 @@ from snapjump.tasks.base import (
     NOT_FINITE,
     OK,
     Outcome,
-    Progress,
     Task,
 )
+from snapjump.tasks.interrupts import heeded, stopping, uninterrupted
 from snapjump.tasks.publish import check_publish, publish
 from snapjump.tasks.registry import find_task
 from snapjump.terminal.progress import ProgressBar
 
-SECTIONS = (
-    "task",
-    "sim",
-    "accuracy",
-    "robot",
-    "design",
-    "environment",
-    "discretization",
-    "frame",
-    "contact",
-    "friction",
-    "damping",
-    "integrator",
-    "stepping",
-    "backend",
-    "tracking",
-)
+SECTIONS = ("task", "accuracy", "robot", "design", "environment", *FAMILIES, "tracking")
 # Which only some tasks have.
 EXTRAS = (
-    "dataset",
-    "plan",
-    "executor",
-    "surrogate",
-    "training",
-    "checkpoint",
-    "inverse",
-    "target",
-    "tolerance",
-    "figure",
-    "plugins",
+    *("dataset", "plan", "executor", "surrogate", "training", "checkpoint"),
+    *("inverse", "target", "tolerance", "figure", "plugins"),
 )
 SWITCHES = ("figures", "seed", "effort", "publish")
 EFFORTS = ("quick", "full")
@@ -143,52 +116,3 @@ def check_run(config: Mapping[str, Any]) -> None:
         raise ParameterError("figures", config["figures"], "true or false")
     check_choice("effort", config["effort"], EFFORTS)
     check_publish(config)
-
-
-@contextmanager
-def heeded() -> Iterator[list[int]]:
-    """Let Ctrl-C stop the block, at its end if need be: raised inside a callback of a library,
-    KeyboardInterrupt may be swallowed there. Yields the signals that have come."""
-    noticed: list[int] = []
-    if threading.current_thread() is not threading.main_thread():
-        yield noticed
-        return
-
-    def stop(number: int, frame: Any) -> None:
-        noticed.append(number)
-        raise KeyboardInterrupt
-
-    before = signal.signal(signal.SIGINT, stop)
-    try:
-        yield noticed
-    finally:
-        signal.signal(signal.SIGINT, before)
-    if noticed:
-        raise KeyboardInterrupt
-
-
-def stopping(progress: Progress, noticed: list[int]) -> Progress:
-    """The progress of a task that Ctrl-C stops when it is told next, if it was swallowed."""
-
-    def tell(done: float, text: str) -> None:
-        if noticed:
-            raise KeyboardInterrupt
-        progress(done, text)
-
-    return tell
-
-
-@contextmanager
-def uninterrupted() -> Iterator[None]:
-    """Put off Ctrl-C until the block is through, so that a run is never marked halfway."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    pending: list[int] = []
-    before = signal.signal(signal.SIGINT, lambda number, frame: pending.append(number))
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before)
-    if pending:
-        raise KeyboardInterrupt

@@ -16,10 +16,9 @@ FILE = "forward_model.onnx"
 class Export:
     """Reads a checkpoint, writes ONNX, and compares the two."""
 
-    def __init__(self) -> None:
-        self._path = ""
-        self._seed = 0
-        self._model: ForwardModel
+    _path: str
+    _seed: int
+    _model: "ForwardModel"
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Read the checkpoint, which checks it."""

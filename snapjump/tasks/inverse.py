@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
 from snapjump.tasks.base import OK, UNREACHABLE, Outcome, Progress
-from snapjump.tasks.simulate import check_complete
+from snapjump.tasks.complete import check_complete
 
 if TYPE_CHECKING:
     from snapjump.composition import Simulation
-    from snapjump.inverse.base import InverseOptions, Solution
+    from snapjump.inverse.base import Array, InverseOptions, Solution
     from snapjump.learning.forward_model import ForwardModel
     from snapjump.results import Result
     from snapjump.targets.designed import Designed
@@ -28,15 +28,14 @@ DRAWN_POINTS = 81  # of the region in the figure, per control
 class InverseDesign:
     """Decides, searches, simulates what was found, and draws it."""
 
-    def __init__(self) -> None:
-        self._config: Mapping[str, Any] = {}
-        self._base: Simulation
-        self._method: InverseOptions
-        self._tolerance: Tolerance
-        self._trained: ForwardModel
-        self._forward: ForwardModel | None = None
-        self._target: Any = None
-        self._warning = ""
+    _config: Mapping[str, Any]
+    _base: "Simulation"
+    _method: "InverseOptions"
+    _tolerance: "Tolerance"
+    _trained: "ForwardModel"
+    _forward: "ForwardModel | None"
+    _target: "Array"
+    _warning: str
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Check every value, the forward model, and that it is one of this physical model."""

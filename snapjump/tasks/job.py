@@ -13,20 +13,21 @@ from omegaconf import DictConfig, OmegaConf
 from omegaconf.errors import OmegaConfBaseException
 
 from snapjump.checks import ParameterError
+from snapjump.declare.members import make_member
 from snapjump.files.provenance import now, source_hash
 from snapjump.files.result_folder import ResultFolder
 from snapjump.tasks.base import BAD_INPUT, FINISHED, INTERRUPTED, Outcome, Task
 from snapjump.tasks.command_line import load_all
-from snapjump.tasks.execute import execute, uninterrupted, write_outcome
+from snapjump.tasks.execute import execute, write_outcome
 from snapjump.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_OK, EXIT_UNTRACKED, exit_code
 from snapjump.tasks.hydra_errors import one_line
+from snapjump.tasks.interrupts import uninterrupted
 from snapjump.tasks.names import cell_name, register_resolvers, task_overrides
 from snapjump.tasks.sweep import PARENT_RUN
 from snapjump.terminal.block import block, number
 from snapjump.terminal.progress import ProgressBar
 from snapjump.tracking.base import Tracker, TrackingError
-from snapjump.tracking.registry import find_tracker
-from snapjump.tracking.tracked import OWN, record_folder
+from snapjump.tracking.parts.tracked import OWN, record_folder
 
 # A worker process of a parallel sweep imports this module, and nothing before it.
 register_resolvers()
@@ -53,7 +54,7 @@ def run_job(composed: DictConfig) -> int:
 def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[str]) -> int:
     """One job on its own: the closing block on stdout, an error in one line on stderr."""
     try:
-        tracker = find_tracker(config["tracking"])
+        tracker = make_member("tracking", config["tracking"])
         tracker.check()
     except ParameterError as error:
         return _refused(str(error), folder)
@@ -71,7 +72,7 @@ def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[s
 
 def run_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[str]) -> int:
     """One cell of a sweep: done only if it is not yet, and told in one line."""
-    tracker, name = find_tracker(config["tracking"]), cell_name(overrides)
+    tracker, name = make_member("tracking", config["tracking"]), cell_name(overrides)
     parent_id = os.environ.get(PARENT_RUN)
     if folder.holds(config, source_hash(), FINISHED):
         result = folder.result() or {}

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from snapjump.checks import ParameterError
-from snapjump.files.atomic import atomic_file, write_text
+from snapjump.checks import ParameterError, check_text
+from snapjump.files.atomic import write_bytes, write_text
 from snapjump.files.page import page
 from snapjump.files.result_folder import ResultFolder
 from snapjump.tasks.registry import is_study
@@ -21,8 +21,7 @@ def check_publish(config: Mapping[str, Any]) -> None:
     target, task = config["publish"], config["task"].get("name")
     if target is None:
         return
-    if not isinstance(target, str) or not target:
-        raise ParameterError("publish", target, "null, or a folder such as docs/studies")
+    check_text("publish", target, "null, or a folder such as docs/studies")
     if Path(target).exists() and not Path(target).is_dir():
         raise ParameterError("publish", target, "a folder, and this is a file")
     if not is_study(task):
@@ -46,8 +45,7 @@ def publish(config: Mapping[str, Any], folder: ResultFolder) -> list[Path]:
     for picture in sorted(folder.path.glob("*.png")):
         rest = rest.replace(f"({picture.name})", f"({task}-{picture.name})")
         written.append(target / f"{task}-{picture.name}")
-        with atomic_file(written[-1], "wb") as file:
-            file.write(picture.read_bytes())
+        write_bytes(written[-1], picture.read_bytes())
     text = f"{title}\n\n{made}\n{rest}"
     for suffix, content in ((".md", text), (".html", page(title.lstrip("# "), text))):
         written.append(target / f"{task}{suffix}")

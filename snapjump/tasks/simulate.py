@@ -1,13 +1,11 @@
 """``task=simulate``: one simulation of one scene, with its trajectory and its figures."""
 
 from collections.abc import Mapping
-from dataclasses import is_dataclass
 from typing import TYPE_CHECKING, Any
 
-from snapjump.checks import ParameterError
-from snapjump.declare.fields import settings
 from snapjump.files.result_folder import ResultFolder
 from snapjump.tasks.base import NOT_FINITE, OK, Outcome, Progress
+from snapjump.tasks.complete import check_complete
 
 if TYPE_CHECKING:
     from snapjump.simulation import Result, Simulation
@@ -19,9 +17,8 @@ SIMULATION_SHARE = 0.6
 class Simulate:
     """Builds the scene, simulates it and draws what happened."""
 
-    def __init__(self) -> None:
-        self._config: Mapping[str, Any] = {}
-        self._simulation: Simulation | None = None
+    _config: Mapping[str, Any]
+    _simulation: "Simulation"
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Build the simulation, which checks every value; then that none was left out."""
@@ -36,7 +33,6 @@ class Simulate:
         """Simulate, and leave the trajectory and the figures."""
         from snapjump.simulation import simulate
 
-        assert self._simulation is not None, "prepare comes first"
         share = SIMULATION_SHARE if self._config["figures"] else 1.0
         result = simulate(self._simulation, lambda done, text: progress(share * done, text))
         outcome = Outcome(result.status, result.message, dict(result.summary))
@@ -53,18 +49,6 @@ class Simulate:
         from snapjump.terminal.scene_report import scene_report
 
         return scene_report(self._config, outcome.summary)
-
-
-def check_complete(config: Mapping[str, Any], simulation: object, **others: Any) -> None:
-    """Raise ParameterError for a key that was deleted: config.yaml tells everything.
-
-    ``others``: options beside the simulation's, by their groups.
-    """
-    for group, values in config.items():
-        options = others.get(group, getattr(simulation, group, None))
-        for key in settings(options) if is_dataclass(options) else ():
-            if key not in values:
-                raise ParameterError(f"{group}.{key}", None, "a value, which cannot be left out")
 
 
 def _draw(result: "Result", folder: ResultFolder, progress: Progress) -> None:

@@ -10,13 +10,13 @@ from hydra.experimental.callback import Callback
 from omegaconf import DictConfig, OmegaConf
 
 from snapjump.checks import ParameterError
+from snapjump.declare.members import make_member
 from snapjump.files.json_file import read_json, write_json
 from snapjump.files.lock import FileLock
 from snapjump.files.provenance import now
 from snapjump.tasks.exit_codes import EXIT_BAD_INPUT
 from snapjump.tasks.names import cell_name, register_resolvers, sweep_name, task_overrides
 from snapjump.tracking.base import Tracker, TrackingError
-from snapjump.tracking.registry import find_tracker
 
 # How the jobs, in whatever process, hear of the sweep's name (a cell's own overrides would give
 # another one) and of the parent's record.
@@ -92,8 +92,7 @@ class SweepCallback(Callback):
             cells = expand(config)
             folder = Path(config.hydra.sweep.dir).absolute()
             tracking = OmegaConf.to_container(config.tracking, resolve=True)
-            assert isinstance(tracking, dict)
-            tracker = find_tracker(tracking)  # type: ignore[arg-type]
+            tracker = make_member("tracking", tracking)
             sweep = Sweep(folder, cells, tracker, FileLock(folder / ".lock"))
             sweep.start()
         except ParameterError as error:

@@ -1,9 +1,8 @@
 """What a sweep came to: a table on the terminal and on disk, a figure, and the parent record."""
 
-import csv
-import io
 import os
 import sys
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -21,7 +20,7 @@ from snapjump.tasks.exit_codes import (
 from snapjump.tasks.names import cell_name
 from snapjump.terminal.block import markdown_table, number, table
 from snapjump.tracking.base import Record, TrackingError
-from snapjump.tracking.tracked import milliseconds, record_folder
+from snapjump.tracking.parts.tracked import milliseconds, numbers_of, record_folder
 
 if TYPE_CHECKING:
     from snapjump.tasks.sweep import Sweep
@@ -48,11 +47,7 @@ class Cell:
 
     def numbers(self) -> dict[str, float]:
         """The results that are numbers."""
-        return {
-            key: value
-            for key, value in self.result.items()
-            if isinstance(value, (int, float)) and not isinstance(value, bool)
-        }
+        return numbers_of(self.result)
 
 
 def summarise(sweep: "Sweep", stopped_by: BaseException | None) -> int:
@@ -137,15 +132,16 @@ def main_results(cells: Sequence[Cell]) -> list[str]:
 
 def full_csv(cells: Sequence[Cell]) -> str:
     """Every result of every cell."""
-    results = list(dict.fromkeys(key for cell in cells for key in cell.result))
-    file = io.StringIO()
-    writer = csv.writer(file, lineterminator="\n")
+    import pandas as pd
+
     inputs = list(cells[0].inputs) if cells else []
-    writer.writerow([*inputs, *results, "folder"])
-    for cell in cells:
-        values = [cell.result.get(key, "") for key in results]
-        writer.writerow([*cell.inputs.values(), *values, cell.name])
-    return file.getvalue()
+    results = list(dict.fromkeys(key for cell in cells for key in cell.result))
+    rows = [
+        [*cell.inputs.values(), *[cell.result.get(key) for key in results], cell.name]
+        for cell in cells
+    ]
+    table = pd.DataFrame(rows, columns=[*inputs, *results, "folder"], dtype=object)
+    return str(table.to_csv(index=False))
 
 
 def draw(sweep: "Sweep", cells: Sequence[Cell]) -> bool:
@@ -197,9 +193,8 @@ def _record(sweep: "Sweep", cells: Sequence[Cell], files: Sequence[str], interru
     return True
 
 
-def _statuses(cells: Sequence[Cell]) -> dict[str, int]:
-    statuses = [cell.status for cell in cells]
-    return {status: statuses.count(status) for status in dict.fromkeys(statuses)}
+def _statuses(cells: Sequence[Cell]) -> Counter[str]:
+    return Counter(cell.status for cell in cells)
 
 
 def _count(cells: Sequence[Cell]) -> str:

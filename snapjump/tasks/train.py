@@ -1,24 +1,25 @@
 """``task=train``: a forward model from a dataset, its errors, and the file it is kept in."""
 
 import os
-import shutil
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from snapjump.checks import ParameterError, check_group
-from snapjump.files.atomic import atomic_file
+from snapjump.checks import ParameterError
+from snapjump.files.atomic import write_bytes
 from snapjump.files.result_folder import ResultFolder
 from snapjump.tasks.base import INTERRUPTED, NOT_FINITE, OK, Outcome, Progress
+from snapjump.tasks.complete import whole
 from snapjump.terminal.block import number
 from snapjump.tracking.base import DatasetUse
-from snapjump.tracking.tracked import write_curves, write_datasets
+from snapjump.tracking.parts.tracked import write_curves, write_datasets
 
 if TYPE_CHECKING:
     from snapjump.learning.data import JumpData
     from snapjump.learning.learn import Learned
+    from snapjump.surrogate.base import SurrogateOptions
 
-KEYS = ("path", "sensitivities", "shard_size")
+ROWS = ("rows_train", "rows_validation", "rows_test")
 # What the command that makes the dataset does not know.
 OF_TRAINING = ("task", "surrogate", "training", "tracking", "figures")
 
@@ -26,10 +27,9 @@ OF_TRAINING = ("task", "surrogate", "training", "tracking", "figures")
 class Train:
     """Trains a surrogate on all of a dataset but the test set, which it is measured on."""
 
-    def __init__(self) -> None:
-        self._config: Mapping[str, Any] = {}
-        self._options: Any = None
-        self._data: JumpData
+    _config: Mapping[str, Any]
+    _options: "SurrogateOptions"
+    _data: "JumpData"
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Check every value, then the dataset: that it is whole, and enough for the split."""
@@ -37,10 +37,10 @@ class Train:
         from snapjump.declare.members import make_member
         from snapjump.learning.data import JumpData
         from snapjump.learning.learn import check_slopes
-        from snapjump.learning.training import make_training
+        from snapjump.learning.training import Training
 
         self._config = config
-        training = make_training(config.get("training"))
+        training = whole(Training, config.get("training"))
         self._options = make_member("surrogate", config.get("surrogate"))
         path = dataset_path(config)
         if not path.is_dir():
@@ -56,21 +56,15 @@ class Train:
         from snapjump.learning.timing import microseconds
 
         dataset = self._data.dataset
-        use = DatasetUse(
-            name=dataset.folder.path.name,
-            digest=dataset.sha256,
-            path=str(dataset.folder.path),
-            rows=dataset.rows,
-            context="training",
-        )
+        path = dataset.folder.path
+        use = DatasetUse(path.name, dataset.sha256, str(path), dataset.rows, "training")
         write_datasets(folder, [use])
         try:
             learned = learn(self._data, self._options, progress, self._config)
         except FloatingPointError as error:
             return Outcome(NOT_FINITE, str(error))
         file = folder.path / FORWARD_MODEL
-        with open(learned.file, "rb") as source, atomic_file(file, "wb") as target:
-            shutil.copyfileobj(source, target)
+        write_bytes(file, learned.file.read_bytes())
         write_curves(folder, learned.curves)
         if self._config["figures"]:
             self._draw(folder, learned)
@@ -83,11 +77,7 @@ class Train:
             **about["measures"],
             "train_seconds": about["train_seconds"],
             "trained_before": learned.kept,
-            "epochs": about["epochs"],
-            "parameters": about["parameters"],
-            "rows_train": about["rows_train"],
-            "rows_validation": about["rows_validation"],
-            "rows_test": about["rows_test"],
+            **{key: about[key] for key in ("epochs", "parameters", *ROWS)},
             "dataset_sha256": dataset.sha256,
             "inference_us": inference_us,
         }
@@ -144,23 +134,13 @@ def dataset_path(config: Mapping[str, Any]) -> Path:
     Raises ParameterError.
     """
     from snapjump.dataset.folder import default_path
+    from snapjump.dataset.options import DatasetOptions
     from snapjump.dataset.specification import specify
 
-    keys = config.get("dataset")
-    check_group("dataset", keys)
-    assert keys is not None
-    for key in keys:
-        if key not in KEYS:
-            raise ParameterError(f"dataset.{key}", keys[key], "dataset has " + ", ".join(KEYS))
-    for key in KEYS:
-        if key not in keys:
-            raise ParameterError(f"dataset.{key}", None, "a value, which cannot be left out")
-    path = keys["path"]
-    if path is None:
-        return default_path(specify(config, keys["shard_size"], keys["sensitivities"]))
-    if not isinstance(path, str) or not path:
-        raise ParameterError("dataset.path", path, "null, or a folder")
-    return Path(path)
+    given: DatasetOptions = whole(DatasetOptions, config.get("dataset"))
+    if given.path is not None:
+        return Path(given.path)
+    return default_path(specify(config, given.shard_size, given.sensitivities))
 
 
 def command_of_dataset() -> str:

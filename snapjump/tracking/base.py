@@ -3,7 +3,10 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal, Protocol
+from typing import Any, Literal
+
+from snapjump.checks import check_text
+from snapjump.declare.fields import Part, settings
 
 State = Literal["FINISHED", "FAILED", "KILLED"]
 
@@ -44,12 +47,20 @@ class Record:
     curves: Curves = field(default_factory=dict)
 
 
-class Tracker(Protocol):
-    """Where records go. Only ``check`` may be called before there is something to record."""
+class Tracker(Part):
+    """Where records go: here nowhere. Only ``check`` may be called before there is a record."""
+
+    group = "tracking"
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for key in settings(self):
+            check_text(f"tracking.{key}", getattr(self, key), "a text that is not empty")
 
     @property
     def place(self) -> str:
         """Where the records are, for people; empty if there are none."""
+        return ""
 
     def check(self) -> None:
         """Find out quickly whether records can be written; raises ParameterError."""
@@ -59,9 +70,11 @@ class Tracker(Protocol):
 
         Raises TrackingError.
         """
+        return None
 
     def open_parent(self, name: str, run_id: str | None) -> str | None:
         """Start, or go on with, the record of a whole sweep; returns its id."""
+        return None
 
     def close_parent(self, run_id: str, record: Record) -> None:
         """Complete the record of a whole sweep."""

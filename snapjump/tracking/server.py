@@ -4,33 +4,29 @@ import socket
 from urllib.parse import urlsplit
 
 from snapjump.checks import ParameterError
-from snapjump.tracking.mlflow_store import MlflowStore
+from snapjump.tracking.parts.mlflow_store import MlflowStore
 
 CONNECT_TIMEOUT_S = 5.0
 
 
 class Server(MlflowStore):
-    """Records on the server at ``uri``; artifacts are sent there too."""
+    """MLflow records on a tracking server, at ``uri``; artifacts are sent there too."""
 
-    def __init__(self, uri: str = "http://127.0.0.1:5000", experiment: str = "snapjump"):
-        super().__init__(uri=uri.rstrip("/"), experiment=experiment, artifacts=None)
+    uri: str = "http://127.0.0.1:5000"
+
+    @property
+    def place(self) -> str:
+        return self.uri.rstrip("/")
 
     def check(self) -> None:
         """Someone must listen at the address."""
         try:
-            parts = urlsplit(self.uri)
+            parts = urlsplit(self.place)
             port = parts.port or {"http": 80, "https": 443}[parts.scheme]
-            address = (parts.hostname or "", port)
+            socket.create_connection((parts.hostname or "", port), CONNECT_TIMEOUT_S).close()
         except (ValueError, KeyError):
-            raise ParameterError(
-                "tracking.uri", self.uri, "an address like http://127.0.0.1:5000"
-            ) from None
-        try:
-            socket.create_connection(address, CONNECT_TIMEOUT_S).close()
+            allowed = "an address like http://127.0.0.1:5000"
+            raise ParameterError("tracking.uri", self.place, allowed) from None
         except OSError as error:
-            raise ParameterError(
-                "tracking.uri", self.uri, f"a server that answers ({error.strerror or error})"
-            ) from None
-
-    def prepare(self) -> None:
-        """Nothing: the server looks after its own database."""
+            allowed = f"a server that answers ({error.strerror or error})"
+            raise ParameterError("tracking.uri", self.place, allowed) from None

@@ -3,41 +3,48 @@
 import os
 import sqlite3
 import sys
+from functools import cached_property
 from pathlib import Path
 
 from snapjump.checks import ParameterError
 from snapjump.files.lock import FileLock
-from snapjump.tracking.mlflow_store import MlflowStore
+from snapjump.tracking.parts.mlflow_store import MlflowStore
 
 
 class Sqlite(MlflowStore):
-    """Records in ``path``, relative to where the command is run."""
+    """MLflow records in a file, ``path``, relative to where the command is run."""
 
-    def __init__(self, path: str = "mlruns.db", experiment: str = "snapjump"):
-        self.path = Path(path).absolute()
-        super().__init__(
-            uri=f"sqlite:///{self.path}",
-            experiment=experiment,
-            artifacts=(self.path.parent / f"{self.path.stem}_artifacts").as_uri(),
-        )
+    path: str = "mlruns.db"
+
+    @cached_property
+    def file(self) -> Path:
+        """The database."""
+        return Path(self.path).absolute()
+
+    @property
+    def place(self) -> str:
+        return f"sqlite:///{self.file}"
+
+    @property
+    def artifacts(self) -> str:
+        return (self.file.parent / f"{self.file.stem}_artifacts").as_uri()
 
     def check(self) -> None:
         """The file, or else its nearest folder that exists, must be writable."""
-        if "?" in str(self.path):
-            raise ParameterError("tracking.path", str(self.path), "a path without '?'")
-        if self.path.is_dir():
-            raise ParameterError("tracking.path", str(self.path), "a file, and this is a folder")
-        place = self.path
-        while not place.exists():
-            place = place.parent
-        if not os.access(place, os.W_OK):
-            raise ParameterError("tracking.path", str(self.path), f"{place} must be writable")
+        existing = next(p for p in (self.file, *self.file.parents) if p.exists())
+        for wrong, allowed in (
+            ("?" in str(self.file), "a path without '?'"),
+            (self.file.is_dir(), "a file, and this is a folder"),
+            (not os.access(existing, os.W_OK), f"{existing} must be writable"),
+        ):
+            if wrong:
+                raise ParameterError("tracking.path", str(self.file), allowed)
 
     def prepare(self) -> None:
         """Create the tables, once: processes that did so at the same time would collide."""
         if self._has_tables():
             return
-        with FileLock(self.path.parent / f".{self.path.name}.lock"):
+        with FileLock(self.file.parent / f".{self.file.name}.lock"):
             if not self._has_tables():
                 print(
                     "creating the tracking database, once, about 5 s", file=sys.stderr, flush=True
@@ -45,9 +52,9 @@ class Sqlite(MlflowStore):
                 self.client.search_experiments(max_results=1)
 
     def _has_tables(self) -> bool:
-        if not self.path.exists():
+        if not self.file.exists():
             return False
-        connection = sqlite3.connect(self.path)
+        connection = sqlite3.connect(self.file)
         try:
             query = "SELECT version_num FROM alembic_version"
             return connection.execute(query).fetchone() is not None

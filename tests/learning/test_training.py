@@ -6,7 +6,8 @@ import pytest
 from refusals import refused
 
 from snapjump.checks import ParameterError
-from snapjump.learning.training import Training, make_training
+from snapjump.learning.training import Training
+from snapjump.tasks.complete import whole
 
 
 def test_batches_double_in_equal_stretches() -> None:
@@ -44,17 +45,17 @@ def test_the_rate_rises_and_falls_to_nothing() -> None:
 def test_values_that_are_not_allowed(key: str, values: tuple) -> None:
     for value in values:
         with refused(f"training.{key}") as caught:
-            make_training({**asdict(Training()), key: value})
+            whole(Training, {**asdict(Training()), key: value})
         assert caught.value.value is value
 
 
 def test_every_key_must_be_there_and_no_other() -> None:
     values = asdict(Training())
-    assert make_training(values) == Training()
+    assert whole(Training, values) == Training()
     with pytest.raises(ParameterError, match=r"training\.optimizer"):
-        make_training({**values, "optimizer": "sgd"})
+        whole(Training, {**values, "optimizer": "sgd"})
     for key in values:
         with pytest.raises(ParameterError, match=f"training.{key}"):
-            make_training({other: value for other, value in values.items() if other != key})
+            whole(Training, {other: value for other, value in values.items() if other != key})
     with pytest.raises(ParameterError, match="training"):
-        make_training(None)
+        whole(Training, None)

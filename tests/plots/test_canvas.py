@@ -32,8 +32,8 @@ def test_palette_fits_in_256_entries() -> None:
 
 def test_lines_far_outside_do_no_harm() -> None:
     canvas = Canvas(20, 20)
-    canvas.line(np.array([-1e9, 1e9]), np.array([10.0, 10.0]), palette.BEAM, 3.0)
+    canvas.line(np.array([[-1e9, 10.0], [1e9, 10.0]]), palette.BEAM, 3.0)
     canvas.arrow((5.0, 5.0), (5.0, 5.5), palette.FORCE)
-    canvas.disc(-50.0, 3.0, 4.0, palette.CENTRE)
+    canvas.disc((-50.0, 3.0), 4.0, palette.CENTRE)
     canvas.rectangle((0.0, 30.0, 20.0, 20.0), palette.GROUND)
     assert (np.asarray(canvas.picture().convert("RGB"))[10, 10] == palette.rgb(palette.BEAM)).all()

@@ -16,9 +16,11 @@ def test_samples_are_met_and_halfway_is_the_mean(jump: Any) -> None:
     motion = read_motion(jump)
     assert motion is not None
     at = poses(motion, motion.time)
-    assert at.node_y == pytest.approx(motion.node_y, abs=1e-12)
+    assert at.nodes[..., 1] == pytest.approx(motion.nodes[..., 1], abs=1e-12)
     half = poses(motion, 0.5 * (motion.time[1:] + motion.time[:-1]))
-    assert half.node_x == pytest.approx(0.5 * (motion.node_x[1:] + motion.node_x[:-1]), abs=1e-9)
+    assert half.nodes[..., 0] == pytest.approx(
+        0.5 * (motion.nodes[1:, :, 0] + motion.nodes[:-1, :, 0]), abs=1e-9
+    )
 
 
 def test_flight_ends_at_the_apex_and_keeps_shape_and_turning(jump: Any) -> None:
@@ -28,11 +30,12 @@ def test_flight_ends_at_the_apex_and_keeps_shape_and_turning(jump: Any) -> None:
     end = flight_end(motion, None)
     assert end == pytest.approx(1e3 * jump.summary["apex_time_s"])
     flown = poses(motion, np.array([motion.time[-1], end]))
-    assert flown.centre is not None and flown.corner_x is not None and flown.corner_y is not None
+    assert flown.centre is not None and flown.corners is not None
     assert flown.centre[1] == pytest.approx([jump.summary["x_bar"], jump.summary["y_bar"]])
-    width = np.hypot(np.diff(flown.corner_x[:, 1:3])[:, 0], np.diff(flown.corner_y[:, 1:3])[:, 0])
+    along, above = (flown.corners[:, 2] - flown.corners[:, 1]).T
+    width = np.hypot(along, above)
     assert width == pytest.approx(0.8)
-    angle = np.arctan2(np.diff(flown.corner_y[:, 1:3]), np.diff(flown.corner_x[:, 1:3]))[:, 0]
+    angle = np.arctan2(above, along)
     turned = (angle[1] - angle[0] - motion.turning * (end - motion.time[-1])) / (2 * np.pi)
     assert turned == pytest.approx(round(turned), abs=1e-9)
 
@@ -42,12 +45,11 @@ def test_middle_height_is_measured_in_the_frame(jump: Any) -> None:
     motion = read_motion(jump)
     assert motion is not None
     height = middle_height(motion)
-    assert height[0] == pytest.approx(motion.node_y[0, 32] - motion.node_y[0, 0])
+    assert height[0] == pytest.approx(motion.nodes[0, 32, 1] - motion.nodes[0, 0, 1])
     flown = poses(motion, np.array([motion.time[-1], motion.time[-1] + 50.0]))
     both = read_motion(jump)
     assert both is not None
-    object.__setattr__(both, "node_x", flown.node_x)
-    object.__setattr__(both, "node_y", flown.node_y)
+    object.__setattr__(both, "nodes", flown.nodes)
     assert np.ptp(middle_height(both)) < 1e-12
 
 
@@ -72,4 +74,4 @@ def test_only_what_jumped_flies(jump: Any) -> None:
     assert flight_end(motion, None) == motion.time[-1]
     assert apex_of(fallen) is None and apex_of(jump) is not None
     late = poses(motion, motion.time[-1] + np.array([0.0, 5.0]))
-    assert late.node_y[1] == pytest.approx(late.node_y[0])
+    assert late.nodes[1, :, 1] == pytest.approx(late.nodes[0, :, 1])

@@ -14,9 +14,10 @@ from refusals import refused
 from small_datasets import OVERRIDES
 
 from snapjump.checks import ParameterError
+from snapjump.dataset.options import SharedDataset
 from snapjump.dataset.read import open_dataset
 from snapjump.files.lock import FileLock
-from snapjump.tasks.dataset import check_keys
+from snapjump.tasks.complete import whole
 
 ROOT = Path(__file__).resolve().parents[2]
 PLAN = ("plan=sobol", "plan.count=16", "dataset.shard_size=8")
@@ -139,10 +140,10 @@ def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(tmp_path: Path) -> None
 )
 def test_bad_keys(change: dict[str, Any], key: str) -> None:
     with refused(key):
-        check_keys({**KEYS, **change})
+        whole(SharedDataset, {**KEYS, **change})
 
 
 @pytest.mark.parametrize("key", KEYS)
 def test_keys_that_were_left_out(key: str) -> None:
     with pytest.raises(ParameterError, match=f"dataset.{key}"):
-        check_keys({other: value for other, value in KEYS.items() if other != key})
+        whole(SharedDataset, {other: v for other, v in KEYS.items() if other != key})

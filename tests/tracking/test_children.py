@@ -2,12 +2,13 @@
 
 import dataclasses
 import math
+from functools import cached_property
 from pathlib import Path
 
 from snapjump.files.result_folder import ResultFolder
 from snapjump.tracking.base import Record
 from snapjump.tracking.off import Off
-from snapjump.tracking.tracked import read_curves, record_folder, write_children, write_curves
+from snapjump.tracking.parts.tracked import read_curves, record_folder, write_children, write_curves
 
 
 class Memory(Off):
@@ -15,8 +16,9 @@ class Memory(Off):
 
     place = "memory"
 
-    def __init__(self) -> None:
-        self.records: dict[str, Record] = {}
+    @cached_property
+    def records(self) -> dict[str, Record]:
+        return {}
 
     def record(self, record: Record, run_id: str | None = None) -> str:
         run_id = run_id or f"run {len(self.records)}"

@@ -3,12 +3,12 @@
 import json
 import logging
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from snapjump.tracking.base import DatasetUse, Record, TrackingError
+from snapjump.tracking.base import DatasetUse, Record, Tracker, TrackingError
 
 if TYPE_CHECKING:
     from mlflow.entities import DatasetInput
@@ -30,19 +30,18 @@ ENVIRONMENT = {
 }
 
 
-class MlflowStore:
-    """Records in one experiment of the MLflow store at ``uri``."""
+class MlflowStore(Tracker):
+    """Records in one ``experiment`` of the MLflow store that is at ``place``."""
 
-    def __init__(self, uri: str, experiment: str, artifacts: str | None):
-        self.uri, self.experiment, self.artifacts = uri, experiment, artifacts
+    experiment: str = "snapjump"
 
     @property
-    def place(self) -> str:
-        return self.uri
+    def artifacts(self) -> str | None:
+        """Where files are put, None to leave that to the store."""
+        return None
 
     def prepare(self) -> None:
-        """Make the store ready for use."""
-        raise NotImplementedError
+        """Make the store ready for use, if it does not look after that itself."""
 
     @cached_property
     def client(self) -> "MlflowClient":
@@ -53,28 +52,28 @@ class MlflowStore:
 
         logging.getLogger("mlflow").setLevel(logging.WARNING)
         logging.getLogger("alembic").setLevel(logging.WARNING)
-        return MlflowClient(tracking_uri=self.uri, registry_uri=self.uri)
+        return MlflowClient(tracking_uri=self.place, registry_uri=self.place)
 
     def record(self, record: Record, run_id: str | None = None) -> str:
         """Write one record, into the run of an earlier attempt if there is one; its id."""
         parent = {"mlflow.parentRunId": record.parent_id} if record.parent_id else {}
-        with tracking_errors(self.uri):
-            if run_id is not None and self._rewrite(run_id, record):
+        with tracking_errors(self.place):
+            if run_id and self._goes_on(lambda: self._complete(run_id, record)):
                 return run_id
-            run_id = self._create(record.name, record.started_ms, parent)
-            self._complete(run_id, record)
-        return run_id
+            created = self._create(record.name, record.started_ms, parent)
+            self._complete(created, record)
+        return created
 
     def open_parent(self, name: str, run_id: str | None) -> str:
         """Start the run of a whole sweep, or go on with the one that an earlier start made."""
-        with tracking_errors(self.uri):
-            if run_id is not None and self._reopen(run_id):
+        with tracking_errors(self.place):
+            if run_id and self._goes_on(lambda: self.client.update_run(run_id, status="RUNNING")):
                 return run_id
             return self._create(name, None, {"sweep": "true"})
 
     def close_parent(self, run_id: str, record: Record) -> None:
         """Complete the run of a whole sweep."""
-        with tracking_errors(self.uri):
+        with tracking_errors(self.place):
             self._complete(run_id, record)
 
     def _create(self, name: str, started_ms: int | None, tags: Mapping[str, str]) -> str:
@@ -90,16 +89,17 @@ class MlflowStore:
         params = [Param(key, _cut(value, LONGEST_PARAM)) for key, value in record.params.items()]
         metrics = [Metric(key, value, record.ended_ms, 0) for key, value in record.metrics.items()]
         tags = [RunTag(key, _cut(value, LONGEST_TAG)) for key, value in record.tags.items()]
-        self.client.log_batch(run_id, metrics=metrics, params=params[:PARAMS_PER_BATCH], tags=tags)
-        for first in range(PARAMS_PER_BATCH, len(params), PARAMS_PER_BATCH):
-            self.client.log_batch(run_id, params=params[first : first + PARAMS_PER_BATCH])
         points = [
             Metric(key, value, record.ended_ms, step)
             for key, curve in record.curves.items()
             for step, value in curve
         ]
-        for first in range(0, len(points), METRICS_PER_BATCH):
-            self.client.log_batch(run_id, metrics=points[first : first + METRICS_PER_BATCH])
+        first, *more = _pieces(params, PARAMS_PER_BATCH) or [[]]
+        self.client.log_batch(run_id, metrics=metrics, params=first, tags=tags)
+        for some in more:
+            self.client.log_batch(run_id, params=some)
+        for some in _pieces(points, METRICS_PER_BATCH):
+            self.client.log_batch(run_id, metrics=some)
         if record.datasets:
             self.client.log_inputs(run_id, [_input(use) for use in record.datasets])
         for file in record.files:
@@ -109,10 +109,11 @@ class MlflowStore:
     def _experiment_id(self) -> str:
         from mlflow.exceptions import MlflowException
 
+        place = None if self.artifacts is None else f"{self.artifacts}/{self.experiment}"
         found = self.client.get_experiment_by_name(self.experiment)
         if found is None:
             try:
-                return str(self.client.create_experiment(self.experiment, self._artifact_folder()))
+                return str(self.client.create_experiment(self.experiment, place))
             except MlflowException:
                 # Another process has just created it, or the reason will come up again.
                 found = self.client.get_experiment_by_name(self.experiment)
@@ -120,24 +121,13 @@ class MlflowStore:
                     raise
         return str(found.experiment_id)
 
-    def _artifact_folder(self) -> str | None:
-        return None if self.artifacts is None else f"{self.artifacts}/{self.experiment}"
-
-    def _rewrite(self, run_id: str, record: Record) -> bool:
+    def _goes_on(self, continued: Callable[[], Any]) -> bool:
+        """Whether an earlier run can be continued so: it may be gone, or have been made with other
+        parameters, which MLflow never changes."""
         from mlflow.exceptions import MlflowException
 
         try:
-            self._complete(run_id, record)
-        except MlflowException:
-            # The run is gone, or was made with other parameters, which MLflow never changes.
-            return False
-        return True
-
-    def _reopen(self, run_id: str) -> bool:
-        from mlflow.exceptions import MlflowException
-
-        try:
-            self.client.update_run(run_id, status="RUNNING")
+            continued()
         except MlflowException:
             return False
         return True
@@ -164,6 +154,10 @@ def _input(use: DatasetUse) -> "DatasetInput":
         profile=json.dumps({"num_rows": use.rows, "dataset_sha256": use.digest}),
     )
     return DatasetInput(dataset, [InputTag("mlflow.data.context", use.context)])
+
+
+def _pieces(items: Sequence[Any], size: int) -> list[Any]:
+    return [items[first : first + size] for first in range(0, len(items), size)]
 
 
 def _cut(value: Any, longest: int) -> str:

@@ -1,12 +1,11 @@
 """A record made from the files of a job, so that it can be written at any time after."""
 
-import csv
-import io
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from datetime import datetime
 from typing import Any
+
+import numpy as np
 
 from snapjump.files.atomic import write_text
 from snapjump.files.json_file import read_json, write_json
@@ -63,29 +62,22 @@ def write_curves(folder: ResultFolder, rows: Sequence[Mapping[str, float]]) -> N
 
     Writes no file if there are no rows. A value that is not finite is left out.
     """
-    if not rows:
-        return
-    file = io.StringIO()
-    writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-    writer.writeheader()
-    for row in rows:
-        writer.writerow({key: v if math.isfinite(v) else "" for key, v in row.items()})
-    write_text(folder.path / CURVES, file.getvalue())
+    if rows:
+        import pandas as pd
+
+        table = pd.DataFrame(rows)
+        write_text(folder.path / CURVES, table.where(np.isfinite(table)).to_csv(index=False))
 
 
 def read_curves(folder: ResultFolder) -> Curves:
     """What a job left with :func:`write_curves`; nothing if it left none."""
-    try:
-        text = (folder.path / CURVES).read_text(encoding="utf-8")
-    except OSError:
+    if not (folder.path / CURVES).exists():
         return {}
-    curves: dict[str, list[tuple[int, float]]] = {}
-    for row in csv.DictReader(io.StringIO(text)):
-        (_, step), *values = row.items()
-        for key, value in values:
-            if value:
-                curves.setdefault(key, []).append((int(step), float(value)))
-    return curves
+    import pandas as pd
+
+    table = pd.read_csv(folder.path / CURVES, index_col=0, dtype=str)
+    known = {key: column.dropna().items() for key, column in table.items() if column.count()}
+    return {key: [(int(step), float(v)) for step, v in curve] for key, curve in known.items()}
 
 
 def record_children(
@@ -113,11 +105,6 @@ def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Recor
     config = folder.config() or {}
     result = dict(folder.result() or {"status": "interrupted"})
     origin = folder.provenance() or {}
-    numbers = {
-        key: float(value)
-        for key, value in result.items()
-        if isinstance(value, (int, float)) and not isinstance(value, bool)
-    }
     words = {key: str(value) for key, value in result.items() if isinstance(value, (str, bool))}
     return Record(
         name=name,
@@ -125,7 +112,7 @@ def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Recor
         started_ms=milliseconds(origin.get("started_at")),
         ended_ms=milliseconds(origin.get("finished_at")),
         params=flat({key: value for key, value in config.items() if key != "tracking"}),
-        metrics=numbers,
+        metrics=numbers_of(result),
         tags={
             **words,
             "command": str(origin.get("command")),
@@ -143,6 +130,12 @@ def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Recor
         ],
         curves=read_curves(folder),
     )
+
+
+def numbers_of(result: Mapping[str, Any]) -> dict[str, float]:
+    """What is a number in a result."""
+    numbers = {key: v for key, v in result.items() if isinstance(v, (int, float))}
+    return {key: float(v) for key, v in numbers.items() if not isinstance(v, bool)}
 
 
 def flat(values: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:

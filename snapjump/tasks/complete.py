@@ -1,0 +1,27 @@
+"""Groups that tell every key: config.yaml says all that a job was made of."""
+
+from collections.abc import Mapping
+from dataclasses import is_dataclass
+from typing import Any
+
+from snapjump.checks import ParameterError
+from snapjump.declare.fields import construct, settings
+
+
+def check_complete(config: Mapping[str, Any], simulation: object, **others: Any) -> None:
+    """Raise ParameterError for a key that was deleted.
+
+    ``others``: options beside the simulation's, by their groups.
+    """
+    for group, values in config.items():
+        options = others.get(group, getattr(simulation, group, None))
+        for key in settings(options) if is_dataclass(options) else ():
+            if key not in values:
+                raise ParameterError(f"{group}.{key}", None, "a value, which cannot be left out")
+
+
+def whole(cls: Any, values: Any) -> Any:
+    """A part from a group with every key of it. Raises ParameterError."""
+    options = construct(cls.group, cls, values)
+    check_complete({cls.group: values}, None, **{cls.group: options})
+    return options

@@ -1,0 +1,1 @@
+"""Records of jobs, and what trackers are made of."""
