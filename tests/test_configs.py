@@ -11,7 +11,7 @@ from hydra_config import CONF, hydra_config
 
 from snapjump import Design, Environment, Robot
 from snapjump.declare.fields import settings
-from snapjump.declare.members import files_of, make_member
+from snapjump.declare.members import files_of, make_member, member_names
 from snapjump.simulation import build
 from snapjump.tasks.names import register_resolvers
 from snapjump.tasks.registry import TASKS
