@@ -280,9 +280,9 @@ slopes = simulate_designs(base, designs, sensitivities=True, threads=1).sensitiv
 alone = snapjump.simulate_jump(accuracy="draft", contact="cone", friction="tanh")
 assert beside.status == ["ok"] * 3 and alone.status == "ok"
 assert (alone.x_bar, alone.y_bar) == (beside.x_bar[0], beside.y_bar[0])
-step = 1e-5 * designs[:, 2:3] * np.array([0.0, 0.0, 1.0, 0.0])
+step = 0.03 * designs[:, 2:3] * np.array([0.0, 0.0, 1.0, 0.0])
 more, less = (simulate_designs(base, designs + s, threads=1).y_bar for s in (step, -step))
-np.testing.assert_allclose(slopes[:, 2], (more - less) / (2.0 * step[:, 2]), rtol=0.02)
+np.testing.assert_allclose(slopes[:, 2], (more - less) / (2.0 * step[:, 2]), rtol=0.05)
 """
 
 
