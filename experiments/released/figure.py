@@ -6,12 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from experiments.released.data import PARAMETERS
-from snapjump.plan.parts.axes import default_axes
+from experiments.designs import COLUMNS, LABELS
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
 
-LABELS = {axis.column: axis.label for axis in default_axes()}
 BOUNDS = {"x": 15.0, "y": 6.0}  # percent that the axes show; what is beyond lies on the edge
 
 
@@ -27,16 +25,15 @@ def draw_comparison(rows: Sequence[dict[str, Any]], path: Path) -> None:
             low = min(0.0, theirs.min(), ours.min())
             axes.plot([low, top], [low, top], color=palette.INK, lw=1)
             axes.plot(theirs, ours, "o", ms=4, alpha=0.6, mec="none", color=palette.BEAM)
-            axes.set_xlabel(f"{name} of the apex, theirs (L)")
-            axes.set_ylabel(f"{name}, ours (L)")
+            axes.set(xlabel=f"{name} of the apex, theirs (L)", ylabel=f"{name}, ours (L)")
             axes.grid(True)
-            for j, parameter in enumerate(PARAMETERS):
+            for j, parameter in enumerate(COLUMNS):
                 _differences(figure, values, name, parameter, (j, k))
 
 
 def _columns() -> list[str]:
     kinds = ("bar", "released_bar", "difference_percent")
-    return [*PARAMETERS, *(f"{name}_{kind}" for name in ("x", "y") for kind in kinds)]
+    return [*COLUMNS, *(f"{name}_{kind}" for name in ("x", "y") for kind in kinds)]
 
 
 def _differences(

@@ -7,8 +7,15 @@ from typing import Any
 import numpy as np
 
 from experiments.compositions import changed, composed
-from experiments.released.data import PARAMETERS, digest, read_rows
-from experiments.released.differences import by_quarter, differences, figures, share_within
+from experiments.designs import COLUMNS
+from experiments.released.data import (
+    by_quarter,
+    differences,
+    digest,
+    figures,
+    read_rows,
+    share_within,
+)
 from experiments.released.figure import draw_comparison
 from experiments.released.settings import WITHOUT, converged, released
 from snapjump.batch import simulate_batch, variants
@@ -26,25 +33,20 @@ class Released(Study):
     """All rows at the released settings and converged, and a few with each quirk left out."""
 
     options = ("rows", "quirk_rows")
-    sources = (
-        "experiments.released.data",
-        "experiments.released.settings",
-        "experiments.released.differences",
-    )
+    sources = ("experiments.released.data", "experiments.released.settings")
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
         """The released settings, the converged answer, and every quirk left out."""
-        task = config["task"]
-        check_integer("task.rows", task["rows"], 4, 300)
-        check_integer("task.quirk_rows", task["quirk_rows"], 4, 300)
+        many, few = (config["task"][key] for key in self.options)
+        check_integer("task.rows", many, 4, 300)
+        check_integer("task.quirk_rows", few, 4, 300)
 
         def cell(name: str, groups: Mapping[str, Any], rows: int) -> Cell:
             return Cell(name, {"groups": groups, "rows": rows, "data": digest()})
 
-        few = task["quirk_rows"]
         return [
-            cell(ALL, released(), task["rows"]),
-            cell(CONVERGED, converged(), task["rows"]),
+            cell(ALL, released(), many),
+            cell(CONVERGED, converged(), many),
             cell(ALL_OF_THEM, released(), few),
             *(cell(name, changed(released(), change), few) for name, change in WITHOUT.items()),
         ]
@@ -58,18 +60,18 @@ class Released(Study):
         full, limit = done[ALL], done[CONVERGED]
         if full.status != OK:
             raise RuntimeError(f"the released settings could not be run: {full.message}")
-        x, y = full.column("x_difference_percent"), full.column("y_difference_percent")
+        x, y = percents(full)
         summary = figures(x, y)
         overall = [{"settings": ALL, "rows": len(x), **summary}]
         if limit.status == OK:
-            far = limit.column("x_difference_percent"), limit.column("y_difference_percent")
+            far = percents(limit)
             overall.append({"settings": CONVERGED, "rows": len(far[0]), **figures(*far)})
-        quirks = []
-        for name in (ALL_OF_THEM, *WITHOUT):
-            if done[name].status == OK:
-                columns = [done[name].column(f"{c}_difference_percent") for c in ("x", "y")]
-                quirks.append({"left out": name, **figures(*columns)})
-        quarters = [row for name in PARAMETERS for row in by_quarter(full.column(name), x, y, name)]
+        quirks = [
+            {"left out": name, **figures(*percents(done[name]))}
+            for name in (ALL_OF_THEM, *WITHOUT)
+            if done[name].status == OK
+        ]
+        quarters = [row for name in COLUMNS for row in by_quarter(full.column(name), x, y, name)]
         return Conclusion(
             title="The released program's data",
             findings=[
@@ -107,14 +109,19 @@ class Released(Study):
         )
 
 
+def percents(done: Done) -> list[Any]:
+    """Differences of x and y (%)."""
+    return [done.column(f"{name}_difference_percent") for name in ("x", "y")]
+
+
 def measure(groups: Mapping[str, Any], count: int) -> list[Row]:
     """Jumps of ``count`` rows' designs, and how far they are from the rows."""
     rows = read_rows(count)
     batch = simulate_batch(variants(composed(groups), rows.designs), LANES)
     x, y = differences(batch.x_bar, batch.y_bar, rows.x_bar, rows.y_bar)
     return [
-        dict(zip(PARAMETERS, design, strict=True))
-        | {
+        {
+            **dict(zip(COLUMNS, design, strict=True)),
             **row,
             "x_released_bar": rows.x_bar[k],
             "y_released_bar": rows.y_bar[k],

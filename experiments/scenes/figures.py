@@ -18,8 +18,7 @@ def draw_savings(rows: Sequence[Row], path: Path) -> None:
     headline = "What scenes leave out: time, and change of the answer"
     with picture(path, (WIDTH, height), headline) as figure:
         low, tall = 0.75 / height, (height - MARGIN) / height
-        times = figure.add_axes((0.17, low, 0.37, tall))
-        moved = figure.add_axes((0.60, low, 0.37, tall))
+        times, moved = (figure.add_axes((left, low, 0.37, tall)) for left in (0.17, 0.60))
         for place, row in enumerate(reversed(rows)):
             times.barh(place + 0.18, row["full_ms"], 0.32, color=palette.PALE)
             times.barh(place - 0.18, row["scene_ms"], 0.32, color=palette.BEAM)
@@ -31,10 +30,9 @@ def draw_savings(rows: Sequence[Row], path: Path) -> None:
             axes.set_ylim(-0.6, len(rows) - 0.4)
             axes.grid(True, axis="x")
             axes.set_yticks(range(len(rows)), names if axes is times else [])
-        moved.set_xscale("log")
-        moved.set_xlim(SMALLEST, 1e2)
         times.set_xlim(0.0, 1.3 * times.get_xlim()[1])
         times.set_xlabel("ms a jump (grey: with it; blue: as the scene is)")
+        moved.set(xscale="log", xlim=(SMALLEST, 1e2))
         moved.set_xlabel("change: median (dot) to largest (bar); green x, orange y (%)")
 
 

@@ -1,19 +1,18 @@
 """``python run.py task=scenes``: what every scene leaves out, what that saves, what it changes."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
 import numpy as np
 
-from experiments.compositions import changed, composed, groups_of
+from experiments.compositions import changed, composed
 from experiments.designs import spread_designs
 from experiments.errors import relative_errors
 from experiments.scenes.figures import draw_savings
-from experiments.scenes.jumps import ending_rows, frame_rows, start_rows
-from experiments.scenes.snaps import snap_rows
-from experiments.tradeoff.tiers import tier_groups
-from snapjump.checks import ParameterError, check_integer
+from experiments.scenes.jumps import Both, contact, end, frame, start, timed
+from experiments.tradeoff.tiers import base_at
+from snapjump.sim.base import WITHOUT_GROUND
 from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
 
@@ -21,58 +20,41 @@ TIER = "standard"
 DESIGNS = (16, 64)  # quick, full
 FEW = 4  # of what is simulated one by one
 REPEATS = 3
-# Cell: what the scene leaves out, and what it has instead.
-COMPARISONS = {
-    "start": ("the slow loading", "an equilibrium at a share of the critical angle"),
-    "end": ("the flight", "the parabola of the centre of mass"),
-    "frame": ("the frame's bending", "a rigid frame"),
-    "contact": ("the ground of a snap", "no contact terms in the program"),
+# Cell: how it is compared, what the scene leaves out, and what it has instead.
+COMPARISONS: dict[str, tuple[Callable[..., Both], str, str]] = {
+    "start": (start, "the slow loading", "an equilibrium at a share of the critical angle"),
+    "end": (end, "the flight", "the parabola of the centre of mass"),
+    "frame": (frame, "the frame's bending", "a rigid frame"),
+    "contact": (contact, "the ground of a snap", "no contact terms in the program"),
 }
-SNAP = {
-    "sim": {"name": "snap"},
-    "frame": {"name": "fixed"},
-    "contact": {"name": "none"},
-    "friction": {"name": "none"},
-}
+SNAP = {family: {"name": name} for family, name in {"sim": "snap", **WITHOUT_GROUND}.items()}
 
 
 class Scenes(Study):
     """Time saved and change of the answer, side by side."""
 
     options = ("designs",)
-    sources = ("experiments.scenes.jumps", "experiments.scenes.snaps", "experiments.designs")
+    scene = "jump"
+    sources = ("experiments.scenes.jumps", "experiments.designs")
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
         """One cell for each comparison."""
-        if config["sim"]["name"] != "jump":
-            raise ParameterError("sim", config["sim"]["name"], "jump with task=scenes")
-        base = tier_groups(groups_of(config), TIER)
-        base["accuracy"] = {"name": TIER}
-        composed(base)
-        given = config["task"]["designs"]
-        count = DESIGNS[self.full] if given is None else given
-        check_integer("task.designs", count, 2, 4096)
+        base = base_at(config, TIER)
+        count = self.count("designs", DESIGNS, 2, 4096)
         designs = [list(design) for design in spread_designs(count, config["seed"])]
         few = designs[: min(FEW, count)]
-        snap = {**changed(base, SNAP), "sim": {"name": "snap"}}
         return [
             Cell("start", {"groups": base, "designs": designs}),
             Cell("end", {"groups": base, "designs": designs}),
-            Cell("contact", {"groups": snap, "designs": [design[:2] for design in few]}),
+            Cell("contact", {"groups": changed(base, SNAP), "designs": [d[:2] for d in few]}),
             Cell("frame", {"groups": base, "designs": few}),
         ]
 
     def compute(self, cell: Cell) -> list[Row]:
         """A row for each design, with everything and as the scene has it."""
-        kinds: Mapping[str, Any] = {
-            "start": start_rows,
-            "end": ending_rows,
-            "frame": frame_rows,
-            "contact": snap_rows,
-        }
-        designs = [tuple(design) for design in cell.inputs["designs"]]
-        rows: list[Row] = kinds[cell.name](cell.inputs["groups"], designs, REPEATS)
-        return rows
+        compare = COMPARISONS[cell.name][0]
+        both = compare(composed(cell.inputs["groups"]), cell.inputs["designs"])
+        return timed(both, 1 if cell.name == "frame" else REPEATS)
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
         """Savings and changes."""
@@ -97,16 +79,16 @@ class Scenes(Study):
 
 def saving(name: str, cell: Done) -> Row:
     """One comparison as a line of the table."""
-    left_out, instead = COMPARISONS[name]
+    _, left_out, instead = COMPARISONS[name]
     row: Row = {"scene": name, "leaves_out": left_out, "has_instead": instead}
     if cell.status != OK:
         return {**row, "remark": f"{cell.status}: {cell.message}"}
     full_x, full_y, x, y = (cell.column(k) for k in ("full_x", "full_y", "scene_x", "scene_y"))
     good = np.isfinite(full_x) & np.isfinite(x)
     if name == "contact":  # of the midpoint, in percent of L
-        x_change, y_change = 100.0 * abs(x - full_x), 100.0 * abs(y - full_y)
+        changes = 100.0 * abs(x - full_x), 100.0 * abs(y - full_y)
     else:
-        x_change, y_change = relative_errors(x, y, full_x, full_y)
+        changes = relative_errors(x, y, full_x, full_y)
     full_ms, ms = (float(cell.column(k)[0]) for k in ("full_ms", "scene_ms"))
     return {
         **row,
@@ -116,10 +98,11 @@ def saving(name: str, cell: Done) -> Row:
         "saved_percent": 100.0 * (1.0 - ms / full_ms),
         "full_iterations": float(np.mean(cell.column("full_newton_iterations"))),
         "scene_iterations": float(np.mean(cell.column("scene_newton_iterations"))),
-        "x_change_median_percent": float(np.median(x_change[good])),
-        "x_change_max_percent": float(np.max(x_change[good])),
-        "y_change_median_percent": float(np.median(y_change[good])),
-        "y_change_max_percent": float(np.max(y_change[good])),
+        **{
+            f"{axis}_change_{word}_percent": float(figure(change[good]))
+            for axis, change in zip(("x", "y"), changes, strict=True)
+            for word, figure in (("median", np.median), ("max", np.max))
+        },
         "remark": "" if good.all() else f"{int((~good).sum())} of {len(good)} designs fail",
     }
 

@@ -8,8 +8,14 @@ from hydra import compose, initialize_config_dir
 from omegaconf import OmegaConf
 
 from experiments.compositions import changed, composed, groups_of
-from experiments.released.data import ROWS, read_rows
-from experiments.released.differences import by_quarter, differences, figures, share_within
+from experiments.released.data import (
+    ROWS,
+    by_quarter,
+    differences,
+    figures,
+    read_rows,
+    share_within,
+)
 from experiments.released.figure import draw_comparison
 from experiments.released.settings import WITHOUT, converged, released
 from snapjump.tasks.names import register_resolvers
