@@ -188,9 +188,7 @@ def needs_slopes(member: str) -> bool:
 
 def completed(member: str, changes: Mapping[str, Any]) -> dict[str, Any]:
     """The group of a surrogate with its defaults, some of them changed."""
-    group = {**member_group(member_class("surrogate", member)()), **changes}
-    make_member("surrogate", group)
-    return group
+    return member_group(make_member("surrogate", {"name": member, **changes}))
 
 
 def training_of(rows: int | None, jumps: int) -> Any:

@@ -8,8 +8,8 @@ import pytest
 from small_datasets import CONFIG, small, smooth_dataset
 
 from experiments.surrogates import study as module
+from experiments.surrogates.compute import BINS, by_input, concentration
 from experiments.surrogates.floor import INTERVALS, floor_rows, left_out
-from experiments.surrogates.places import BINS, by_input, concentration
 from experiments.surrogates.study import CompareSurrogates, training_of
 from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
