@@ -16,7 +16,7 @@ import numpy as np
 
 from experiments.command import measured
 from experiments.designs import spread_designs
-from experiments.errors import scale_of_x
+from experiments.errors import relative_errors
 from experiments.sensitivities.agreement import frozen_errors, plain_errors
 from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation, with_tier
@@ -69,7 +69,7 @@ def moved(zone: float, designs: Any) -> dict[str, float]:
     """By how much (percent) another velocity threshold than the usual one moves the apex."""
     here = simulate_designs(with_tier("standard"), designs)
     there = simulate_designs(sticking("standard", zone), designs)
-    of_x = 100.0 * np.abs(there.x_bar - here.x_bar) / scale_of_x(here.x_bar, here.y_bar)
+    of_x, _ = relative_errors(there.x_bar, there.y_bar, here.x_bar, here.y_bar)
     return {
         "x_median_percent": round(float(np.nanmedian(of_x)), 3),
         "x_95_percent": round(float(np.nanquantile(of_x, 0.95)), 3),
