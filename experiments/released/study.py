@@ -1,13 +1,14 @@
 """``python run.py task=released``: the released program's data against ours at its settings."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from experiments.compositions import changed, composed
-from experiments.designs import COLUMNS
+from experiments.designs import COLUMNS, LABELS
 from experiments.released.data import (
     by_quarter,
     differences,
@@ -16,10 +17,11 @@ from experiments.released.data import (
     read_rows,
     share_within,
 )
-from experiments.released.figure import draw_comparison
 from experiments.released.settings import WITHOUT, converged, released
 from snapjump.batch import simulate_batch, variants
 from snapjump.checks import check_integer
+from snapjump.plots import palette
+from snapjump.plots.saving import picture
 from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
 
@@ -27,6 +29,7 @@ ALL, CONVERGED = "released settings", "converged"
 ALL_OF_THEM = "all quirks on, same rows"
 LANES = 8
 KEPT = ("status", "x_bar", "y_bar", "newton_iterations")
+BOUNDS = {"x": 15.0, "y": 6.0}  # percent that the axes show; what is beyond lies on the edge
 
 
 class Released(Study):
@@ -131,3 +134,44 @@ def measure(groups: Mapping[str, Any], count: int) -> list[Row]:
         }
         for k, (design, row) in enumerate(zip(rows.designs, batch.rows(*KEPT), strict=True))
     ]
+
+
+def draw_comparison(rows: Sequence[dict[str, Any]], path: Path) -> None:
+    """Two squares of apexes above eight small pictures of differences."""
+    known = [row for row in rows if row["y_difference_percent"] is not None]
+    values = {key: np.array([float(row[key]) for row in known]) for key in _columns()}
+    with picture(path, (12.0, 10.0), "The released program's data, at its settings") as figure:
+        for k, name in enumerate(("x", "y")):
+            axes = figure.add_axes((0.09 + 0.5 * k, 0.56, 0.38, 0.34))
+            theirs, ours = values[f"{name}_released_bar"], values[f"{name}_bar"]
+            top = 1.05 * max(theirs.max(), ours.max())
+            low = min(0.0, theirs.min(), ours.min())
+            axes.plot([low, top], [low, top], color=palette.INK, lw=1)
+            axes.plot(theirs, ours, "o", ms=4, alpha=0.6, mec="none", color=palette.BEAM)
+            axes.set(xlabel=f"{name} of the apex, theirs (L)", ylabel=f"{name}, ours (L)")
+            axes.grid(True)
+            for j, parameter in enumerate(COLUMNS):
+                _differences(figure, values, name, parameter, (j, k))
+
+
+def _columns() -> list[str]:
+    kinds = ("bar", "released_bar", "difference_percent")
+    return [*COLUMNS, *(f"{name}_{kind}" for name in ("x", "y") for kind in kinds)]
+
+
+def _differences(
+    figure: Any, values: dict[str, Any], name: str, parameter: str, place: tuple[int, int]
+) -> None:
+    """Differences of one coordinate against one parameter."""
+    column, row = place
+    bound = BOUNDS[name]
+    axes = figure.add_axes((0.09 + 0.235 * column, 0.305 - 0.225 * row, 0.175, 0.17))
+    shown = np.clip(values[f"{name}_difference_percent"], -bound, bound)
+    axes.axhline(0.0, color=palette.INK, lw=1)
+    axes.plot(values[parameter], shown, "o", ms=3, alpha=0.6, mec="none", color=palette.CLAMP)
+    axes.set_ylim(-1.05 * bound, 1.05 * bound)
+    axes.grid(True)
+    if row == 1:
+        axes.set_xlabel(LABELS[parameter])
+    if column == 0:
+        axes.set_ylabel(f"{name}, ours less theirs (%)")

@@ -16,8 +16,8 @@ from experiments.released.data import (
     read_rows,
     share_within,
 )
-from experiments.released.figure import draw_comparison
 from experiments.released.settings import WITHOUT, converged, released
+from experiments.released.study import draw_comparison
 from snapjump.tasks.names import register_resolvers
 
 CONF = Path(__file__).resolve().parents[2] / "conf"
