@@ -6,7 +6,6 @@ each shard that is listed must be whole. At the end the manifest must equal, byt
 a run that nobody disturbed. Prints one JSON object.
 """
 
-import argparse
 import json
 import os
 import random
@@ -20,11 +19,12 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
+from experiments.command import measured
+from experiments.grid import RUN
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.sealed import read_sealed, sha256_of
 from snapjump.dataset.shard import read_entry
 
-RUN = Path(__file__).resolve().parents[1] / "run.py"
 # Of all shards, how many the killed runs may make at most: there is always something left to kill.
 SHARE_BEFORE_KILLS = 0.6
 LOOK_EVERY_S = 0.005
@@ -41,16 +41,17 @@ class Kill:
     not_whole: list[str]
 
 
-def command(path: Path, overrides: Sequence[str]) -> list[str]:
-    """The command that makes the dataset."""
+def started(path: Path, overrides: Sequence[str], **how: Any) -> subprocess.Popen[bytes]:
+    """Begin to make the dataset, in a process of its own."""
     own = [f"dataset.path={path}", "tracking=off", "figures=false", "task=dataset"]
-    return [sys.executable, str(RUN), *own, *overrides]
+    command = [sys.executable, str(RUN), *own, *overrides]
+    return subprocess.Popen(command, cwd=path.parent, stdout=subprocess.DEVNULL, **how)
 
 
 def run_through(path: Path, overrides: Sequence[str]) -> tuple[float, float]:
     """Make the dataset; returns the seconds until it had a shard, and until it had all."""
     begun = time.perf_counter()
-    process = subprocess.Popen(command(path, overrides), cwd=path.parent, stdout=subprocess.DEVNULL)
+    process = started(path, overrides)
     first_s = 0.0
     while process.poll() is None:
         if not first_s and listed(path):
@@ -67,13 +68,7 @@ def run_killed(path: Path, overrides: Sequence[str], shards: int, after_s: float
     False if it ended before.
     """
     enough = listed(path) + shards
-    process = subprocess.Popen(
-        command(path, overrides),
-        cwd=path.parent,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    )
+    process = started(path, overrides, stderr=subprocess.DEVNULL, start_new_session=True)
     while listed(path) < enough and process.poll() is None:
         time.sleep(LOOK_EVERY_S)
     try:
@@ -139,25 +134,19 @@ def faults(folder: Path, kills: int, overrides: Sequence[str], seed: int) -> dic
     }
 
 
-def main() -> None:
-    """The command line."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--kills", type=int, default=20)
-    parser.add_argument("--designs", type=int, default=4096)
-    parser.add_argument("--shard-size", type=int, default=64)
-    parser.add_argument("--accuracy", default="draft")
-    parser.add_argument("--seed", type=int, default=0)
-    given = parser.parse_args()
-    overrides = (
-        "plan=sobol",
-        f"plan.count={given.designs}",
-        f"dataset.shard_size={given.shard_size}",
-        f"accuracy={given.accuracy}",
-    )
+def report(
+    kills: int = 20,
+    designs: int = 4096,
+    shard_size: int = 64,
+    accuracy: str = "draft",
+    seed: int = 0,
+) -> dict[str, Any]:
+    """A dataset of such a plan, made in a folder that is deleted afterwards."""
+    size = (f"plan.count={designs}", f"dataset.shard_size={shard_size}")
     with tempfile.TemporaryDirectory() as folder:
-        found = faults(Path(folder), given.kills, overrides, given.seed)
-    print(json.dumps(found, indent=2))
+        overrides = ("plan=sobol", *size, f"accuracy={accuracy}")
+        return faults(Path(folder), kills, overrides, seed)
 
 
 if __name__ == "__main__":
-    main()
+    measured(report)

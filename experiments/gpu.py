@@ -5,7 +5,6 @@ moved against the bandwidth that the card's own copies reach, and where the gap 
 also tries blocks and registers. Prints one JSON object; without a card, one line.
 """
 
-import argparse
 import itertools
 import json
 import sys
@@ -17,18 +16,20 @@ from typing import Any
 
 import numpy as np
 
-from experiments.designs import HIGH, LOW, spread_designs
-from experiments.gpu_traffic import BASELINE, measure
+from experiments.command import measured
+from experiments.designs import BASELINE, HIGH, LOW, spread_designs
+from experiments.gpu_traffic import measure
 from snapjump.backend.cuda import CudaBackend
 from snapjump.backend.lanes import LanesBackend
-from snapjump.batch import prepare_designs, variants
+from snapjump.batch import prepare_designs, variant
 from snapjump.batch.simulate import marches
-from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
 from snapjump.cuda.availability import check_card
 from snapjump.engine import clock as c
 from snapjump.engine.status import NAMES
 from snapjump.scenes.card_march import CardMarch
+from snapjump.scenes.flight import flight
+from snapjump.scenes.march_outputs import side_by_side
 from snapjump.scenes.runner import MOST_ITERATIONS, March
 from snapjump.statics.threshold_curve import ThresholdCurve
 
@@ -67,11 +68,9 @@ def marched(base: Simulation, designs: Sequence[tuple[float, ...]]) -> March:
 
 def apexes(march: March) -> Any:
     """x_bar and y_bar of all designs (R, 2)."""
-    outcome = march.queue.outcome
-    fall = np.array([m.load.acceleration for m in march.models])
-    rise = np.maximum(outcome[:, c.COM_VY], 0.0)
-    x = outcome[:, c.COM_X] + outcome[:, c.COM_VX] * rise / fall
-    return np.column_stack([x, outcome[:, c.COM_Y] + 0.5 * rise**2 / fall])
+    models = side_by_side(march.models, range(len(march.models)), len(march.models))
+    flown = flight(0.0, models.load, march.queue.outcome)
+    return np.column_stack([flown.apex_x, flown.apex_y])
 
 
 def agreement(tier: str, count: int) -> dict[str, Any]:
@@ -160,14 +159,12 @@ def costs(tier: str, designs: Sequence[tuple[float, ...]], bandwidth: float) -> 
     ended = time.perf_counter()
     seconds = march.kernel_seconds - starts
     iterations = float(march.queue.outcome[:, c.ITERATIONS].sum())
-    traffic = measure(variants(with_tier(tier), [BASELINE])[0], TRAFFIC_PASSES)
+    traffic = measure(variant(with_tier(tier), BASELINE), TRAFFIC_PASSES)
     bound = iterations * sum(traffic["l1_and_l2"]) / bandwidth
     busy = busy_share(march)
     return {
         "jumps": len(designs),
-        "statuses": {
-            NAMES[int(k)]: n for k, n in Counter(march.queue.outcome[:, c.STATUS]).items()
-        },
+        "statuses": Counter(NAMES[int(k)] for k in march.queue.outcome[:, c.STATUS]),
         "kernel_seconds": march.kernel_seconds,
         "kernel_seconds_of_starts": starts,
         "kernel_seconds_of_marches": seconds,
@@ -204,13 +201,9 @@ def tuning(tier: str, designs: Sequence[tuple[float, ...]]) -> list[dict[str, An
         if block == BLOCKS[0]:
             kernels.march = cuda.jit(lto=False, max_registers=registers)(source)
         tried = CardMarch(
-            models=march.models,
-            masses=march.masses,
-            states=march.states,
-            simulation=replace(base, backend=CudaBackend(threads_per_block=block)),
-            ending=march.ending,
-            mesh=march.mesh,
-        )
+            models=march.models, masses=march.masses, states=march.states, ending=march.ending,
+            simulation=replace(base, backend=CudaBackend(threads_per_block=block)), mesh=march.mesh,
+        )  # fmt: skip
         for target, values in zip(tried.queue[1:5], starts, strict=True):
             target[...] = values
         tried.run()
@@ -219,39 +212,30 @@ def tuning(tier: str, designs: Sequence[tuple[float, ...]]) -> list[dict[str, An
     return rows
 
 
-def main() -> None:
-    """Measure and print."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--tiers", nargs="*", default=["draft", "standard"])
-    parser.add_argument("--points", type=int, default=15, help="of the grid along each axis")
-    parser.add_argument("--designs", type=int, default=256, help="compared with the processor")
-    parser.add_argument("--tune", action="store_true", help="try blocks and registers")
-    arguments = parser.parse_args()
-    try:
-        check_card(0)
-    except ParameterError as error:
-        print(error)
-        sys.exit(2)
+def report(
+    tiers: tuple[str, ...] = ("draft", "standard"),
+    points: int = 15,
+    designs: int = 256,
+    tune: bool = False,
+) -> dict[str, Any]:
+    """All figures; ``points`` of the grid along each axis, ``designs`` for the processor, too."""
+    check_card(0)
     from numba import cuda
 
-    designs = grid(arguments.points)
+    every = grid(points)
     bandwidth = copy_bandwidth()
     name = cuda.get_current_device().name
-    report: dict[str, Any] = {
+    found: dict[str, Any] = {
         "card": name.decode() if isinstance(name, bytes) else str(name),
         "copy_bytes_a_second": bandwidth,
     }
-    for tier in arguments.tiers:
+    for tier in tiers:
         print(f"measuring {tier} ...", file=sys.stderr)
-        report[tier] = {
-            "agreement": agreement(tier, arguments.designs),
-            **costs(tier, designs, bandwidth),
-        }
-        print(json.dumps({tier: report[tier]}), file=sys.stderr)
-    if arguments.tune:
-        report["tuning"] = tuning(arguments.tiers[-1], designs)
-    print(json.dumps(report, indent=2))
+        same = agreement(tier, designs)
+        found[tier] = {"agreement": same, **costs(tier, every, bandwidth)}
+        print(json.dumps({tier: found[tier]}), file=sys.stderr)
+    return {**found, "tuning": tuning(tiers[-1], every)} if tune else found
 
 
 if __name__ == "__main__":
-    main()
+    measured(report)

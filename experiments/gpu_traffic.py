@@ -6,14 +6,14 @@ share of the caches. On a card those are about 128 numbers of L1 (256 KiB for 25
 multiprocessor), 350 with L2. Prints one JSON object.
 """
 
-import argparse
-import json
 from collections import OrderedDict
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from snapjump.batch import variants
+from experiments.command import measured
+from experiments.designs import BASELINE
+from snapjump.batch import variant
 from snapjump.composition import Simulation, with_tier
 from snapjump.engine import clock as c
 from snapjump.engine import march as engine
@@ -24,7 +24,6 @@ from snapjump.recorder.none import NoRecorder
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
 
-BASELINE = (0.1, 0.2, 0.768, 0.3)
 CACHES = {"l1": 128, "l1_and_l2": 350}
 
 
@@ -122,18 +121,9 @@ def measure(simulation: Simulation, passes: int) -> dict[str, Traffic]:
     vars(engine).update(view_work=view, with_numbers=filled)
     with np.errstate(all="ignore"):
         engine.march.py_func(
-            model,
-            march.masses,
-            march.scheme,
-            march.stepping,
-            march.ending,
-            Limits(25.0, 1e6),
-            NoRecorder(),
-            march.memory,
-            march.queue,
-            (0,),
-            passes,
-        )
+            model, march.masses, march.scheme, march.stepping, march.ending, Limits(25.0, 1e6),
+            NoRecorder(), march.memory, march.queue, (0,), passes,
+        )  # fmt: skip
     done = float(march.memory.clock[c.ITERATIONS, 0])
     return {
         name: Traffic(8.0 * cache.reads / done, 8.0 * cache.writes / done)
@@ -141,24 +131,19 @@ def measure(simulation: Simulation, passes: int) -> dict[str, Traffic]:
     }
 
 
-def main() -> None:
-    """Measure and print."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--tier", default="standard")
-    parser.add_argument("--passes", type=int, default=60)
-    arguments = parser.parse_args()
-    simulation = variants(with_tier(arguments.tier), [BASELINE])[0]
-    found = measure(simulation, arguments.passes)
+def report(tier: str = "standard", passes: int = 60) -> dict[str, Any]:
+    """Bytes that every cache reads and writes."""
+    simulation = variant(with_tier(tier), BASELINE)
     nodes = len(simulation.discretization.masses())
-    report = {"tier": arguments.tier, "passes": arguments.passes, "nodes": nodes}
-    for name, traffic in found.items():
-        report[name] = {
+    return {"tier": tier, "passes": passes, "nodes": nodes} | {
+        name: {
             "numbers": CACHES[name],
             "read_bytes_a_pass": round(traffic.read),
             "written_bytes_a_pass": round(traffic.written),
         }
-    print(json.dumps(report, indent=2))
+        for name, traffic in measure(simulation, passes).items()
+    }
 
 
 if __name__ == "__main__":
-    main()
+    measured(report)

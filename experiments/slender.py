@@ -7,13 +7,13 @@ how often an angle lies farther from the median of its arch than it states, and 
 of what is stated that an angle is off.
 """
 
-import argparse
-import json
+import sys
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
+from experiments.command import measured
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.discretization.geometrically_exact import GeometricallyExact
@@ -71,43 +71,44 @@ def spread(way: Callable[..., Any], arch: Arch, tries: int) -> tuple[list[float]
     return angles, errors, refused
 
 
-def main() -> None:
-    """Compute and print."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--arches", type=int, default=500)
-    parser.add_argument("--tries", type=int, default=3)
-    arguments = parser.parse_args()
+def walked(name: str, arches: int, tries: int) -> tuple[dict[str, Any], list[float], list[float]]:
+    """What one way comes to: its report, and by arch its median angle and the error it states."""
+    failed, refused, shares = 0, 0, []
+    medians, stated = [], []
+    for arch in slender_arches(arches):
+        try:
+            angles, errors, lost = spread(WAYS[name], arch, tries)
+        except ArithmeticError as error:
+            print(name, arch, error, file=sys.stderr)
+            angles, errors, lost = [], [], 0
+            failed += 1
+        refused += lost > 0
+        medians.append(float(np.median(angles)) if angles else np.nan)
+        stated.append(max(errors, default=np.nan))
+        shares += [abs(a - medians[-1]) / e for a, e in zip(angles, errors, strict=True)]
+    told = {
+        "failed": failed,
+        "refused": refused,
+        "beyond_what_is_stated": int(np.sum(np.array(shares) > 1.0)),
+        "largest_share": round(float(np.max(shares)), 3),
+        "largest_stated_rad": float(np.nanmax(stated)),
+    }
+    return told, medians, stated
+
+
+def report(arches: int = 500, tries: int = 3) -> dict[str, Any]:
+    """Both ways, and how often they are apart by more than they state together."""
     shake_guesses(seed=1)
-    report: dict[str, Any] = {"arches": arguments.arches, "tries": arguments.tries}
-    medians: dict[str, list[float]] = {}
-    stated: dict[str, list[float]] = {}
-    for name, way in WAYS.items():
-        failed, refused, shares = 0, 0, []
-        medians[name], stated[name] = [], []
-        for arch in slender_arches(arguments.arches):
-            try:
-                angles, errors, lost = spread(way, arch, arguments.tries)
-            except ArithmeticError as error:
-                print(name, arch, error)
-                failed += 1
-                angles, errors, lost = [], [], 0
-            refused += lost > 0
-            median = float(np.median(angles)) if angles else np.nan
-            medians[name].append(median)
-            stated[name].append(max(errors, default=np.nan))
-            shares += [abs(a - median) / e for a, e in zip(angles, errors, strict=True)]
-        report[name] = {
-            "failed": failed,
-            "refused": refused,
-            "beyond_what_is_stated": int(np.sum(np.array(shares) > 1.0)),
-            "largest_share": round(float(np.max(shares)), 3),
-            "largest_stated_rad": float(np.nanmax(stated[name])),
-        }
-    first, second = medians.values()
-    apart = np.abs(np.subtract(first, second)) / np.sum(list(stated.values()), axis=0)
-    report["apart_beyond_what_is_stated"] = int(np.sum(apart > 1.0))
-    print(json.dumps(report, indent=2))
+    found = {name: walked(name, arches, tries) for name in WAYS}
+    told, medians, stated = zip(*found.values(), strict=True)
+    apart = np.abs(np.subtract(*medians)) / np.sum(stated, axis=0)
+    return {
+        "arches": arches,
+        "tries": tries,
+        **dict(zip(WAYS, told, strict=True)),
+        "apart_beyond_what_is_stated": int(np.sum(apart > 1.0)),
+    }
 
 
 if __name__ == "__main__":
-    main()
+    measured(report)

@@ -5,17 +5,18 @@ designs of a design's share (by Newton iterations) of the batch's kernel time, s
 and idle lanes included; ``jumps_per_second_core`` is the plain throughput of the same batch.
 """
 
-import argparse
-import json
 import statistics
 import sys
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
+from experiments.command import measured
 from experiments.designs import spread_designs
 from snapjump.batch import Batch, simulate_batch, variants
 from snapjump.composition import Simulation, with_tier
+from snapjump.scenes.jump_outputs import ENDED
 from snapjump.simulation import simulate
 from snapjump.tiers import TIERS
 
@@ -27,11 +28,8 @@ def costs(base: Simulation, count: int, lanes: int, repeats: int) -> tuple[Batch
     """The batch whose kernel time is the median of several, and its microseconds an iteration."""
     simulations = variants(base, spread_designs(count))
     simulate_batch(simulations[:1], lanes)
-    batches = sorted(
-        (simulate_batch(simulations, lanes) for _ in range(repeats)),
-        key=lambda b: b.march_seconds,
-    )
-    batch = batches[len(batches) // 2]
+    batches = [simulate_batch(simulations, lanes) for _ in range(repeats)]
+    batch = sorted(batches, key=lambda b: b.march_seconds)[repeats // 2]
     return batch, 1e6 * batch.march_seconds / float(np.sum(batch.newton_iterations))
 
 
@@ -44,41 +42,36 @@ def tier_costs(name: str, count: int, repeats: int) -> dict[str, float]:
         "jumps_per_second_core": round(count / batch.march_seconds, 2),
         "newton_iterations": iterations,
         "us_per_newton_iteration": round(microseconds, 4),
-        "failed": sum(s not in ("ok", "no_jump") for s in batch.status),
+        "failed": sum(s not in ENDED for s in batch.status),
     }
 
 
 def node_slope(count: int) -> float:
     """Exponent with which the time of a Newton iteration grows with the number of elements."""
     base = with_tier("draft")
-    times = []
-    for elements in NODES:
-        finer = replace(base, discretization=replace(base.discretization, elements=elements))
-        times.append(costs(finer, count, LANES, 1)[1])
+    meshes = [base.discretization.changed(elements=elements) for elements in NODES]
+    times = [costs(replace(base, discretization=m), count, LANES, 1)[1] for m in meshes]
     return float(np.polyfit(np.log(NODES), np.log(times), 1)[0])
 
 
-def main() -> None:
-    """Measure and print."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--designs", type=int, default=256)
-    parser.add_argument("--repeats", type=int, default=3)
-    parser.add_argument("--tiers", nargs="*", default=list(TIERS), choices=list(TIERS))
-    arguments = parser.parse_args()
-    report: dict[str, object] = {}
-    for name in arguments.tiers:
+def report(designs: int = 256, repeats: int = 3, tiers: tuple[str, ...] = (*TIERS,)) -> Any:
+    """All figures."""
+    found: dict[str, Any] = {}
+    for name in tiers:
         print(f"measuring {name} ...", file=sys.stderr)
-        report[name] = tier_costs(name, arguments.designs, arguments.repeats)
+        found[name] = tier_costs(name, designs, repeats)
     standard = with_tier("standard")
     lanes = [costs(standard, 32, LANES, 1)[1] for _ in range(3)]
     scalar = [costs(standard, 8, 1, 1)[1] for _ in range(3)]
-    report["lanes_over_scalar"] = round(statistics.median(scalar) / statistics.median(lanes), 3)
     simulate(standard)
     single = [simulate(standard).summary["kernel_seconds"] for _ in range(5)]
-    report["single_jump_kernel_seconds"] = round(statistics.median(single), 4)
-    report["time_per_iteration_over_elements_slope"] = round(node_slope(32), 3)
-    print(json.dumps(report, indent=2))
+    return {
+        **found,
+        "lanes_over_scalar": round(statistics.median(scalar) / statistics.median(lanes), 3),
+        "single_jump_kernel_seconds": round(statistics.median(single), 4),
+        "time_per_iteration_over_elements_slope": round(node_slope(32), 3),
+    }
 
 
 if __name__ == "__main__":
-    main()
+    measured(report)

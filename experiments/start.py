@@ -4,9 +4,10 @@ A jump starts from the static solution at a share of the critical angle. The slo
 that is quasi-static as far as starting earlier changes nothing but the cost.
 """
 
-import json
 from dataclasses import replace
+from typing import Any
 
+from experiments.command import measured
 from experiments.designs import spread_designs
 from experiments.errors import relative_errors
 from snapjump.batch import simulate_batch, variants
@@ -16,28 +17,21 @@ SHARES = (0.0, 0.4, 0.7, 0.8, 0.85, 0.88)
 DESIGNS = 16
 
 
-def main() -> None:
-    """Compare every share with the earliest start, flat clamps, at the reference tier."""
-    base = with_tier("reference")
-    batches = {
-        share: simulate_batch(
-            variants(
-                replace(base, sim=base.sim.changed(start_fraction=share)), spread_designs(DESIGNS)
-            )
-        )
-        for share in SHARES
-    }
-    report = {}
-    for share, batch in batches.items():
-        earliest = batches[SHARES[0]]
-        x, y = relative_errors(batch.x_bar, batch.y_bar, earliest.x_bar, earliest.y_bar)
-        report[f"{share:g}"] = {
+def report() -> dict[str, Any]:
+    """Every share compared with the earliest start, flat clamps, at the reference tier."""
+    base, designs = with_tier("reference"), spread_designs(DESIGNS)
+    starts = [replace(base, sim=base.sim.changed(start_fraction=share)) for share in SHARES]
+    batches = [simulate_batch(variants(start, designs)) for start in starts]
+    found = {}
+    for share, batch in zip(SHARES, batches, strict=True):
+        x, y = relative_errors(batch.x_bar, batch.y_bar, batches[0].x_bar, batches[0].y_bar)
+        found[f"{share:g}"] = {
             "x_change_max_percent": float(f"{x.max():.3g}"),
             "y_change_max_percent": float(f"{y.max():.3g}"),
             "newton_iterations": float(batch.newton_iterations.mean()),
         }
-    print(json.dumps(report, indent=2))
+    return found
 
 
 if __name__ == "__main__":
-    main()
+    measured(report)

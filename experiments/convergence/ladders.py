@@ -1,12 +1,18 @@
-"""What is refined, one thing at a time, and by what the finest levels are judged."""
+"""What is refined, one thing at a time, by what the finest levels are judged, and what is seen of
+every level's jump."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from experiments.compositions import Groups, changed, composed, has_field
 from snapjump.checks import ParameterError
 from snapjump.declare.members import make_member, member_names
+from snapjump.scenes.observed import observe_jump
+from snapjump.studies.base import Row
+
+OBSERVABLES = ("snap_time_s", "peak_force_N", "liftoff_speed_m_s", "x_bar", "y_bar")
+COSTS = ("steps", "newton_iterations", "kernel_seconds")
 
 # In everything but the ladder of time, time is resolved so finely that it does not matter.
 TIGHT = {"name": "adaptive", "tolerance": 2e-10, "contact_steps": 1.0}
@@ -135,3 +141,9 @@ def in_model(groups: Groups, model: Model, count: int) -> Ladder:
     values = [base * (model.first * model.ratio**k) for k in range(count)]
     levels = {v: changed(groups, {model.family: {model.key: v}}) for v in values}
     return Ladder(model.name, model.label, model.size, levels)
+
+
+def observed_row(groups: Mapping[str, Any]) -> Row:
+    """Status, observables and cost of the composition's jump."""
+    seen = observe_jump(composed(groups))
+    return {key: seen[key] for key in ("status", *OBSERVABLES, *COSTS)}

@@ -5,9 +5,8 @@ from functools import partial
 from typing import Any
 
 from experiments.compositions import composed, groups_of
-from experiments.convergence.cells import OBSERVABLES, observed_row
 from experiments.convergence.figures import draw_ladders
-from experiments.convergence.ladders import Ladder, ladders
+from experiments.convergence.ladders import OBSERVABLES, Ladder, ladders, observed_row
 from experiments.convergence.verdict import Verdict, judged
 from snapjump.studies.base import Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
@@ -20,7 +19,7 @@ class Convergence(Study):
     """Ladders of time, mesh, barrier distance, contact stiffness and friction threshold."""
 
     options = ("levels",)
-    sources = ("experiments.convergence.cells",)
+    sources = ("experiments.convergence.ladders",)
     scene = "jump"
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:

@@ -2,17 +2,21 @@
 
 from collections.abc import Mapping
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.stats.qmc import Sobol
 
 from experiments.compositions import composed
+from experiments.designs import COLUMNS
 from experiments.inverse_benchmark.methods import LENGTH_MM, SOLVED_MM, TIERS
-from experiments.inverse_benchmark.problems import Array, make_problems
+from snapjump.batch import simulate_designs
+from snapjump.composition import Simulation
 from snapjump.declare.members import make_member
 from snapjump.inverse.base import Problem, Solution
 from snapjump.learning.forward_model import ForwardModel, open_forward_model
+from snapjump.plan.base import Range, stretched
 from snapjump.studies.base import Row
 from snapjump.targets.answer import answer
 from snapjump.targets.simulator import JumpSimulator
@@ -21,7 +25,31 @@ from snapjump.targets.warm_up import warm_up
 # Designs about one that missed its target, and the share of the controls' ranges they lie within.
 AROUND, WITHIN = 64, 2.0e-3
 
+Array = NDArray[np.float64]
 opened = cache(open_forward_model)
+
+
+class Problems(NamedTuple):
+    """``hidden`` (N, 4): designs as everywhere; ``targets`` (N, 2): where they get to, in L."""
+
+    hidden: Array
+    targets: Array
+
+
+def make_problems(
+    base: Simulation, ranges: tuple[Range, ...], seed: int, first: int, last: int
+) -> Problems:
+    """Problems first to last - 1 of a seed; the same whichever others are asked for.
+
+    Raises RuntimeError if a hidden design does not jump, for then its target is none.
+    """
+    unit = np.array([np.random.default_rng([seed, k]).random(4) for k in range(first, last)])
+    hidden = stretched(unit, ranges)
+    batch = simulate_designs(base, hidden, threads=1)
+    targets = np.column_stack([batch.x_bar, batch.y_bar])
+    if not all(status == "ok" for status in batch.status):
+        raise RuntimeError(f"hidden designs failed: {sorted(set(batch.status))}")
+    return Problems(hidden, targets)
 
 
 def solve_block(inputs: Mapping[str, Any]) -> list[Row]:
@@ -36,33 +64,41 @@ def solve_block(inputs: Mapping[str, Any]) -> list[Row]:
     method = make_member("inverse", inputs["inverse"])
     warm_up(base, forward, method)
     at_reference = inputs["inverse"].get("finishing") == "reference"
-    rows = []
-    for k, (target, hidden) in enumerate(zip(problems.targets, problems.hidden, strict=True)):
-        problem = make_problem(target, hidden, forward, base, first + k)
+    rows: list[Row] = []
+    for number, target, hidden in zip(
+        range(first, last), problems.targets, problems.hidden, strict=True
+    ):
+        problem = make_problem(target, hidden, forward, base, number)
         found = answer(problem, method)
+        told = answered(hidden, problem, found.solutions[0], forward)
         rows.append(
             {
-                "problem": first + k,
-                **answered(hidden, problem, found.solutions[0], forward),
+                "problem": number,
+                **told,
                 "reachable": found.reachable,
                 "seconds": found.seconds,
                 "simulations": found.simulations,
                 "finished_at": "reference" if at_reference else "own",
             }
         )
-    designs = np.array([[r["delta_alpha_rad"], r["epsilon"], r["mass_bar"], r["mu"]] for r in rows])
+    designs = np.array([[row[column] for column in COLUMNS] for row in rows])
     judge = JumpSimulator(base)
-    for tier in ("own", *TIERS):
-        simulator = judge if tier == "own" else judge.at(tier)
-        misses = np.hypot(*(simulator.apexes(designs) - problems.targets).T) * LENGTH_MM
-        for row, miss in zip(rows, misses, strict=True):
+    judges = {"own": judge, **{tier: judge.at(tier) for tier in TIERS}}
+    for tier, simulator in judges.items():
+        for row, miss in zip(rows, misses_mm(simulator, designs, problems.targets), strict=True):
             row[f"miss_{tier}_mm"] = float(miss) if np.isfinite(miss) else None
     if inputs["inverse"]["name"] == "physics":
         for row, design, target in zip(rows, designs, problems.targets, strict=True):
-            if (row[f"miss_{row['finished_at']}_mm"] or np.inf) >= SOLVED_MM:
-                finest = judge.at("reference") if at_reference else judge
-                row["nearest_around_mm"] = nearest_around(finest, design, target, forward)
+            finished = row["finished_at"]
+            if (row[f"miss_{finished}_mm"] or np.inf) >= SOLVED_MM:
+                row["nearest_around_mm"] = nearest_around(judges[finished], design, target, forward)
     return rows
+
+
+def misses_mm(simulator: JumpSimulator, designs: Array, targets: Array) -> Array:
+    """How far from their targets designs really get."""
+    misses: Array = np.hypot(*(simulator.apexes(designs) - targets).T) * LENGTH_MM
+    return misses
 
 
 def nearest_around(simulator: JumpSimulator, design: Array, target: Array, forward: Any) -> float:
@@ -75,7 +111,7 @@ def nearest_around(simulator: JumpSimulator, design: Array, target: Array, forwa
     designs = np.tile(design, (AROUND, 1))
     designs[:, :2] += WITHIN * (high - low)[:2] * offsets
     designs = np.clip(designs, low, high)
-    return float(np.nanmin(np.hypot(*(simulator.apexes(designs) - target).T))) * LENGTH_MM
+    return float(np.nanmin(misses_mm(simulator, designs, target)))
 
 
 def make_problem(

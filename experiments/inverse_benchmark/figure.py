@@ -8,20 +8,12 @@ from typing import Any
 import numpy as np
 
 from experiments.inverse_benchmark.methods import PAPER, TIERS
-from experiments.inverse_benchmark.table import column
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
-from snapjump.studies.base import Row
+from snapjump.studies.base import Row, column
 
-COLOURS = (
-    palette.QUIET,
-    palette.BEAM,
-    palette.CENTRE,
-    palette.SKY,
-    palette.FORCE,
-    palette.CLAMP,
-    palette.VIOLET,
-)
+COLOURS = (palette.QUIET, palette.BEAM, palette.CENTRE, palette.SKY, palette.FORCE, palette.CLAMP,
+           palette.VIOLET)  # fmt: skip
 LIMITS_MM = (3e-4, 60.0)
 
 
@@ -34,9 +26,8 @@ def draw_benchmark(methods: Mapping[str, Sequence[Row]], path: Path) -> None:
             _distributions(axes, methods, tier)
             if k == 0:
                 axes.set_ylabel("share of targets (%)")
-                axes.legend(
-                    loc="upper left", bbox_to_anchor=(0.0, -0.13), ncols=4, columnspacing=1.4
-                )
+                place = (0.0, -0.13)
+                axes.legend(loc="upper left", bbox_to_anchor=place, ncols=4, columnspacing=1.4)
         _costs(figure.add_axes((0.715, 0.2, 0.27, 0.66)), methods)
 
 
@@ -47,15 +38,11 @@ def _distributions(axes: Any, methods: Mapping[str, Sequence[Row]], tier: str) -
         misses = np.sort(misses[np.isfinite(misses)])
         share = 100.0 * np.arange(1, len(misses) + 1) / max(len(rows), 1)
         axes.step(misses, share, where="post", color=colour, lw=2.0, label=name)
-    for row in PAPER[:1]:
-        mean = float(str(row["mean_mm"]))
-        axes.axvline(mean, color=palette.INK, lw=1.0, ls=":")
-        words = {"rotation": 90, "ha": "right", "va": "bottom", "color": palette.QUIET}
-        axes.text(0.92 * mean, 4.0, "the paper's mean", **words)
-    axes.set_xscale("log")
-    axes.set_xlim(*LIMITS_MM)
-    axes.set_ylim(0.0, 101.0)
-    axes.set_xlabel("miss (mm)")
+    mean = float(str(PAPER[0]["mean_mm"]))
+    axes.axvline(mean, color=palette.INK, lw=1.0, ls=":")
+    axes.text(0.92 * mean, 4.0, "the paper's mean", rotation=90, ha="right", va="bottom",
+              color=palette.QUIET)  # fmt: skip
+    axes.set(xscale="log", xlim=LIMITS_MM, ylim=(0.0, 101.0), xlabel="miss (mm)")
     axes.grid(True)
 
 
@@ -76,10 +63,6 @@ def _costs(axes: Any, methods: Mapping[str, Sequence[Row]]) -> None:
         words = str(row["method"]).removeprefix("the paper: ")
         axes.annotate(words, place, (-8, -4), color=palette.INK, ha="right",
                       textcoords="offset points")  # fmt: skip
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_xlim(1e-3, 4e3)
-    axes.set_ylim(top=8.0)
-    axes.set_xlabel("time for one target (s)")
-    axes.set_ylabel("mm")
+    axes.set(xscale="log", yscale="log", xlim=(1e-3, 4e3), ylim=(None, 8.0))
+    axes.set(xlabel="time for one target (s)", ylabel="mm")
     axes.grid(True)

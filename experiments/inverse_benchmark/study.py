@@ -21,6 +21,7 @@ BLOCK, REGIONS = 10, 2
 class InverseBenchmark(Study):
     """Random environments with targets that a hidden random design reaches."""
 
+    scene = "jump"
     options = ("problems", "environments", "methods", "checkpoint")
     sources = ("experiments.inverse_benchmark.compute", "experiments.inverse_benchmark.region")
 
@@ -33,28 +34,19 @@ class InverseBenchmark(Study):
         check_integer("task.environments", task["environments"], 0, 100_000)
         self.methods = chosen(task["methods"])
         groups = groups_of(config)
-        simulation = composed(groups)
-        if simulation.sim.name != "jump":
-            raise ParameterError("sim", simulation.sim.name, "jump with task=inverse_benchmark")
         path = checkpoint_path(task["checkpoint"])
-        trained_forward(path).check_model(simulation)
+        trained_forward(path).check_model(composed(groups))
         shared = {
             "groups": groups,
             "checkpoint": str(path),
             "checkpoint_sha256": hashlib.sha256(path.read_bytes()).hexdigest(),
             "seed": config["seed"],
         }
-        cells = [
-            Cell(f"{name}: targets {first} to {last - 1}",
-                 {**shared, "method": name, "inverse": dict(group), "first": first, "last": last})
-            for name, group in self.methods.items()
-            for first, last in stretches(task["problems"], BLOCK)
-        ]  # fmt: skip
-        return cells + [
-            Cell(f"region: environments {first} to {last - 1}",
-                 {**shared, "first": first, "last": last})
-            for first, last in stretches(task["environments"], REGIONS)
-        ]  # fmt: skip
+        cells = []
+        for name, group in self.methods.items():
+            inputs = {**shared, "method": name, "inverse": dict(group)}
+            cells += block_cells(f"{name}: targets", inputs, task["problems"], BLOCK)
+        return cells + block_cells("region: environments", shared, task["environments"], REGIONS)
 
     def compute(self, cell: Cell) -> list[Row]:
         """A row for each problem, or each environment."""
@@ -129,6 +121,14 @@ def stretches(count: int, size: int) -> list[tuple[int, int]]:
     return [(first, min(first + size, count)) for first in range(0, count, size)]
 
 
+def block_cells(name: str, inputs: Mapping[str, Any], count: int, size: int) -> list[Cell]:
+    """Cells of so many problems or environments each."""
+    return [
+        Cell(f"{name} {first} to {last - 1}", {**inputs, "first": first, "last": last})
+        for first, last in stretches(count, size)
+    ]
+
+
 def region_findings(regions: list[Row]) -> list[str]:
     """One sentence, if there are any."""
     if not regions:
@@ -150,12 +150,4 @@ def chosen(methods: Any) -> dict[str, Mapping[str, Any]]:
     names = list(METHODS) if methods is None else methods
     if not isinstance(names, list) or not names or any(name not in [*METHODS] for name in names):
         raise ParameterError("task.methods", methods, "null, or a list of " + "; ".join(METHODS))
-    return {name: member_group(completed(METHODS[name])) for name in names}
-
-
-def completed(group: Mapping[str, Any]) -> Any:
-    """Options of a group that leaves fields at their defaults."""
-    from snapjump.declare.members import member_class
-
-    defaults = member_group(member_class("inverse", str(group["name"]))())
-    return make_member("inverse", {**defaults, **group})
+    return {name: member_group(make_member("inverse", METHODS[name])) for name in names}

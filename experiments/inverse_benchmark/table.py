@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from experiments.inverse_benchmark.methods import PAPER, SOLVED_MM, TIERS
-from snapjump.studies.base import Row
+from snapjump.studies.base import Row, column
 from snapjump.terminal.block import markdown_table
 
 
@@ -16,32 +16,27 @@ def summary_row(method: str, rows: Sequence[Row]) -> Row:
         misses = column(rows, f"miss_{tier}_mm")
         known = misses[np.isfinite(misses)]
         found[f"failed_{tier}"] = len(misses) - len(known)
-        known = known if len(known) else np.array([np.nan])
-        found[f"mean_mm_{tier}"] = float(known.mean())
-        found[f"std_mm_{tier}"] = float(known.std())
-        found[f"median_mm_{tier}"] = float(np.median(known))
-        found[f"p95_mm_{tier}"] = float(np.quantile(known, 0.95))
-        found[f"max_mm_{tier}"] = float(known.max())
+        words = ("mean", "std", "median", "p95", "max")
+        found |= {f"{word}_mm_{tier}": figure(word, known) for word in words}
     found["solved"] = sum(solved(row) for row in rows)
     found["called_unreachable"] = sum(not row["reachable"] for row in rows)
     seconds = column(rows, "seconds")
-    found["seconds_mean"] = float(seconds.mean())
-    found["seconds_median"] = float(np.median(seconds))
-    found["seconds_p95"] = float(np.quantile(seconds, 0.95))
-    found["seconds_max"] = float(seconds.max())
+    found |= {f"seconds_{word}": figure(word, seconds) for word in ("mean", "median", "p95", "max")}
     found["simulations_mean"] = float(column(rows, "simulations").mean())
     return found
+
+
+def figure(word: str, values: np.ndarray) -> float:
+    """A mean, std, median, max or 95th percentile; NaN of no values."""
+    if len(values) == 0:
+        return float("nan")
+    return float(np.quantile(values, 0.95) if word == "p95" else getattr(np, word)(values))
 
 
 def solved(row: Row) -> bool:
     """Whether a target was hit, judged at the tier that the method finished at."""
     miss = row[f"miss_{row['finished_at']}_mm"]
     return bool(row["reachable"]) and miss is not None and miss < SOLVED_MM
-
-
-def column(rows: Sequence[Row], key: str) -> np.ndarray:
-    """Numbers, NaN where there is none."""
-    return np.array([np.nan if row[key] is None else float(row[key]) for row in rows])
 
 
 def readme_block(table: Sequence[Row], problems: int) -> str:

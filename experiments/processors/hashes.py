@@ -1,7 +1,7 @@
 """Hashes of what jumps, snaps and datasets begin with, and of what becomes of 64 drafts."""
 
 import hashlib
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -84,9 +84,4 @@ def drafts() -> str:
     return digest([batch.x_bar, batch.y_bar, batch.steps, batch.newton_iterations])
 
 
-HASHES: dict[str, Callable[[], str]] = {
-    "statics": statics,
-    "models": models,
-    "starts": starts,
-    "drafts": drafts,
-}
+HASHES = {"statics": statics, "models": models, "starts": starts, "drafts": drafts}

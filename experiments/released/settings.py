@@ -1,27 +1,14 @@
 """The released program's settings, and what they are when one of its quirks is left out."""
 
+from pathlib import Path
 from typing import Any
+
+import yaml
 
 from experiments.compositions import Groups, changed, described
 from snapjump.composition import with_tier
 
-# The same as conf/experiment/released.yaml, on top of accuracy=paper (a test compares the two).
-RELEASED: dict[str, dict[str, Any]] = {
-    "robot": {"mount_height": "fitted"},
-    "frame": {
-        "name": "elastic",
-        "bending_ratio": 1000.0,
-        "stretching_ratio": 1.0,
-        "leg_elements": 33,
-        "top_elements": 56,
-        "mount": "edge_middle",
-        "inset_m": 2.985e-4,
-        "contact": "nodes",
-        "beam_on_top": True,
-        "right_follow": 0.5,
-    },
-    "damping": {"name": "mass_proportional", "rate_1_s": 0.01},
-}
+FILE = Path(__file__).resolve().parents[2] / "conf" / "experiment" / "released.yaml"
 
 # What each quirk is changed to, one at a time.
 WITHOUT: dict[str, dict[str, dict[str, Any]]] = {
@@ -45,8 +32,16 @@ WITHOUT: dict[str, dict[str, dict[str, Any]]] = {
 
 
 def released() -> Groups:
-    """All quirks together."""
-    return changed(described(with_tier("paper")), RELEASED)
+    """All quirks together, as ``+experiment=released`` has them."""
+    quirks = yaml.safe_load(FILE.read_text(encoding="utf-8"))
+    chosen = {
+        group.removeprefix("override /"): name
+        for choice in quirks.pop("defaults")
+        for group, name in choice.items()
+    }
+    base = described(with_tier(chosen.pop("accuracy")))
+    members = changed(base, {family: {"name": name} for family, name in chosen.items()})
+    return changed(members, quirks)
 
 
 def converged() -> Groups:

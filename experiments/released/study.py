@@ -1,18 +1,27 @@
 """``python run.py task=released``: the released program's data against ours at its settings."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from experiments.compositions import changed, composed
-from experiments.released.data import PARAMETERS, digest, read_rows
-from experiments.released.differences import by_quarter, differences, figures, share_within
-from experiments.released.figure import draw_comparison
+from experiments.designs import COLUMNS, LABELS
+from experiments.released.data import (
+    by_quarter,
+    differences,
+    digest,
+    figures,
+    read_rows,
+    share_within,
+)
 from experiments.released.settings import WITHOUT, converged, released
 from snapjump.batch import simulate_batch, variants
 from snapjump.checks import check_integer
+from snapjump.plots import palette
+from snapjump.plots.saving import picture
 from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.studies.study import Study
 
@@ -20,31 +29,27 @@ ALL, CONVERGED = "released settings", "converged"
 ALL_OF_THEM = "all quirks on, same rows"
 LANES = 8
 KEPT = ("status", "x_bar", "y_bar", "newton_iterations")
+BOUNDS = {"x": 15.0, "y": 6.0}  # percent that the axes show; what is beyond lies on the edge
 
 
 class Released(Study):
     """All rows at the released settings and converged, and a few with each quirk left out."""
 
     options = ("rows", "quirk_rows")
-    sources = (
-        "experiments.released.data",
-        "experiments.released.settings",
-        "experiments.released.differences",
-    )
+    sources = ("experiments.released.data", "experiments.released.settings")
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
         """The released settings, the converged answer, and every quirk left out."""
-        task = config["task"]
-        check_integer("task.rows", task["rows"], 4, 300)
-        check_integer("task.quirk_rows", task["quirk_rows"], 4, 300)
+        many, few = (config["task"][key] for key in self.options)
+        check_integer("task.rows", many, 4, 300)
+        check_integer("task.quirk_rows", few, 4, 300)
 
         def cell(name: str, groups: Mapping[str, Any], rows: int) -> Cell:
             return Cell(name, {"groups": groups, "rows": rows, "data": digest()})
 
-        few = task["quirk_rows"]
         return [
-            cell(ALL, released(), task["rows"]),
-            cell(CONVERGED, converged(), task["rows"]),
+            cell(ALL, released(), many),
+            cell(CONVERGED, converged(), many),
             cell(ALL_OF_THEM, released(), few),
             *(cell(name, changed(released(), change), few) for name, change in WITHOUT.items()),
         ]
@@ -58,18 +63,18 @@ class Released(Study):
         full, limit = done[ALL], done[CONVERGED]
         if full.status != OK:
             raise RuntimeError(f"the released settings could not be run: {full.message}")
-        x, y = full.column("x_difference_percent"), full.column("y_difference_percent")
+        x, y = percents(full)
         summary = figures(x, y)
         overall = [{"settings": ALL, "rows": len(x), **summary}]
         if limit.status == OK:
-            far = limit.column("x_difference_percent"), limit.column("y_difference_percent")
+            far = percents(limit)
             overall.append({"settings": CONVERGED, "rows": len(far[0]), **figures(*far)})
-        quirks = []
-        for name in (ALL_OF_THEM, *WITHOUT):
-            if done[name].status == OK:
-                columns = [done[name].column(f"{c}_difference_percent") for c in ("x", "y")]
-                quirks.append({"left out": name, **figures(*columns)})
-        quarters = [row for name in PARAMETERS for row in by_quarter(full.column(name), x, y, name)]
+        quirks = [
+            {"left out": name, **figures(*percents(done[name]))}
+            for name in (ALL_OF_THEM, *WITHOUT)
+            if done[name].status == OK
+        ]
+        quarters = [row for name in COLUMNS for row in by_quarter(full.column(name), x, y, name)]
         return Conclusion(
             title="The released program's data",
             findings=[
@@ -107,14 +112,19 @@ class Released(Study):
         )
 
 
+def percents(done: Done) -> list[Any]:
+    """Differences of x and y (%)."""
+    return [done.column(f"{name}_difference_percent") for name in ("x", "y")]
+
+
 def measure(groups: Mapping[str, Any], count: int) -> list[Row]:
     """Jumps of ``count`` rows' designs, and how far they are from the rows."""
     rows = read_rows(count)
     batch = simulate_batch(variants(composed(groups), rows.designs), LANES)
     x, y = differences(batch.x_bar, batch.y_bar, rows.x_bar, rows.y_bar)
     return [
-        dict(zip(PARAMETERS, design, strict=True))
-        | {
+        {
+            **dict(zip(COLUMNS, design, strict=True)),
             **row,
             "x_released_bar": rows.x_bar[k],
             "y_released_bar": rows.y_bar[k],
@@ -124,3 +134,44 @@ def measure(groups: Mapping[str, Any], count: int) -> list[Row]:
         }
         for k, (design, row) in enumerate(zip(rows.designs, batch.rows(*KEPT), strict=True))
     ]
+
+
+def draw_comparison(rows: Sequence[dict[str, Any]], path: Path) -> None:
+    """Two squares of apexes above eight small pictures of differences."""
+    known = [row for row in rows if row["y_difference_percent"] is not None]
+    values = {key: np.array([float(row[key]) for row in known]) for key in _columns()}
+    with picture(path, (12.0, 10.0), "The released program's data, at its settings") as figure:
+        for k, name in enumerate(("x", "y")):
+            axes = figure.add_axes((0.09 + 0.5 * k, 0.56, 0.38, 0.34))
+            theirs, ours = values[f"{name}_released_bar"], values[f"{name}_bar"]
+            top = 1.05 * max(theirs.max(), ours.max())
+            low = min(0.0, theirs.min(), ours.min())
+            axes.plot([low, top], [low, top], color=palette.INK, lw=1)
+            axes.plot(theirs, ours, "o", ms=4, alpha=0.6, mec="none", color=palette.BEAM)
+            axes.set(xlabel=f"{name} of the apex, theirs (L)", ylabel=f"{name}, ours (L)")
+            axes.grid(True)
+            for j, parameter in enumerate(COLUMNS):
+                _differences(figure, values, name, parameter, (j, k))
+
+
+def _columns() -> list[str]:
+    kinds = ("bar", "released_bar", "difference_percent")
+    return [*COLUMNS, *(f"{name}_{kind}" for name in ("x", "y") for kind in kinds)]
+
+
+def _differences(
+    figure: Any, values: dict[str, Any], name: str, parameter: str, place: tuple[int, int]
+) -> None:
+    """Differences of one coordinate against one parameter."""
+    column, row = place
+    bound = BOUNDS[name]
+    axes = figure.add_axes((0.09 + 0.235 * column, 0.305 - 0.225 * row, 0.175, 0.17))
+    shown = np.clip(values[f"{name}_difference_percent"], -bound, bound)
+    axes.axhline(0.0, color=palette.INK, lw=1)
+    axes.plot(values[parameter], shown, "o", ms=3, alpha=0.6, mec="none", color=palette.CLAMP)
+    axes.set_ylim(-1.05 * bound, 1.05 * bound)
+    axes.grid(True)
+    if row == 1:
+        axes.set_xlabel(LABELS[parameter])
+    if column == 0:
+        axes.set_ylabel(f"{name}, ours less theirs (%)")

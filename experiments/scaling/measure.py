@@ -11,6 +11,7 @@ import numpy as np
 from experiments.designs import spread_designs
 from snapjump.batch import Batch, simulate_designs
 from snapjump.composition import Simulation
+from snapjump.scenes.jump_outputs import ENDED
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 Setting = tuple[int, int]  # lanes, threads
@@ -35,28 +36,28 @@ def measure(
 ) -> dict[Setting, Throughput]:
     """Simulate the same designs in every setting, several times."""
     designs = np.array(spread_designs(count))
-    seconds: dict[Setting, list[float]] = {setting: [] for setting in settings}
-    batches: dict[Setting, list[Batch]] = {setting: [] for setting in settings}
+    runs: dict[Setting, list[tuple[float, Batch]]] = {setting: [] for setting in settings}
     for lanes, threads in settings:
         simulate_designs(base, designs[:1], curve=curve, lanes=lanes, threads=threads)
     for _ in range(repeats):
         for lanes, threads in settings:
             begun = time.perf_counter()
             batch = simulate_designs(base, designs, curve=curve, lanes=lanes, threads=threads)
-            seconds[lanes, threads].append(time.perf_counter() - begun)
-            batches[lanes, threads].append(batch)
-    found = {}
-    for setting in settings:
-        kernels = statistics.median(batch.march_seconds for batch in batches[setting])
-        one = batches[setting][0]
-        iterations = float(one.newton_iterations.sum())
-        passes = statistics.median(batch.lane_passes for batch in batches[setting])
-        found[setting] = Throughput(
-            count / statistics.median(seconds[setting]),
-            count / kernels,
-            1e6 * kernels / iterations,
-            1e6 * kernels / passes,
-            1.0 - iterations / passes,
-            sum(status not in ("ok", "no_jump") for status in one.status),
-        )
-    return found
+            runs[lanes, threads].append((time.perf_counter() - begun, batch))
+    return {setting: throughput(done, count) for setting, done in runs.items()}
+
+
+def throughput(runs: Sequence[tuple[float, Batch]], count: int) -> Throughput:
+    """What the runs of one setting come to, each with its seconds by the clock."""
+    kernels = statistics.median(batch.march_seconds for _, batch in runs)
+    passes = statistics.median(batch.lane_passes for _, batch in runs)
+    one = runs[0][1]
+    iterations = float(one.newton_iterations.sum())
+    return Throughput(
+        count / statistics.median(seconds for seconds, _ in runs),
+        count / kernels,
+        1e6 * kernels / iterations,
+        1e6 * kernels / passes,
+        1.0 - iterations / passes,
+        sum(status not in ENDED for status in one.status),
+    )

@@ -1,4 +1,8 @@
-"""Where a pass of the time loop spends its time: the pieces on states frozen along a march."""
+"""Where a pass of the time loop spends its time: its pieces, on states frozen along a march.
+
+Each piece is compiled by itself, so that the time of a part is a difference: of contact, for
+example, that of the assembly with it and without.
+"""
 
 import statistics
 import time
@@ -7,13 +11,18 @@ from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
+from numba import njit
 
-from experiments.scaling.pieces import assemble_often, iterate_often, solve_often
 from snapjump.batch.simulate import marches
 from snapjump.composition import Simulation
 from snapjump.contact.none import NoContact
+from snapjump.engine.assemble import assemble
+from snapjump.engine.clock import TIME
 from snapjump.engine.march import march as march_on
-from snapjump.engine.model import Model
+from snapjump.engine.model import Model, with_numbers
+from snapjump.engine.newton import newton_iteration, solve_linearised
+from snapjump.engine.stage import stage_motion
+from snapjump.engine.view import view_work
 from snapjump.engine.work import Work
 from snapjump.friction.none import NoFriction
 from snapjump.number.memory import aligned_zeros
@@ -22,6 +31,47 @@ from snapjump.scenes.runner import MOST_ITERATIONS, March
 MOMENTS = 8
 PASSES_BETWEEN = 250
 REPEATS, COUNT, PASSES = 9, 100, 20
+TOLERANCE, MOST_NEWTON, MOST_BACKTRACKS = 1e-9, 25.0, 4.0
+
+
+@njit(cache=True, error_model="numpy")
+def frozen(template: Any, scheme: Any, memory: Any, lanes: Any) -> Any:
+    """Model, stage and memory of lanes, at a state that does not move."""
+    work = view_work(memory, lanes)
+    return with_numbers(template, work.numbers), stage_motion(scheme, work), work
+
+
+@njit(cache=True, error_model="numpy")
+def assemble_often(
+    template: Any, masses: Any, scheme: Any, memory: Any, lanes: Any, count: int
+) -> None:
+    """Residual and tangent, node by node."""
+    model, motion, work = frozen(template, scheme, memory, lanes)
+    for _ in range(count):
+        assemble(model, motion, masses, work)
+
+
+@njit(cache=True, error_model="numpy")
+def solve_often(
+    template: Any, masses: Any, scheme: Any, memory: Any, lanes: Any, count: int
+) -> None:
+    """The same and the solution of the linear system."""
+    model, motion, work = frozen(template, scheme, memory, lanes)
+    for _ in range(count):
+        solve_linearised(model, motion, masses, work)
+
+
+@njit(cache=True, error_model="numpy")
+def iterate_often(
+    template: Any, masses: Any, scheme: Any, memory: Any, lanes: Any, count: int
+) -> None:
+    """A whole Newton iteration, of which no lane takes the correction."""
+    model, motion, work = frozen(template, scheme, memory, lanes)
+    nobody = work.clock[TIME] < -1.0
+    for _ in range(count):
+        newton_iteration(
+            model, motion, masses, work, nobody, TOLERANCE, MOST_NEWTON, MOST_BACKTRACKS
+        )
 
 
 def typical(call: Callable[[int], object], count: int) -> float:

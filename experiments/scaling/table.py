@@ -20,23 +20,19 @@ def split_rows(parts: dict[str, dict[str, float]]) -> list[dict[str, Any]]:
     """A row a part: microseconds of a lane and pass at both widths, and their ratio."""
     scalar, lanes = parts.values()
     one, many = (f"us, {width} lanes" for width in parts)
-    rows: list[dict[str, Any]] = []
-    for key, name in PARTS.items():
-        ratio = scalar[key] / lanes[key] if lanes[key] > 0.0 else float("nan")
-        share = 100.0 * lanes[key] / lanes["pass"]
-        rows.append(
-            {
-                "part": name,
-                one: scalar[key],
-                many: lanes[key],
-                "ratio": round(ratio, 2),
-                "share_percent": round(share, 1),
-            }
-        )
-    return rows
+    return [
+        {
+            "part": name,
+            one: scalar[key],
+            many: lanes[key],
+            "ratio": round(scalar[key] / lanes[key], 2) if lanes[key] > 0.0 else float("nan"),
+            "share_percent": round(100.0 * lanes[key] / lanes["pass"], 1),
+        }
+        for key, name in PARTS.items()
+    ]
 
 
-def table(figures: dict[str, Any]) -> str:
+def page(figures: dict[str, Any]) -> str:
     """The page."""
     widest = list(figures["us_of_a_lane_and_pass"])[-1]
     lines = [

@@ -1,25 +1,26 @@
-"""Jumps with and without what the scene leaves out: loading, flight, the frame's bending.
+"""Jumps and snaps with and without what their scene leaves out: loading, flight, the frame's
+bending, the ground.
 
 Times are processor time, the shortest of a few repetitions, starts included.
 """
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from experiments.compositions import changed, composed
 from snapjump.batch import simulate_batch, variants
-from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
-from snapjump.declare.members import member_names
+from snapjump.declare.inputs import DEFAULT_INPUTS
+from snapjump.declare.members import make_member
 from snapjump.ending.apex import ApexEnding
 from snapjump.engine import clock as c
 from snapjump.engine.status import NAMES, OK
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
+from snapjump.scenes.snap_march import snap_march
 from snapjump.simulation import simulate
 from snapjump.studies.base import Row
 
@@ -27,20 +28,22 @@ LANES = 8
 KEPT = ("status", "x_bar", "y_bar", "newton_iterations")
 FLIGHT_LIMIT_S = 2.0
 FLOWN_HEIGHT = 1.0  # L: higher than any robot stands
+ABOVE = 2.0  # L: mounts so high that nothing comes near the ground
 
-Designs = Sequence[tuple[float, float, float, float]]
+Designs = Sequence[Sequence[float]]
+Both = tuple[Callable[[], list[Row]], Callable[[], list[Row]]]  # with everything, as the scene is
 
 
-def timed(full: Callable[[], list[Row]], scene: Callable[[], list[Row]], repeats: int) -> list[Row]:
+def timed(both: Both, repeats: int) -> list[Row]:
     """Both, in turn, after one run each that compiles: see :func:`compared`."""
-    rows = full(), scene()
+    full, scene = (run() for run in both)
     seconds: tuple[list[float], list[float]] = ([], [])
     for _ in range(repeats):
-        for run, spent in zip((full, scene), seconds, strict=True):
+        for run, spent in zip(both, seconds, strict=True):
             begun = time.process_time()
             run()
             spent.append(time.process_time() - begun)
-    return compared(rows[0], rows[1], min(seconds[0]), min(seconds[1]))
+    return compared(full, scene, min(seconds[0]), min(seconds[1]))
 
 
 def ballistic(simulation: Simulation, designs: Designs) -> list[Row]:
@@ -57,18 +60,10 @@ def flown(simulation: Simulation, designs: Designs) -> list[Row]:
     march.find_starts()
     rows = []
     for model, outcome in zip(models, march.run(), strict=True):
-        status = int(outcome[c.STATUS])
-        fall = model.load.acceleration
         # The step that ended has passed the apex by less than itself: back along the parabola.
-        past = outcome[c.COM_VY] / fall if status == OK else np.nan
-        rows.append(
-            {
-                "status": NAMES[status],
-                "x_bar": float(outcome[c.COM_X] + outcome[c.COM_VX] * past),
-                "y_bar": float(outcome[c.COM_Y] + 0.5 * outcome[c.COM_VY] * past),
-                "newton_iterations": float(outcome[c.ITERATIONS]),
-            }
-        )
+        past = outcome[c.COM_VY] / model.load.acceleration if outcome[c.STATUS] == OK else np.nan
+        x = outcome[c.COM_X] + outcome[c.COM_VX] * past
+        rows.append(row_of(outcome, x, outcome[c.COM_Y] + 0.5 * outcome[c.COM_VY] * past))
     return rows
 
 
@@ -78,32 +73,54 @@ def one_by_one(simulation: Simulation, designs: Designs) -> list[Row]:
     return [{key: result.summary[key] for key in KEPT} for result in results]
 
 
-def start_rows(groups: Mapping[str, Any], designs: Designs, repeats: int) -> list[Row]:
+def snaps(simulation: Simulation, designs: Designs, contact: str) -> list[Row]:
+    """Outcomes of snaps one after the other, with a contact law that never acts or with none: where
+    the midpoint is at the end."""
+    law = make_member("contact", {"name": contact})
+    rows = []
+    for one in variants(simulation, [design[:2] for design in designs], DEFAULT_INPUTS[:2]):
+        march = snap_march(one, height=ABOVE, contact=law)
+        outcome = march.run()[0]
+        middle = march.memory.state.shape[0] // 4 * 2
+        x, y = march.memory.state[middle : middle + 2, 0]
+        rows.append(row_of(outcome, x, y - ABOVE))
+    return rows
+
+
+def row_of(outcome: Any, x: float, y: float) -> Row:
+    """The row of a march that ended there."""
+    return {
+        "status": NAMES[int(outcome[c.STATUS])],
+        "x_bar": float(x),
+        "y_bar": float(y),
+        "newton_iterations": float(outcome[c.ITERATIONS]),
+    }
+
+
+def start(base: Simulation, designs: Designs) -> Both:
     """The quasi-static start against clamps that turn from flat."""
-    late = composed(groups)
-    early = replace(late, sim=late.sim.changed(start_fraction=0.0))
-    return timed(lambda: ballistic(early, designs), lambda: ballistic(late, designs), repeats)
+    early = replace(base, sim=base.sim.changed(start_fraction=0.0))
+    return lambda: ballistic(early, designs), lambda: ballistic(base, designs)
 
 
-def ending_rows(groups: Mapping[str, Any], designs: Designs, repeats: int) -> list[Row]:
+def end(base: Simulation, designs: Designs) -> Both:
     """The ballistic end against a flight to the apex."""
-    simulation = composed(groups)
-    return timed(
-        lambda: flown(simulation, designs), lambda: ballistic(simulation, designs), repeats
-    )
+    return lambda: flown(base, designs), lambda: ballistic(base, designs)
 
 
-def frame_rows(groups: Mapping[str, Any], designs: Designs, repeats: int) -> list[Row]:
+def frame(base: Simulation, designs: Designs) -> Both:
     """The rigid frame against the elastic one, robot by robot."""
-    if "elastic" not in member_names("frame"):
-        raise ParameterError("frame", "elastic", "one of " + ", ".join(member_names("frame")))
-    rigid, elastic = composed(groups), composed(changed(groups, {"frame": {"name": "elastic"}}))
-    return timed(lambda: one_by_one(elastic, designs), lambda: one_by_one(rigid, designs), 1)
+    elastic = replace(base, frame=make_member("frame", {"name": "elastic"}))
+    return lambda: one_by_one(elastic, designs), lambda: one_by_one(base, designs)
+
+
+def contact(base: Simulation, designs: Designs) -> Both:
+    """A snap without ground, contact compiled out and compiled in but out of reach."""
+    return lambda: snaps(base, designs, "logbarrier"), lambda: snaps(base, designs, "none")
 
 
 def compared(full: list[Row], scene: list[Row], full_s: float, scene_s: float) -> list[Row]:
     """A row for each design: outcomes with everything and as the scene has it, and the times."""
-    count = len(full)
     return [
         {
             "full_status": a["status"],
@@ -114,8 +131,8 @@ def compared(full: list[Row], scene: list[Row], full_s: float, scene_s: float) -
             "scene_y": b["y_bar"],
             "full_newton_iterations": a["newton_iterations"],
             "scene_newton_iterations": b["newton_iterations"],
-            "full_ms": 1e3 * full_s / count,
-            "scene_ms": 1e3 * scene_s / count,
+            "full_ms": 1e3 * full_s / len(full),
+            "scene_ms": 1e3 * scene_s / len(full),
         }
         for a, b in zip(full, scene, strict=True)
     ]

@@ -8,15 +8,15 @@ roughness is no part of derivatives, for stick zones of friction that steps reso
 well. ``cost``: time with sensitivities over time without.
 """
 
-import argparse
-import json
 import statistics
 import sys
 from typing import Any
 
 import numpy as np
 
+from experiments.command import measured
 from experiments.designs import spread_designs
+from experiments.errors import relative_errors
 from experiments.sensitivities.agreement import frozen_errors, plain_errors
 from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation, with_tier
@@ -35,7 +35,7 @@ COARSE = with_tier(
 )
 
 
-def frozen(count: int) -> dict[str, Any]:
+def with_frozen_steps(count: int) -> dict[str, Any]:
     """Errors over designs, by the number of corrections."""
     curve = ThresholdCurve.through(COARSE.robot, COARSE.discretization, 0.09, 0.31)
     errors, unsolved = [], 0
@@ -69,16 +69,11 @@ def moved(zone: float, designs: Any) -> dict[str, float]:
     """By how much (percent) another velocity threshold than the usual one moves the apex."""
     here = simulate_designs(with_tier("standard"), designs)
     there = simulate_designs(sticking("standard", zone), designs)
-    of_x = 100.0 * np.abs(there.x_bar - here.x_bar) / scale_of(here)
+    of_x, _ = relative_errors(there.x_bar, there.y_bar, here.x_bar, here.y_bar)
     return {
         "x_median_percent": round(float(np.nanmedian(of_x)), 3),
         "x_95_percent": round(float(np.nanquantile(of_x, 0.95)), 3),
     }
-
-
-def scale_of(batch: Any) -> Any:
-    """What errors of x are relative to: x, or a tenth of y where x is small."""
-    return np.maximum(np.abs(batch.x_bar), 0.1 * batch.y_bar)
 
 
 def cost(base: Simulation, count: int, repeats: int) -> dict[str, float]:
@@ -100,29 +95,22 @@ def cost(base: Simulation, count: int, repeats: int) -> dict[str, float]:
     }
 
 
-def main() -> None:
-    """Measure and print."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--frozen", type=int, default=64, help="designs with frozen steps")
-    parser.add_argument("--designs", type=int, default=64, help="of the other two")
-    parser.add_argument("--repeats", type=int, default=3)
-    arguments = parser.parse_args()
-    designs = spread_designs(arguments.designs)
-    report: dict[str, Any] = {
+def report(frozen: int = 64, designs: int = 64, repeats: int = 3) -> dict[str, Any]:
+    """All of it; ``frozen``: so many designs with frozen steps, of the others ``designs``."""
+    spread = spread_designs(designs)
+    found: dict[str, Any] = {
         "cost": {
-            name: cost(sticking(name, RESOLVED_M_S), arguments.designs, arguments.repeats)
+            name: cost(sticking(name, RESOLVED_M_S), designs, repeats)
             for name in ("draft", "standard")
         },
         "plain": {
-            f"{zone:g}_m_s": plain_errors(sticking("standard", zone), designs, 1e-3)
+            f"{zone:g}_m_s": plain_errors(sticking("standard", zone), spread, 1e-3)
             for zone in (5e-3, 1e-2, 1e-1)
         },
-        "moved": {f"{zone:g}_m_s": moved(zone, designs) for zone in (1e-3, 1e-2, 1e-1)},
+        "moved": {f"{zone:g}_m_s": moved(zone, spread) for zone in (1e-3, 1e-2, 1e-1)},
     }
-    if arguments.frozen:
-        report["frozen"] = frozen(arguments.frozen)
-    print(json.dumps(report, indent=2))
+    return {**found, "frozen": with_frozen_steps(frozen)} if frozen else found
 
 
 if __name__ == "__main__":
-    main()
+    measured(report)

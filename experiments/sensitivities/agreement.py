@@ -9,8 +9,8 @@ from experiments.sensitivities.frozen_steps import (
     adaptive_steps,
     apex,
     exact_jump,
-    flight_of,
     march_along,
+    outcome_of,
 )
 from snapjump.batch import model_derivatives, prepare_designs, simulate_designs
 from snapjump.batch.derivatives import place
@@ -18,8 +18,6 @@ from snapjump.batch.sensitivities import Slopes, apex_sensitivities
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.ending.timed import TimedEnding
-from snapjump.engine import clock as c
-from snapjump.engine.status import OK
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.runner import March
 from snapjump.scenes.sensitivities import record_sensitivities
@@ -70,12 +68,9 @@ def derivatives(jump: March, numbers: Any, steps: Any, solutions: Any, correctio
     )
     jump.ending = TimedEnding(float(np.sum(steps)) * (1.0 - 1e-12))
     march_along(jump, steps, solutions)
-    outcome = np.zeros((1, c.ROWS))
-    outcome[0, c.STATUS] = OK
-    outcome[0, c.COM_VX], outcome[0, c.COM_VY] = flight_of(jump)[2:]
     first = place(jump.models[0], "load", "acceleration")
     slopes = Slopes(flights[:, :, : numbers.shape[2]], numbers[:, first : first + 3], grazes)
-    found = apex_sensitivities(outcome, jump.models[0].load, slopes)
+    found = apex_sensitivities(outcome_of(jump), jump.models[0].load, slopes)
     return np.vstack([found.dx_bar, found.dy_bar]).T
 
 

@@ -14,8 +14,10 @@ from snapjump.engine.march import march
 from snapjump.engine.model import with_numbers
 from snapjump.engine.shadow import make_shadow, view_shadow
 from snapjump.engine.stage import begin_stage, commit_step, keep_stage, stage_motion
+from snapjump.engine.status import OK
 from snapjump.engine.view import view_work
 from snapjump.number.dual import PARAMETERS, constant
+from snapjump.scenes.flight import flight
 from snapjump.scenes.runner import March
 
 MOST_ITERATIONS = 200
@@ -52,12 +54,8 @@ def linearise(
         twin.numbers[k] = constant(memory.numbers[k, 0])
     model = with_numbers(template, twin.numbers)
     plain = motion_of(scheme, memory, 0)
-    motion = Motion(
-        constant(plain.time),
-        constant(plain.rate_factor),
-        constant(plain.inertia_rate),
-        constant(plain.anchor),
-    )
+    motion = Motion(constant(plain.time), constant(plain.rate_factor),
+                    constant(plain.inertia_rate), constant(plain.anchor))  # fmt: skip
     for i in range(size):
         twin.origin[i] = constant(memory.origin[i, 0])
         twin.drift[i] = constant(memory.drift[i, 0])
@@ -157,24 +155,19 @@ def exact_jump(jump: March, steps: Any, guide: Any = None, tolerance: float = 1e
     return np.array(solutions)
 
 
-def flight_of(jump: March) -> Any:
-    """Place (x, y) and velocity (vx, vy) of the centre of mass after the last step."""
-    memory = jump.memory
+def outcome_of(jump: March) -> Any:
+    """The outcome (1, ROWS) of a robot that flies after the last step."""
+    memory, outcome = jump.memory, np.zeros((1, c.ROWS))
     state, velocity = memory.start[:, 0], memory.velocity[0, :, 0]
-    return centre_of_mass(jump.models[0], jump.masses, jump.mesh, state, velocity)
+    flying = centre_of_mass(jump.models[0], jump.masses, jump.mesh, state, velocity)
+    outcome[0, [c.STATUS, c.COM_X, c.COM_Y, c.COM_VX, c.COM_VY]] = OK, *flying
+    return outcome
 
 
 def apex(jump: March) -> Any:
     """Apex (x, y) of the flight after the last step."""
-    x, y, vx, vy = flight_of(jump)
-    load = jump.models[0].load
-    ahead = max(load.time_to_apex(vx, vy), 0.0)
-    return np.array(
-        [
-            x + (vx + 0.5 * load.pull() * ahead) * ahead,
-            y + (vy - 0.5 * load.gravity() * ahead) * ahead,
-        ]
-    )
+    flown = flight(0.0, jump.models[0].load, outcome_of(jump)[0])
+    return np.array([flown.apex_x, flown.apex_y])
 
 
 def march_along(jump: March, steps: Any, solutions: Any) -> None:

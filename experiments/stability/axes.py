@@ -13,6 +13,7 @@ INTEGRATORS = (
     "tr_bdf2", "sdirk2", "esdirk3", "bdf2", "newmark", "generalized_alpha", "implicit_euler",
     "implicit_midpoint",
 )  # fmt: skip
+SPLIT = ("steps", "law")  # maps with a cell for every value going up: one compilation each
 # The laws that have a stiffness.
 LAWS = tuple(
     law
@@ -47,6 +48,13 @@ class Map:
     up: Axis
     own_truth: bool
     designs: tuple[Design, ...] = ()
+
+    @property
+    def parts(self) -> dict[str, tuple[Any, ...]]:
+        """Cells by their names, each with its values going up."""
+        if self.name in SPLIT:
+            return {f"{self.name}, {up}": (up,) for up in self.up.values}
+        return {self.name: self.up.values}
 
     def groups(self, base: Groups, across: Any, up: Any) -> Groups:
         """The composition at a pair of values."""

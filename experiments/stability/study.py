@@ -23,7 +23,6 @@ MOST_ITERATIONS = 2e5  # of a jump of the maps
 TRUTH_ITERATIONS = 3e5
 # The truth of the maps: finer than any promise that is tested against it.
 TRUTH = {"discretization": {"elements": 104}, "stepping": TIGHT, "integrator": {"name": "tr_bdf2"}}
-SPLIT = ("steps", "law")  # maps with a cell for every value going up: one compilation each
 CALIBRATION_DESIGNS = (32, 96)  # quick, full
 SHARED_TRUTH = "truth of the designs"
 SPREAD_TRUTH = "truth of the calibration"
@@ -47,35 +46,15 @@ class Stability(Study):
         spread = spread_designs(count, config["seed"])
         self.maps = maps(self.full)
         self.levels = levels(base, INTEGRATORS)
-        self.parts: dict[str, list[str]] = {}
         found = [
             jumps(SHARED_TRUTH, [at(changed(base, TRUTH))], DESIGNS, TRUTH_ITERATIONS),
             jumps(SPREAD_TRUTH, [at(tier_groups(base, "reference"))], spread, TRUTH_ITERATIONS),
         ]
         for one in self.maps:
-            found += self._map_cells(one, base)
+            found += map_cells(one, base)
         for kind, by_level in self.levels.items():
             points = [at(groups, level) for level, groups in by_level.items()]
             found.append(jumps(kind, points, spread, TRUTH_ITERATIONS))
-        return found
-
-    def _map_cells(self, one: Map, base: Groups) -> list[Cell]:
-        found = []
-        rows = [(up,) for up in one.up.values] if one.name in SPLIT else [one.up.values]
-        self.parts[one.name] = []
-        kinds: list[tuple[str, Row, float]] = [("", {}, MOST_ITERATIONS)]
-        if one.own_truth:
-            kinds.append((", truth", TRUTH, TRUTH_ITERATIONS))
-        for ups in rows:
-            name = f"{one.name}, {ups[0]}" if len(rows) > 1 else one.name
-            self.parts[one.name].append(name)
-            for suffix, change, most in kinds:
-                points = [
-                    at(changed(one.groups(base, across, up), change), up, across)
-                    for up in ups
-                    for across in one.across.values
-                ]
-                found.append(jumps(name + suffix, points, one.designs, most))
         return found
 
     def compute(self, cell: Cell) -> list[Row]:
@@ -85,7 +64,7 @@ class Stability(Study):
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
         """Rules, physics, and how well the estimate keeps."""
-        found = {one.name: self._map_rows(one, done) for one in self.maps}
+        found = {one.name: map_rows(one, done) for one in self.maps}
         violations = [
             {"map": name, "rule": rule, **shortened(row)}
             for name, rows in found.items()
@@ -141,13 +120,31 @@ class Stability(Study):
             },
         )  # fmt: skip
 
-    def _map_rows(self, one: Map, done: Mapping[str, Done]) -> list[Row]:
-        """The rows of a map with their true errors."""
-        rows: list[Row] = []
-        for name in self.parts[one.name]:
-            truth = done[f"{name}, truth" if one.own_truth else SHARED_TRUTH]
-            rows += with_truth(done[name].rows, truth.rows, one.own_truth)
-        return rows
+
+def map_cells(one: Map, base: Groups) -> list[Cell]:
+    """The cells of a map, each followed by the one with its truth, where it has its own."""
+    kinds: list[tuple[str, Row, float]] = [("", {}, MOST_ITERATIONS)]
+    if one.own_truth:
+        kinds.append((", truth", TRUTH, TRUTH_ITERATIONS))
+    found = []
+    for name, ups in one.parts.items():
+        for suffix, change, most in kinds:
+            points = [
+                at(changed(one.groups(base, across, up), change), up, across)
+                for up in ups
+                for across in one.across.values
+            ]
+            found.append(jumps(name + suffix, points, one.designs, most))
+    return found
+
+
+def map_rows(one: Map, done: Mapping[str, Done]) -> list[Row]:
+    """The rows of a map with their true errors."""
+    rows: list[Row] = []
+    for name in one.parts:
+        truth = done[f"{name}, truth" if one.own_truth else SHARED_TRUTH]
+        rows += with_truth(done[name].rows, truth.rows, one.own_truth)
+    return rows
 
 
 def jumps(

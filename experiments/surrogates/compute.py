@@ -1,12 +1,15 @@
-"""One cell: a surrogate trained on so many jumps and judged, or the floor of a tier."""
+"""One cell: a surrogate trained on so many jumps and judged, and where it is off; or the floor of a
+tier."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from experiments.compositions import composed
 from experiments.surrogates.floor import floor_rows
-from experiments.surrogates.places import by_input, concentration
 from snapjump.dataset.read import Dataset, open_dataset
 from snapjump.declare.members import make_member
 from snapjump.learning.data import JumpData
@@ -15,9 +18,13 @@ from snapjump.learning.learn import learn
 from snapjump.learning.measures import errors, measures
 from snapjump.learning.timing import microseconds
 from snapjump.learning.training import Training
+from snapjump.plan.parts.axes import Axis
 from snapjump.studies.base import Row
 
+Array = NDArray[np.float64]
 TRAINED, PLACE, FLOOR = "trained", "place", "floor"
+BINS = 5
+SHARES = (0.5, 0.1, 0.01)
 
 opened = cache(open_dataset)
 
@@ -60,3 +67,32 @@ def floor_of(inputs: Mapping[str, Any]) -> list[Row]:
     ranges = tuple((low, high) for low, high in inputs["ranges"])
     rows = floor_rows(base, ranges, inputs["cells"], inputs["seed"])
     return [{"kind": FLOOR, **row} for row in rows]
+
+
+def by_input(designs: Array, errors: Array, axes: Sequence[Axis]) -> list[Row]:
+    """Mean absolute errors in fifths of each input's range; designs (N, I), errors (N, 2) in L."""
+    rows = []
+    for values, axis in zip(designs.T, axes, strict=True):
+        edges = np.linspace(axis.low, axis.high, BINS + 1)
+        place = np.clip(np.digitize(values, edges) - 1, 0, BINS - 1)
+        for k in range(BINS):
+            inside = place == k
+            if inside.any():
+                x, y = np.abs(errors[inside]).mean(axis=0)
+                rows.append({
+                    "input": axis.column, "from": float(edges[k]), "to": float(edges[k + 1]),
+                    "designs": int(inside.sum()), "mae_x_bar": float(x), "mae_y_bar": float(y),
+                })  # fmt: skip
+    return rows
+
+
+def concentration(errors: Array) -> dict[str, float]:
+    """What share of all error the worst half, tenth and hundredth of the designs have."""
+    sizes = np.sort(np.abs(errors).mean(axis=1))[::-1]
+    sums = sizes.cumsum() / sizes.sum()
+    return {
+        f"share_of_worst_{100 * share:g}_percent": float(
+            sums[max(1, round(share * len(sizes))) - 1]
+        )
+        for share in SHARES
+    }

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.plan.parts.axes import default_axes
+from experiments.designs import AXES
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
 from snapjump.studies.base import Row
@@ -26,33 +26,27 @@ def draw_curves(table: Sequence[Row], floors: Sequence[Row], paper: float, path:
     """MAE against jumps and against seconds of training; the floors as lines."""
     from matplotlib.ticker import NullFormatter
 
-    with picture(
-        path, (13.0, 5.6), "Forward models: error on the held-out standard grid"
-    ) as figure:
-        for k, (key, label) in enumerate(
-            (("jumps", "jumps learned from"), ("train_seconds", "training on one core (s)"))
-        ):
+    labels = {"jumps": "jumps learned from", "train_seconds": "training on one core (s)"}
+    title = "Forward models: error on the held-out standard grid"
+    with picture(path, (13.0, 5.6), title) as figure:
+        for k, (key, label) in enumerate(labels.items()):
             axes = figure.add_axes((0.065 + 0.42 * k, 0.13, 0.36, 0.73))
             _lines(axes, table, key)
             axes.axhline(paper, color=palette.INK, lw=1, ls=":")
             for row in floors:
                 axes.axhline(row["mean_bar"], color=palette.CLAMP, lw=1,
                              ls="--" if row["tier"] == "paper" else "-")  # fmt: skip
-            axes.set_xscale("log")
-            axes.set_yscale("log")
-            axes.set_xlabel(label)
+            axes.set(xscale="log", yscale="log", xlabel=label)
             axes.grid(True, which="both")
-            if key == "train_seconds":
+            if key == "jumps":
+                axes.set_ylabel("mean absolute error, x and y averaged (L)")
+            else:
                 axes.set_xlim(left=FASTEST_S)
                 axes.xaxis.set_minor_formatter(NullFormatter())
-            if k == 0:
-                axes.set_ylabel("mean absolute error, x and y averaged (L)")
-        handles, labels = axes.get_legend_handles_labels()
-        figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.855, 0.87))
+        handles, names = axes.get_legend_handles_labels()
+        figure.legend(handles, names, loc="upper left", bbox_to_anchor=(0.855, 0.87))
         words = [(paper, "the paper's MAE", palette.INK)]
-        words += [
-            (row["mean_bar"], f"cubic in a cell, {row['tier']}", palette.CLAMP) for row in floors
-        ]
+        words += [(r["mean_bar"], f"cubic in a cell, {r['tier']}", palette.CLAMP) for r in floors]
         for height, text, colour in words:
             axes.text(0.015, 1.03 * height, text, transform=axes.get_yaxis_transform(),
                       color=colour, va="bottom")  # fmt: skip
@@ -60,16 +54,15 @@ def draw_curves(table: Sequence[Row], floors: Sequence[Row], paper: float, path:
 
 def _lines(axes: Any, table: Sequence[Row], key: str) -> None:
     """Members as lines over their sizes, and the special trainings as marks of their own."""
-    members = dict.fromkeys(row["surrogate"].split(",")[0] for row in table)
-    for member in members:
+    by_member: dict[str, list[Row]] = {}
+    for row in table:
+        by_member.setdefault(row["surrogate"].split(",")[0], []).append(row)
+    for member, rows in by_member.items():
         colour = COLOURS.get(member, palette.SKY)
-        rows = [row for row in table if row["surrogate"].split(",")[0] == member]
-        plain = sorted(
-            (row for row in rows if not any(words in row["surrogate"] for words in MARKS)),
-            key=lambda row: row["jumps"],
-        )
+        plain = [row for row in rows if not any(words in row["surrogate"] for words in MARKS)]
+        plain.sort(key=lambda row: int(row["jumps"]))
         if plain:
-            x, y = [row[key] for row in plain], [row["mae_bar"] for row in plain]
+            x, y = ([row[k] for row in plain] for k in (key, "mae_bar"))
             axes.plot(x, y, "o-", color=colour, lw=2, ms=5, label=member)
         for words, mark in MARKS.items():
             for row in rows:
@@ -81,7 +74,7 @@ def _lines(axes: Any, table: Sequence[Row], key: str) -> None:
 def draw_places(rows: Sequence[Row], path: Path) -> None:
     """Mean absolute errors of x and y in fifths of each input."""
     with picture(path, (13.0, 3.9), "Where the error sits") as figure:
-        for k, axis in enumerate(default_axes()):
+        for k, axis in enumerate(AXES):
             axes = figure.add_axes((0.065 + 0.238 * k, 0.17, 0.2, 0.62))
             ours = [row for row in rows if row["input"] == axis.column]
             middles = np.array([0.5 * (row["from"] + row["to"]) for row in ours])

@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats.qmc import Sobol
 
+from experiments.designs import COLUMNS
 from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation
 from snapjump.plan.base import Range
-from snapjump.plan.parts.axes import default_axes
 from snapjump.statics.threshold_curve import ThresholdCurve
 from snapjump.studies.base import Row
 
@@ -44,16 +44,9 @@ def floor_rows(
         errors = np.full(2, np.nan)
         if known.sum() >= FEWEST:
             errors = np.abs(left_out(2.0 * points[known] - 1.0, found[known])).mean(axis=0)
-        places = zip(default_axes(), corner, strict=True)
-        place = {f"{axis.column}_low": float(value) for axis, value in places}
-        rows.append(
-            {
-                **place,
-                "jumps": int(known.sum()),
-                "x_bar": float(errors[0]),
-                "y_bar": float(errors[1]),
-            }  # fmt: skip
-        )
+        place = {f"{name}_low": float(value) for name, value in zip(COLUMNS, corner, strict=True)}
+        x, y = (float(error) for error in errors)
+        rows.append({**place, "jumps": int(known.sum()), "x_bar": x, "y_bar": y})
     return rows
 
 

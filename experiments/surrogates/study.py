@@ -36,20 +36,15 @@ class CompareSurrogates(Study):
         from snapjump.learning.data import JumpData
         from snapjump.learning.training import Training
 
-        datasets = {key: opened(key, config["task"][key]) for key in self.options}
+        given = {key: path for key in self.options if (path := config["task"][key]) is not None}
+        datasets = {key: opened(key, path) for key, path in given.items()}
         check_datasets(datasets)
-        standard = datasets["standard"]
-        seed = config["seed"]
-        jumps = {
-            key: len(data.train.designs) + len(data.validation.designs)
-            for key, dataset in datasets.items()
-            if dataset is not None
-            for data in (JumpData(dataset, Training(), seed),)
-        }
+        standard, seed = datasets["standard"], config["seed"]
+        parts = {key: JumpData(one, Training(), seed) for key, one in datasets.items()}
+        jumps = {k: len(p.train.designs) + len(p.validation.designs) for k, p in parts.items()}
 
         def cell(name: str, member: str, key: str, rows: int | None, **options: Any) -> Cell:
             dataset = datasets[key]
-            assert dataset is not None
             inputs = {
                 "surrogate": completed(member, options),
                 "training": asdict(training_of(rows, jumps[key])),
@@ -71,17 +66,17 @@ class CompareSurrogates(Study):
                 if rows is None or rows < jumps["standard"]:
                     count = rows or jumps["standard"]
                     cells.append(cell(f"{member}, {count} jumps", member, "standard", rows))
-        if datasets["paper"] is not None:
+        if "paper" in datasets:
             name = f"{PAPER_MLP}, {jumps['paper']} jumps of the paper's tier"
             cells.append(cell(name, PAPER_MLP, "paper", None))
-        if datasets["slopes"] is not None:
+        if "slopes" in datasets:
             for member in filter(needs_slopes, member_names("surrogate")):
                 name = f"{member}, {jumps['slopes']} jumps with slopes"
                 cells.append(cell(name, member, "slopes", None))
                 if "slope_weight" in completed(member, {}):
                     name = f"{member}, {jumps['slopes']} jumps, slopes left out"
                     cells.append(cell(name, member, "slopes", None, slope_weight=0.0))
-        self.floors = [key for key in ("standard", "paper") if datasets[key] is not None]
+        self.floors = [key for key in ("standard", "paper") if key in datasets]
         for key in self.floors:
             inputs = {
                 "groups": datasets[key].specification["configuration"],
@@ -148,17 +143,16 @@ class CompareSurrogates(Study):
 
 def check_datasets(datasets: Mapping[str, Any]) -> None:
     """Raise ParameterError unless they can be compared: the same plan and split, and slopes."""
-    standard, paper, slopes = (datasets[key] for key in ("standard", "paper", "slopes"))
+    standard, paper, slopes = (datasets.get(key) for key in ("standard", "paper", "slopes"))
     if standard is None:
         raise ParameterError("task.standard", None, "the folder of a dataset at standard")
     for key, dataset in datasets.items():
-        if dataset is not None and dataset.axes != default_axes([a.range for a in dataset.axes]):
+        if dataset.axes != default_axes([a.range for a in dataset.axes]):
             allowed = "a dataset of the four inputs that are learned from by default"
             raise ParameterError(f"task.{key}", str(dataset.folder.path), allowed)
     if paper is not None:
-        keys = ("plan", "inputs")
         ours, theirs = paper.specification, standard.specification
-        same = all(ours.get(key) == theirs.get(key) for key in keys)
+        same = all(ours.get(key) == theirs.get(key) for key in ("plan", "inputs"))
         if not same or paper.statuses != standard.statuses:
             allowed = "null, or a dataset of task.standard's plan with as many jumps that are ok"
             raise ParameterError("task.paper", str(paper.folder.path), allowed)
@@ -168,11 +162,9 @@ def check_datasets(datasets: Mapping[str, Any]) -> None:
 
 
 def opened(key: str, path: Any) -> Any:
-    """A dataset, or None. Raises ParameterError that names the key."""
+    """A dataset. Raises ParameterError that names the key."""
     from snapjump.dataset.read import open_dataset
 
-    if path is None:
-        return None
     if not isinstance(path, str):
         raise ParameterError(f"task.{key}", path, "null, or the folder of a dataset")
     try:
@@ -188,9 +180,7 @@ def needs_slopes(member: str) -> bool:
 
 def completed(member: str, changes: Mapping[str, Any]) -> dict[str, Any]:
     """The group of a surrogate with its defaults, some of them changed."""
-    group = {**member_group(member_class("surrogate", member)()), **changes}
-    make_member("surrogate", group)
-    return group
+    return member_group(make_member("surrogate", {"name": member, **changes}))
 
 
 def training_of(rows: int | None, jumps: int) -> Any:

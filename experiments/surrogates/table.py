@@ -5,28 +5,19 @@ import numpy as np
 from snapjump.studies.base import Done, Row
 from snapjump.terminal.block import markdown_table
 
-COLUMNS = ("mae_bar", "mae_x_bar", "mae_y_bar", "p95_bar", "coverage", "coverage_x", "coverage_y",
-           "parameters", "epochs", "train_seconds", "inference_us")  # fmt: skip
+COLUMNS = ("jumps", "mae_bar", "mae_x_bar", "mae_y_bar", "p95_bar", "coverage", "coverage_x",
+           "coverage_y", "parameters", "epochs", "train_seconds", "inference_us", "own_mae_bar",
+           "own_mae_x_bar", "own_mae_y_bar")  # fmt: skip
 
 
 def summary(name: str, done: Done) -> Row:
     """One line of the table."""
-    row = done.rows[0]
-    return {
-        "surrogate": name,
-        "jumps": row["jumps"],
-        **{key: row.get(key) for key in COLUMNS},
-        "own_mae_bar": row["own_mae_bar"],
-        "own_mae_x_bar": row["own_mae_x_bar"],
-        "own_mae_y_bar": row["own_mae_y_bar"],
-    }
+    return {"surrogate": name, **{key: done.rows[0].get(key) for key in COLUMNS}}
 
 
 def floor_summary(tier: str, done: Done) -> Row:
     """Both outputs averaged, over the cells that are known."""
-    x, y = done.column("x_bar"), done.column("y_bar")
-    known = np.isfinite(x)
-    x, y = x[known], y[known]
+    x, y = (column[np.isfinite(column)] for column in map(done.column, ("x_bar", "y_bar")))
     both = 0.5 * (x + y)
     return {
         "tier": tier,
@@ -65,17 +56,16 @@ def readme_block(table: list[Row], floors: list[Row]) -> str:
 
 def findings(table: list[Row], floors: list[Row], best: str, worst: Row) -> list[str]:
     """Sentences."""
-    told = [
-        f"{row['surrogate']}: MAE {row['mae_bar']:.3g} L"
-        + (
-            f", 90 % intervals hold {100 * row['coverage_x']:.3g} % of x and "
-            f"{100 * row['coverage_y']:.3g} % of y"
-            if row["coverage"]
-            else ""
+    told = []
+    for row in table:
+        held = ""
+        if row["coverage"]:
+            x, y = (f"{100 * row[f'coverage_{name}']:.3g} % of {name}" for name in ("x", "y"))
+            held = f", 90 % intervals hold {x} and {y}"
+        told.append(
+            f"{row['surrogate']}: MAE {row['mae_bar']:.3g} L{held}; {row['train_seconds']:.3g} s "
+            f"of training, {row['inference_us']:.3g} us a design."
         )
-        + f"; {row['train_seconds']:.3g} s of training, {row['inference_us']:.3g} us a design."
-        for row in table
-    ]
     for row in floors:
         told.append(
             f"Floor at {row['tier']}: a cubic through 128 jumps in a cell of the grid leaves "

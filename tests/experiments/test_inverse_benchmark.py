@@ -11,9 +11,9 @@ from refusals import refused
 from small_datasets import CONFIG, generated, small
 
 from experiments.inverse_benchmark import region
+from experiments.inverse_benchmark.compute import make_problems
 from experiments.inverse_benchmark.figure import draw_benchmark
 from experiments.inverse_benchmark.methods import METHODS, PAPER, SOLVED_MM
-from experiments.inverse_benchmark.problems import make_problems
 from experiments.inverse_benchmark.study import InverseBenchmark, chosen, stretches
 from experiments.inverse_benchmark.table import readme_block, summary_row, unsolved
 from snapjump.dataset.read import open_dataset

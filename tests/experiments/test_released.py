@@ -5,10 +5,16 @@ import pytest
 from hydra_config import hydra_config
 
 from experiments.compositions import changed, composed, groups_of
-from experiments.released.data import ROWS, read_rows
-from experiments.released.differences import by_quarter, differences, figures, share_within
-from experiments.released.figure import draw_comparison
+from experiments.released.data import (
+    ROWS,
+    by_quarter,
+    differences,
+    figures,
+    read_rows,
+    share_within,
+)
 from experiments.released.settings import WITHOUT, converged, released
+from experiments.released.study import draw_comparison
 
 
 def test_the_study_s_settings_are_those_of_the_experiment_s_file():

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from experiments.designs import spread_designs
+from experiments.scaling import table
 from experiments.scaling.measure import measure
 from experiments.scaling.split import pieces, split, untouched
-from experiments.scaling.table import table
 from snapjump.batch import variants
 from snapjump.batch.simulate import marches
 from snapjump.composition import with_tier
@@ -72,7 +72,7 @@ def test_the_page():
         "released_over_ours": 2080.0,
         "us_of_a_lane_and_pass": {"1": {**parts, "pass": 5.0}, "8": {**parts, "pass": 2.5}},
     }  # fmt: skip
-    page = table(figures)
+    page = table.page(figures)
     assert "8 lanes over 1, in time of a Newton iteration: 3.12 times" in page
     assert "2 threads over 1, in jumps per second: 1.94 times" in page
     assert "2080 times the released program's" in page

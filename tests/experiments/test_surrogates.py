@@ -11,8 +11,8 @@ from refusals import refused
 from small_datasets import CONFIG, WIDE_STICK, small, smooth_dataset
 
 from experiments.surrogates import study as module
+from experiments.surrogates.compute import BINS, by_input, concentration
 from experiments.surrogates.floor import INTERVALS, floor_rows, left_out
-from experiments.surrogates.places import BINS, by_input, concentration
 from experiments.surrogates.study import CompareSurrogates, training_of
 from snapjump.learning.training import Training
 from snapjump.plan.parts.axes import default_axes

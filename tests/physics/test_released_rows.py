@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 
 from experiments.compositions import composed
-from experiments.released.data import read_rows
-from experiments.released.differences import differences
+from experiments.released.data import differences, read_rows
 from experiments.released.settings import released
 from snapjump.batch import simulate_batch, variants
 

@@ -6,7 +6,7 @@ from dataclasses import asdict
 from functools import partial
 from typing import Any
 
-from experiments.inverse_benchmark.study import completed, stretches
+from experiments.inverse_benchmark.study import stretches
 from experiments.inverse_benchmark.table import summary_row
 from experiments.paper.base import Found, Part, unfinished
 from experiments.paper.forward_model.compute import (
@@ -26,7 +26,7 @@ from experiments.paper.forward_model.judge import (
     speed_statement,
 )
 from experiments.paper.learned import shipped_inputs
-from snapjump.declare.members import member_class, member_group
+from snapjump.declare.members import make_member, member_class, member_group
 from snapjump.learning.training import Training
 from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
 
@@ -71,7 +71,7 @@ class ForwardModels(Part):
         for name, method in METHODS.items():
             shipped = {} if method.network else {"surrogate": None, **shipped_inputs(groups)}
             asked = {**learned, **shipped}
-            inverse = member_group(completed(method.inverse))
+            inverse = member_group(make_member("inverse", method.inverse))
             cells += [
                 Cell(
                     f"{name}: targets {first} to {last - 1}",
