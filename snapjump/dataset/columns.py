@@ -2,17 +2,15 @@
 
 import hashlib
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+import pyarrow as pa
 from numpy.typing import NDArray
 
 from snapjump.batch import Batch
 from snapjump.declare.outputs import FLAG, INTEGER, NUMBER, WORD
 from snapjump.plan.parts.axes import Axis
-
-if TYPE_CHECKING:
-    import pyarrow as pa
 
 # Arrays (R,) by column; a column that is left out has no values.
 Rows = Mapping[str, NDArray[Any]]
@@ -67,10 +65,8 @@ def slope_columns(apex: str, axes: Sequence[Axis]) -> list[str]:
     return [f"d{apex}_d_{axis.slope}" for axis in axes]
 
 
-def schema(columns: Sequence[Column]) -> "pa.Schema":
+def schema(columns: Sequence[Column]) -> pa.Schema:
     """The Arrow schema; unit and meaning are metadata of each field."""
-    import pyarrow as pa
-
     types = {
         NUMBER: pa.float64(),
         INTEGER: pa.int64(),
@@ -83,10 +79,8 @@ def schema(columns: Sequence[Column]) -> "pa.Schema":
     )
 
 
-def table_of(columns: Sequence[Column], rows: Rows) -> "pa.Table":
+def table_of(columns: Sequence[Column], rows: Rows) -> pa.Table:
     """Rows as an Arrow table; what is missing or not finite is null."""
-    import pyarrow as pa
-
     count = len(rows["index"])
     arrays = []
     for column, field in zip(columns, schema(columns), strict=True):
@@ -102,7 +96,7 @@ def table_of(columns: Sequence[Column], rows: Rows) -> "pa.Table":
     return pa.Table.from_arrays(arrays, schema=schema(columns))
 
 
-def content_sha256(table: "pa.Table") -> str:
+def content_sha256(table: pa.Table) -> str:
     """A hash of every value but timings, whatever file and compression they lie in.
 
     Each column of the table counts with its name there and its values as little-endian bytes:
@@ -118,9 +112,7 @@ def content_sha256(table: "pa.Table") -> str:
     return digest.hexdigest()
 
 
-def _canonical(values: "pa.Array") -> bytes:
-    import pyarrow as pa
-
+def _canonical(values: pa.Array) -> bytes:
     if pa.types.is_dictionary(values.type):
         return "".join(f"{word}\n" for word in values.to_pylist()).encode()
     if pa.types.is_boolean(values.type):

@@ -1,18 +1,18 @@
 """Generating a dataset: what is missing or damaged, on an executor, until all of it is there."""
 
-from collections.abc import Callable, Mapping
+import time
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from snapjump.batch.progress import Progress, duration
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.manifest import Manifest, write_manifest
-from snapjump.dataset.pace import Pace
 from snapjump.dataset.shard import read_entry
 from snapjump.dataset.specification import Specification
 from snapjump.dataset.work import job_of, make_shard
 from snapjump.executor.base import Executor
 
-Progress = Callable[[float, str], None]
 ROUNDS = 3  # a shard may be spoilt by a worker that was given up too early
 
 
@@ -123,3 +123,27 @@ class _Maker:
         finally:
             self.generation.made += pace.made
             self.generation.seconds += pace.seconds
+
+
+class Pace:
+    """Counts designs and tells a progress bar: how many, how fast, how long still."""
+
+    def __init__(self, count: int, kept: int, tell: Progress):
+        self.count, self.kept, self._tell = count, kept, tell
+        self.made = 0
+        self._begun = time.perf_counter()
+
+    @property
+    def seconds(self) -> float:
+        """Since it began."""
+        return time.perf_counter() - self._begun
+
+    def show(self, under_way: float = 0.0) -> None:
+        """Tell, with so many designs done of the shard under way."""
+        made = self.made + under_way
+        rate = made / max(self.seconds, 1e-9)
+        left = self.count - self.kept - made
+        text = f"{int(self.kept + made)} of {self.count} jumps"
+        if made > 0:
+            text += f", {rate:.3g}/s, {duration(left / rate)} left"
+        self._tell((self.kept + made) / self.count, text)

@@ -29,9 +29,7 @@ def dataset_sha256(plain: Mapping[str, Any], contents: Sequence[str]) -> str:
 def manifest_of(specification: Specification, entries: Sequence[Entry | None]) -> Manifest:
     """The manifest of what has been done; the hash is null until all is."""
     done = [entry for entry in entries if entry is not None]
-    statuses: Counter[str] = Counter()
-    for entry in done:
-        statuses.update(entry["statuses"])
+    statuses: Counter[str] = sum((Counter(entry["statuses"]) for entry in done), Counter())
     complete = len(done) == specification.shards
     contents = [entry["content_sha256"] for entry in done]
     return {

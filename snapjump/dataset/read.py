@@ -6,6 +6,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import pyarrow as pa
+import pyarrow.parquet as pq
+
 from snapjump.checks import ParameterError
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.manifest import dataset_sha256
@@ -17,7 +20,6 @@ from snapjump.plan.parts.axes import Axis, recorded_axes
 
 if TYPE_CHECKING:
     import pandas as pd
-    import pyarrow as pa
 
 
 @dataclass(frozen=True)
@@ -34,8 +36,6 @@ class Dataset:
     @cached_property
     def columns(self) -> dict[str, str]:
         """The columns that its files have: names there, by names of today."""
-        import pyarrow.parquet as pq
-
         names = pq.read_schema(self.folder.shard(0)).names
         return {former_names.COLUMNS.get(name, name): name for name in names}
 
@@ -44,10 +44,8 @@ class Dataset:
         """The inputs that vary, and their ranges."""
         return recorded_axes(self.specification)
 
-    def shards(self, columns: Sequence[str] | None = None) -> "Iterator[pa.Table]":
+    def shards(self, columns: Sequence[str] | None = None) -> Iterator[pa.Table]:
         """One shard's rows after the other, in the plan's order; memory is that of one."""
-        import pyarrow.parquet as pq
-
         chosen = checked_columns(columns, self.columns)
         held = [self.columns[name] for name in chosen]
         for number in range(self.shard_count):
@@ -55,10 +53,8 @@ class Dataset:
                 self.folder.shard(number), columns=held, page_checksum_verification=True
             ).rename_columns(chosen)
 
-    def table(self, columns: Sequence[str] | None = None) -> "pa.Table":
+    def table(self, columns: Sequence[str] | None = None) -> pa.Table:
         """All rows, null where there is no value; ``columns``: which, None for all."""
-        import pyarrow as pa
-
         return pa.concat_tables(
             table.replace_schema_metadata(None).unify_dictionaries()
             for table in self.shards(columns)

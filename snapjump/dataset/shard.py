@@ -4,7 +4,10 @@ import hashlib
 import json
 from collections import Counter
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import pyarrow as pa
+import pyarrow.parquet as pq
 
 from snapjump.dataset.columns import Rows, columns_of, content_sha256, table_of
 from snapjump.dataset.folder import DatasetFolder
@@ -12,9 +15,6 @@ from snapjump.dataset.sealed import read_sealed, sha256_of, write_sealed
 from snapjump.dataset.specification import Specification
 from snapjump.files.atomic import write_bytes
 from snapjump.files.provenance import now, origin
-
-if TYPE_CHECKING:
-    import pyarrow as pa
 
 METADATA = b"snapjump"
 Entry = dict[str, Any]
@@ -29,12 +29,9 @@ def write_shard(
 
 
 def write_table(
-    folder: DatasetFolder, specification: Specification, number: int, table: "pa.Table"
+    folder: DatasetFolder, specification: Specification, number: int, table: pa.Table
 ) -> Entry:
     """The same of rows as a table."""
-    import pyarrow as pa
-    import pyarrow.parquet as pq
-
     content = content_sha256(table)
     about = {
         "specification": specification.plain,

@@ -88,10 +88,7 @@ def specify(
         "inputs": [asdict(axis) for axis in axes],
         "shard_size": given.shard_size,
         "sensitivities": given.sensitivities,
-        "configuration": {
-            "accuracy": {"name": simulation.accuracy},
-            **configuration,
-        },
+        "configuration": {"accuracy": {"name": simulation.accuracy}, **configuration},
         "processor": simulation.backend.processor,
         "source_sha256": source_hash(BEYOND_DATASETS),
     }

@@ -6,15 +6,11 @@ from itertools import combinations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from snapjump.dataset.columns import APEX
 from snapjump.dataset.read import Dataset
-from snapjump.plan.base import Range
-from snapjump.plan.parts.axes import Axis
+from snapjump.plan.parts.axes import Array, Axis, Range
 
-Array = NDArray[np.float64]
-
-OUTCOMES = ("x_bar", "y_bar")
 KNOWN = ("ok", "no_jump")  # statuses with an apex
 FEWEST_BINS, MOST_BINS = 5, 24
 LEVELS = 500  # bins of an outcome, from which its quantiles are taken
@@ -80,9 +76,9 @@ def _around(limits: Range, points: int) -> Array:
 
 def outcome_levels(dataset: Dataset) -> Array:
     """Bins of the outcomes (2, LEVELS + 1), from the least to the greatest."""
-    low, high = np.full(len(OUTCOMES), np.inf), np.full(len(OUTCOMES), -np.inf)
-    for table in dataset.shards(OUTCOMES):
-        for k, name in enumerate(OUTCOMES):
+    low, high = np.full(len(APEX), np.inf), np.full(len(APEX), -np.inf)
+    for table in dataset.shards(APEX):
+        for k, name in enumerate(APEX):
             values = table[name].drop_null().to_numpy()
             if len(values):
                 low[k], high[k] = min(low[k], values.min()), max(high[k], values.max())
@@ -104,13 +100,13 @@ def gather(dataset: Dataset) -> Statistics:
         pairs=both,
         edges=edges,
         levels=outcome_levels(dataset),
-        spread=np.zeros((len(OUTCOMES), len(axes), bins, LEVELS)),
+        spread=np.zeros((len(APEX), len(axes), bins, LEVELS)),
         rows=np.zeros(pairs),
         marked=np.zeros(pairs),
         known=np.zeros(pairs),
-        sums=np.zeros((len(OUTCOMES), *pairs)),
+        sums=np.zeros((len(APEX), *pairs)),
     )
-    for table in dataset.shards([*(a.column for a in axes), *OUTCOMES, "status", "within_tier"]):
+    for table in dataset.shards([*(a.column for a in axes), *APEX, "status", "within_tier"]):
         _add(found, table)
     return found
 
@@ -118,7 +114,7 @@ def gather(dataset: Dataset) -> Statistics:
 def _add(found: Statistics, table: Any) -> None:
     """Count the rows of one shard."""
     inputs = [table[axis.column].to_numpy() for axis in found.axes]
-    outcomes = [table[name].to_numpy() for name in OUTCOMES]
+    outcomes = [table[name].to_numpy() for name in APEX]
     known = np.isin(np.array(table["status"].to_pylist()), KNOWN)
     marked = ~(known & table["within_tier"].to_numpy())
     for k, (i, j) in enumerate(found.pairs):

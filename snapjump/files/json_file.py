@@ -9,21 +9,23 @@ from typing import Any
 from snapjump.files.atomic import write_text
 
 
-def finite(value: Any, name: str = "") -> tuple[Any, list[str]]:
+def finite(value: Any) -> tuple[Any, list[str]]:
     """A copy in plain Python types with null for NaN and infinity, and where those were."""
-    if isinstance(value, Mapping):
-        pairs = {str(key): finite(item, _join(name, str(key))) for key, item in value.items()}
-        return {key: item for key, (item, _) in pairs.items()}, [
-            found for _, names in pairs.values() for found in names
-        ]
-    if isinstance(value, (list, tuple)):
-        items = [finite(item, _join(name, str(index))) for index, item in enumerate(value)]
-        return [item for item, _ in items], [found for _, names in items for found in names]
-    if hasattr(value, "item"):
-        value = value.item()
-    if isinstance(value, float) and not math.isfinite(value):
-        return None, [name]
-    return value, []
+    lost: list[str] = []
+
+    def clean(value: Any, place: tuple[str, ...]) -> Any:
+        if isinstance(value, Mapping):
+            return {str(key): clean(item, (*place, str(key))) for key, item in value.items()}
+        if isinstance(value, (list, tuple)):
+            return [clean(item, (*place, str(index))) for index, item in enumerate(value)]
+        if hasattr(value, "item"):
+            value = value.item()
+        if isinstance(value, float) and not math.isfinite(value):
+            lost.append(".".join(place))
+            return None
+        return value
+
+    return clean(value, ()), lost
 
 
 def write_json(path: Path, value: Mapping[str, Any]) -> list[str]:
@@ -40,7 +42,3 @@ def read_json(path: Path) -> dict[str, Any] | None:
     except (OSError, ValueError):
         return None
     return content if isinstance(content, dict) else None
-
-
-def _join(name: str, part: str) -> str:
-    return f"{name}.{part}" if name else part

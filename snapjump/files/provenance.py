@@ -66,10 +66,7 @@ def git_state() -> dict[str, Any]:
     """The revision of the code and whether files differ from it; null outside a repository."""
     revision = _git("rev-parse", "HEAD")
     changes = _git("status", "--porcelain")
-    return {
-        "git_revision": revision,
-        "git_dirty": None if changes is None else changes != "",
-    }
+    return {"git_revision": revision, "git_dirty": None if changes is None else changes != ""}
 
 
 def source_hash(without: tuple[str, ...] = ()) -> str:

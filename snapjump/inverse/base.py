@@ -4,14 +4,11 @@ from dataclasses import dataclass
 from typing import ClassVar, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import Part, flag, required
-from snapjump.plan.parts.axes import default_axes
+from snapjump.plan.parts.axes import Array, Range, default_axes
 
-Array = NDArray[np.float64]
-Range = tuple[float, float]
 CONTROLS = tuple(axis.column for axis in default_axes() if axis.kind == "control")
 # Apexes nearer to the target than this (L) have reached it, for a forward model's solutions.
 REACHED_BAR = 1.0e-3

@@ -20,7 +20,7 @@ from snapjump.checks import ParameterError
 from snapjump.dataset.sealed import canonical
 from snapjump.declare.members import check_known, make_member
 from snapjump.files.atomic import write_bytes
-from snapjump.plan.parts.axes import Axis, default_axes
+from snapjump.plan.parts.axes import Axis, recorded_axes
 from snapjump.surrogate.base import Inputs, Surrogate
 
 FORMAT = "snapjump forward model 1"  # another number for other metadata
@@ -58,7 +58,7 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
     try:
         with torch.device("meta"):  # neither time nor memory for weights that are replaced
             network: Surrogate = make_member("surrogate", about["surrogate"]).network(
-                learned_inputs(axes_in(about))
+                learned_inputs(recorded_axes(about))
             )
         network.load_state_dict(tensors, assign=True)
         check_known(about.get("dataset", {}).get("specification", {}).get("configuration", {}))
@@ -71,14 +71,6 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
         if not torch.isfinite(value).all():
             raise _refused(path, f"{name} is not finite")
     return Checkpoint(network.requires_grad_(False).eval(), about)
-
-
-def axes_in(about: Mapping[str, Any]) -> tuple[Axis, ...]:
-    """The inputs of a checkpoint, over the ranges that it was trained in; the four, where it names
-    none."""
-    if "inputs" in about:
-        return tuple(Axis(**one) for one in about["inputs"])
-    return default_axes([(low, high) for low, high in about["ranges"]])
 
 
 def learned_inputs(axes: Sequence[Axis]) -> Inputs:

@@ -10,7 +10,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 
 from snapjump.checks import ParameterError
 from snapjump.files.atomic import write_bytes
@@ -18,7 +17,6 @@ from snapjump.learning.forward_model import ForwardModel
 from snapjump.learning.threads import torch_threads
 from snapjump.learning.timing import microseconds
 
-Array = NDArray[np.float64]
 INPUT, OUTPUT = "designs", "apexes"
 TOLERANCE = 1e-5  # of the difference to torch, relative to the standard deviation of the apexes
 EXAMPLES = 1000
@@ -26,10 +24,10 @@ ROUNDING = 1e-6  # of a range: float32 cannot hold its ends exactly
 
 
 class Exported(NamedTuple):
-    """``difference``: largest one between onnxruntime and torch, in standard deviations of the
-    apexes; times of one design on one core, in us."""
+    """``max_difference``: between onnxruntime and torch, in standard deviations of the apexes;
+    times of one design on one core, in us."""
 
-    difference: float
+    max_difference: float
     onnx_us: float
     torch_us: float
 

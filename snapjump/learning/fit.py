@@ -12,8 +12,9 @@ import torch
 from pytorch_lightning import Trainer
 from pytorch_lightning.callbacks import EarlyStopping
 
+from snapjump.batch.progress import Progress
 from snapjump.learning.data import JumpData
-from snapjump.learning.keeper import AtomicFiles, Keeper, Progress
+from snapjump.learning.keeper import AtomicFiles, Keeper
 from snapjump.learning.lightning_module import VALIDATION, Descent
 from snapjump.learning.threads import torch_threads
 from snapjump.surrogate.base import Surrogate

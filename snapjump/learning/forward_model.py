@@ -8,21 +8,17 @@ from typing import Any
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import Tensor
 
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.dataset.specification import first_difference
-from snapjump.learning.checkpoint import axes_in, read_checkpoint
+from snapjump.declare.inputs import PARTS
+from snapjump.learning.checkpoint import read_checkpoint
 from snapjump.learning.threads import torch_threads
+from snapjump.plan.parts.axes import Array, Range, recorded_axes
 from snapjump.surrogate.base import Surrogate
 
-Array = NDArray[np.float64]
-Range = tuple[float, float]
-
-# What determines the physical model; all else determines how exactly it is solved.
-MODEL = ("robot", "design", "environment", "frame", "contact", "friction", "damping")
 CHUNK = 4096  # designs at a time, so that their activations stay in the processor's cache
 ROUNDING = 1e-9  # of a range: how far beyond its end a design may lie
 DIFFERENCE = 1e-3  # of a range: step of the slopes of networks that torch cannot differentiate
@@ -38,7 +34,7 @@ class ForwardModel:
 
     def __init__(self, network: Surrogate, about: dict[str, Any]):
         self.network, self.about = network, about
-        self.axes = axes_in(about)
+        self.axes = recorded_axes(about)
         self._low, self._high = np.array(self.ranges, dtype=float).T
 
     @property
@@ -72,7 +68,7 @@ class ForwardModel:
         inputs = {axis.path for axis in self.axes}
         given: dict[str, Any] = {"sim": simulation.sim.name}
         learned: dict[str, Any] = {"sim": configuration["sim"]["name"]}
-        for part in MODEL:
+        for part in PARTS:
             known = configuration.get(part, {})
             if "name" in known:
                 given[part], learned[part] = getattr(simulation, part).name, known["name"]

@@ -2,7 +2,6 @@
 
 import math
 import time
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -10,10 +9,10 @@ import torch
 from pytorch_lightning import Callback, LightningModule, Trainer
 from pytorch_lightning.plugins.io import CheckpointIO
 
+from snapjump.batch.progress import Progress
 from snapjump.files.atomic import atomic_file
 from snapjump.learning.lightning_module import VALIDATION, Descent
 
-Progress = Callable[[float, str], None]
 SAVE_EVERY_S = 5.0
 
 
@@ -23,19 +22,16 @@ class AtomicFiles(CheckpointIO):
     def save_checkpoint(
         self, checkpoint: dict[str, Any], path: Any, storage_options: Any = None
     ) -> None:
-        """Write one."""
         with atomic_file(Path(path), "wb") as file:
             torch.save(checkpoint, file)
 
     def load_checkpoint(
         self, path: Any, map_location: Any = None, weights_only: bool | None = None
     ) -> dict[str, Any]:
-        """Read one."""
         content: dict[str, Any] = torch.load(path, map_location, weights_only=True)
         return content
 
     def remove_checkpoint(self, path: Any) -> None:
-        """Remove one."""
         Path(path).unlink(missing_ok=True)
 
 

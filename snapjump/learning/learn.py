@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 import torch
 
+from snapjump.batch.progress import Progress
 from snapjump.checks import ParameterError
 from snapjump.dataset.sealed import read_sealed, sha256_of, write_sealed
 from snapjump.declare.members import member_group
@@ -26,7 +27,6 @@ from snapjump.learning.checkpoint import (
 )
 from snapjump.learning.data import RULE, JumpData
 from snapjump.learning.fit import STATE, Fitted, descend
-from snapjump.learning.keeper import Progress
 from snapjump.learning.measures import measures
 from snapjump.learning.threads import torch_threads
 from snapjump.sources.files import combined_hash, package_files, plugin_files
@@ -45,6 +45,7 @@ DETERMINES = (
     "surrogate/base.py",
     "surrogate/parts/layers.py",
 )
+PARTS = ("train", "validation", "test")  # of the jumps
 
 
 class Learned(NamedTuple):
@@ -140,9 +141,7 @@ def _about(data: JumpData, network: Surrogate, fitted: Fitted) -> dict[str, Any]
         },
         "inputs": [asdict(axis) for axis in dataset.axes],
         "split": RULE,
-        "rows_train": len(data.train.designs),
-        "rows_validation": len(data.validation.designs),
-        "rows_test": len(data.test.designs),
+        **{f"rows_{name}": len(getattr(data, name).designs) for name in PARTS},
         "parameters": sum(values.numel() for values in network.parameters()),
         "epochs": len(fitted.curves),
         "train_seconds": fitted.seconds,

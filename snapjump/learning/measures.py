@@ -4,13 +4,12 @@ from typing import Any
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import Tensor
 
+from snapjump.dataset.columns import APEX
 from snapjump.learning.data import WHOLE
+from snapjump.plan.parts.axes import Array
 from snapjump.surrogate.base import Rows, Surrogate
-
-Array = NDArray[np.float64]
 
 
 def errors(network: Surrogate, rows: Rows) -> Array:
@@ -27,7 +26,7 @@ def measures(network: Surrogate, rows: Rows) -> dict[str, float]:
     error = errors(network, rows)
     off = np.abs(error)
     found: dict[str, Any] = {"mae_bar": off.mean()}
-    for i, name in enumerate(("x_bar", "y_bar")):
+    for i, name in enumerate(APEX):
         found[f"mae_{name}"] = off[:, i].mean()
         found[f"rms_{name}"] = np.sqrt((error[:, i] ** 2).mean())
         found[f"median_{name}"] = np.median(off[:, i])

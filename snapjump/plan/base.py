@@ -5,14 +5,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import Part, integer, required, settings
 from snapjump.declare.members import member_group
-from snapjump.plan.parts.axes import Axis, Range, checked_range, default_axes, planned
-
-Array = NDArray[np.float64]
+from snapjump.plan.parts.axes import Array, Axis, Range, checked_range, default_axes, planned
 
 
 def stretched(unit: Array, ranges: tuple[Range, ...]) -> Array:
@@ -56,8 +53,7 @@ class PlanOptions(Part):
     def axes(self, simulation: Any) -> tuple[Axis, ...]:
         """The inputs of the simulation that vary, and their ranges. Raises ParameterError."""
         if self.inputs is not None:
-            keys = {path: f"plan.inputs.{path}" for path in self.inputs}
-            return planned(simulation, self.inputs, keys)
+            return planned(simulation, self.inputs, {p: f"plan.inputs.{p}" for p in self.inputs})
         given = {path: getattr(self, key) for path, key in KEYS.items()}
         return planned(simulation, given, {path: f"plan.{key}" for path, key in KEYS.items()})
 

@@ -4,8 +4,8 @@ import numpy as np
 
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import integer
-from snapjump.plan.base import Array, Plan, PlanOptions
-from snapjump.plan.parts.axes import Range
+from snapjump.plan.base import Plan, PlanOptions
+from snapjump.plan.parts.axes import Array, Range
 
 MOST_POINTS = 1000
 MOST_OF_A_GRID = 2**40

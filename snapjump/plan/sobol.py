@@ -2,8 +2,8 @@
 
 import warnings
 
-from snapjump.plan.base import Array, RandomPlanOptions, stretched
-from snapjump.plan.parts.axes import Range
+from snapjump.plan.base import RandomPlanOptions, stretched
+from snapjump.plan.parts.axes import Array, Range
 
 
 class Sobol(RandomPlanOptions):

@@ -1,21 +1,19 @@
 """The achievable region with its lines of constant control, and the miss of every design."""
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from snapjump.plots import palette
-
-if TYPE_CHECKING:
-    from snapjump.targets.designed import Designed
-    from snapjump.targets.region import AchievableRegion
+from snapjump.targets.designed import Designed
+from snapjump.targets.region import AchievableRegion
 
 LINES = 5  # of either kind
 LABELS = (r"mismatch $\delta_\alpha$ (rad)", r"pre-compression $\epsilon$")
 FIRST, SECOND = palette.BEAM, palette.PLUM
 
 
-def draw_region(axes: Any, region: "AchievableRegion") -> None:
+def draw_region(axes: Any, region: AchievableRegion) -> None:
     """The region, filled, and lines of constant mismatch and of constant pre-compression."""
     from matplotlib.patches import PathPatch
 
@@ -59,8 +57,8 @@ def compound(outline: Any) -> Any:
 def draw_map(
     figure: Any,
     place: tuple[float, float, float, float],
-    designed: "Designed",
-    region: "AchievableRegion",
+    designed: Designed,
+    region: AchievableRegion,
 ) -> None:
     """Predicted distance from the target over the controls, with every solution."""
     from matplotlib.colors import PowerNorm

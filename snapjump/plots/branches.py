@@ -9,6 +9,12 @@ import numpy as np
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
 
+STABLE: Any = {"color": palette.BEAM, "lw": 2.4, "zorder": 3}
+UNSTABLE: Any = {"color": palette.FORCE, "lw": 1.7, "ls": (0, (3, 2))}
+CURVES = {
+    "branch_midpoint_bar": "height of the middle, y / L",
+    "branch_energy_bar": "elastic energy (EI/L)",
+}
 SHAPE_COLOURS = (palette.BEAM, palette.FORCE, palette.CENTRE, palette.CLAMP, palette.VIOLET)
 
 
@@ -21,14 +27,7 @@ def branches_picture(
     ``shapes_*_bar`` are (S, N+1) in L.
     """
     arrays = {name: np.asarray(values) for name, values in arrays.items()}
-    curves = [
-        (f"branch_{name}_bar", label)
-        for name, label in (
-            ("midpoint", "height of the middle, y / L"),
-            ("energy", "elastic energy (EI/L)"),
-        )
-        if f"branch_{name}_bar" in arrays and "branch_alpha_rad" in arrays
-    ]
+    curves = [item for item in CURVES.items() if {item[0], "branch_alpha_rad"} <= arrays.keys()]
     shapes = "shapes_x_bar" in arrays and "shapes_y_bar" in arrays
     with picture(path, (12.0, 6.5), headline) as figure:
         for place, (name, label) in enumerate(curves):
@@ -61,17 +60,14 @@ def _draw_branches(
     negative = arrays.get("branch_negative_pivots", np.zeros(len(alpha)))
     number = arrays.get("branch_number", np.zeros(len(alpha)))
     for piece, stable in stable_runs(number, negative):
-        if stable:
-            axes.plot(alpha[piece], values[piece], color=palette.BEAM, lw=2.4, zorder=3)
-        else:
-            axes.plot(alpha[piece], values[piece], color=palette.FORCE, lw=1.7, ls=(0, (3, 2)))
+        axes.plot(alpha[piece], values[piece], **(STABLE if stable else UNSTABLE))
     axes.grid(True)
     axes.set_xlabel("clamp angle α (rad)")
     if critical_rad is not None:
         axes.axvline(critical_rad, color=palette.QUIET, lw=1.0, zorder=1)
     if legend:
-        axes.plot([], [], color=palette.BEAM, lw=2.4, label="stable")
-        axes.plot([], [], color=palette.FORCE, lw=1.7, ls=(0, (3, 2)), label="unstable")
+        axes.plot([], [], label="stable", **STABLE)
+        axes.plot([], [], label="unstable", **UNSTABLE)
         if critical_rad is not None:
             label = f"critical, {critical_rad:.6f} rad"
             axes.plot([], [], color=palette.QUIET, lw=1.0, label=label)

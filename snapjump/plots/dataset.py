@@ -2,16 +2,14 @@
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from snapjump.dataset.statistics import KNOWN, Statistics
 from snapjump.plan.parts.axes import labels_of
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
-
-if TYPE_CHECKING:
-    from snapjump.dataset.statistics import Statistics
 
 OUTCOMES = ("apex distance $x / L$", "apex height $y / L$")
 COLOURS = (palette.BEAM, palette.FORCE)
@@ -23,7 +21,7 @@ MEANS, MARKED = "viridis", "Oranges"  # maps of colours
 EMPTY = palette.PALE  # a bin without a jump
 
 
-def draw_dataset(statistics: "Statistics", title: str, path: Path) -> None:
+def draw_dataset(statistics: Statistics, title: str, path: Path) -> None:
     """Outcomes against each input, their distribution, and their means over pairs of inputs."""
     rows = rows_of_maps(statistics)
     page = Page(12.6, 2 * (rows - 1) * MAP_ROW)
@@ -55,7 +53,7 @@ def draw_dataset(statistics: "Statistics", title: str, path: Path) -> None:
 
 
 def draw_status(
-    statistics: "Statistics", statuses: Mapping[str, int], title: str, path: Path
+    statistics: Statistics, statuses: Mapping[str, int], title: str, path: Path
 ) -> None:
     """How many jumps ended how, and where those are that failed or are less exact than promised."""
     page = Page(6.4, (rows_of_maps(statistics) - 1) * MAP_ROW)
@@ -73,7 +71,7 @@ def draw_status(
         _maps(figure, statistics, maps, places, ("share of jumps (%)", MARKED), 0.0)
 
 
-def rows_of_maps(statistics: "Statistics") -> int:
+def rows_of_maps(statistics: Statistics) -> int:
     """Rows that the maps of all pairs take."""
     return -(-len(statistics.pairs) // MAPS_IN_A_ROW)
 
@@ -106,10 +104,8 @@ class Page(NamedTuple):
         return [*found, self.place(0.94, bottom, 0.012, height)]
 
 
-def _bars(axes: Any, statistics: "Statistics", statuses: Mapping[str, int]) -> None:
+def _bars(axes: Any, statistics: Statistics, statuses: Mapping[str, int]) -> None:
     """Counts on a logarithmic scale; those that doubt themselves apart from the rest."""
-    from snapjump.dataset.statistics import KNOWN
-
     failed = sum(count for name, count in statuses.items() if name not in KNOWN)
     doubtful = round(float(statistics.marked[0].sum())) - failed
     rows = [
@@ -137,7 +133,7 @@ def _heading(figure: Any, y: float, text: str) -> None:
     figure.text(0.013, y, text, fontsize=11.5, color=palette.QUIET, va="center")
 
 
-def _spread(axes: Any, statistics: "Statistics", outcome: int, axis: int) -> None:
+def _spread(axes: Any, statistics: Statistics, outcome: int, axis: int) -> None:
     """Bands of quantiles over the bins of an input."""
     edges = statistics.edges[axis]
     middles = 0.5 * (edges[1:] + edges[:-1])
@@ -151,7 +147,7 @@ def _spread(axes: Any, statistics: "Statistics", outcome: int, axis: int) -> Non
     axes.grid(True)
 
 
-def _distribution(axes: Any, statistics: "Statistics", outcome: int) -> None:
+def _distribution(axes: Any, statistics: Statistics, outcome: int) -> None:
     """The share of all jumps at each height of the axis."""
     counts = statistics.spread[outcome, 0].sum(axis=0)
     levels = statistics.levels[outcome]
@@ -168,7 +164,7 @@ def _distribution(axes: Any, statistics: "Statistics", outcome: int) -> None:
     axes.grid(True)
 
 
-def _shown(statistics: "Statistics", outcome: int) -> tuple[float, float]:
+def _shown(statistics: Statistics, outcome: int) -> tuple[float, float]:
     """The heights that an axis shows: all but the outermost in a thousand."""
     counts = statistics.spread[outcome, 0].sum(axis=0)
     levels = statistics.levels[outcome]
@@ -181,7 +177,7 @@ def _shown(statistics: "Statistics", outcome: int) -> tuple[float, float]:
 
 def _maps(
     figure: Any,
-    statistics: "Statistics",
+    statistics: Statistics,
     maps: list[Any],
     places: list[Place],
     scale: tuple[str, str],

@@ -1,7 +1,7 @@
 """inverse.png: what can be reached, the target, its designs, and the jump of the chosen one."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -12,16 +12,14 @@ from snapjump.plots.motion import Motion, poses, read_motion
 from snapjump.plots.saving import picture
 from snapjump.plots.scatter import draw_misses, draw_scatter
 from snapjump.plots.trajectory import draw_trajectory, flight_end
-
-if TYPE_CHECKING:
-    from snapjump.targets.designed import Designed
-    from snapjump.targets.region import AchievableRegion
+from snapjump.targets.designed import Designed
+from snapjump.targets.region import AchievableRegion
 
 WIDTH, HEIGHT, MORE = 15.0, 6.6, 5.2  # inches; MORE: of the row for a robust design
 SAMPLES = 80
 
 
-def inverse_picture(designed: "Designed", region: "AchievableRegion | None", path: Path) -> Path:
+def inverse_picture(designed: Designed, region: AchievableRegion | None, path: Path) -> Path:
     """Region and trajectory, the misses of all designs, the flight to scale; for a robust design
     the distributions of the apex. Without a region (no forward model) only what was simulated."""
     high = HEIGHT if designed.robust is None else HEIGHT + MORE
@@ -53,7 +51,7 @@ def inverse_picture(designed: "Designed", region: "AchievableRegion | None", pat
     return path
 
 
-def headline(designed: "Designed") -> str:
+def headline(designed: Designed) -> str:
     """Target, environment and design in one line."""
     problem = designed.problem
     x, y = problem.target.tolist()
@@ -69,7 +67,7 @@ def headline(designed: "Designed") -> str:
     )
 
 
-def draw_path(axes: Any, designed: "Designed", motion: Motion) -> None:
+def draw_path(axes: Any, designed: Designed, motion: Motion) -> None:
     """The simulated path of the centre of mass, from the ground to the apex."""
     assert motion.centre is not None
     end = flight_end(motion, since_start(designed.jump, "apex_time_s"))
@@ -79,7 +77,7 @@ def draw_path(axes: Any, designed: "Designed", motion: Motion) -> None:
     axes.plot(*path.T, color=palette.CENTRE, lw=1.8, zorder=6, label="simulated path")
 
 
-def mark(axes: Any, designed: "Designed") -> None:
+def mark(axes: Any, designed: Designed) -> None:
     """Target, predicted and simulated apex; the last two fall on the first if all is well."""
     if designed.simulated is not None:
         axes.plot(

@@ -1,20 +1,18 @@
 """What tolerances make of a robust design's apex and of a plain one's."""
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from snapjump.plots import palette
-
-if TYPE_CHECKING:
-    from snapjump.targets.designed import Designed
-    from snapjump.targets.robust import Scatter
+from snapjump.targets.designed import Designed
+from snapjump.targets.robust import Scatter
 
 PLAIN, ROBUST = palette.CLAMP, palette.BEAM
 SHOWN = 0.995  # of the samples, in the limits of either axis
 
 
-def both(designed: "Designed") -> list[tuple[str, "Scatter", str]]:
+def both(designed: Designed) -> list[tuple[str, Scatter, str]]:
     """The plain design's distribution and the robust one's."""
     assert designed.robust is not None
     return [
@@ -23,7 +21,7 @@ def both(designed: "Designed") -> list[tuple[str, "Scatter", str]]:
     ]
 
 
-def draw_scatter(axes: Any, designed: "Designed") -> None:
+def draw_scatter(axes: Any, designed: Designed) -> None:
     """Both clouds of apexes, their means, and the circles that hold 90 % about the target."""
     from matplotlib.patches import Circle
 
@@ -45,7 +43,7 @@ def draw_scatter(axes: Any, designed: "Designed") -> None:
     axes.legend(loc="upper left", title="apexes within tolerances\n(dashed: 90 % of them)")
 
 
-def draw_misses(axes: Any, designed: "Designed") -> None:
+def draw_misses(axes: Any, designed: Designed) -> None:
     """Share of the robots that come within a distance of the target."""
     for name, found, colour in both(designed):
         misses = np.sort(np.hypot(*(found.apexes - designed.problem.target).T))

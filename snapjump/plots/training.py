@@ -5,12 +5,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from snapjump.plan.parts.axes import Array
 from snapjump.plots import palette
 from snapjump.plots.saving import picture
-
-Array = NDArray[np.float64]
 
 NAMES = ("x", "y")
 COLOURS = (palette.BEAM, palette.FORCE)

@@ -21,7 +21,6 @@ class EnsembleOptions(SurrogateOptions):
     blocks: int = integer(4, least=1, most=64)
 
     def network(self, inputs: Inputs = FOUR) -> "Ensemble":
-        """A new ensemble."""
         return Ensemble(self.members, self.width, self.blocks, inputs)
 
 

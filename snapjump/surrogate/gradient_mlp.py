@@ -16,7 +16,6 @@ class GradientMlpOptions(SurrogateOptions):
     slope_weight: float = number(0.1, least=0.0, most=1e6)
 
     def network(self, inputs: Inputs = FOUR) -> "GradientMlp":
-        """A new network."""
         return GradientMlp(self.width, self.layers, self.slope_weight, inputs)
 
 

@@ -14,7 +14,6 @@ class MlpOptions(SurrogateOptions):
     layers: int = integer(3, least=1, most=64)
 
     def network(self, inputs: Inputs = FOUR) -> "Mlp":
-        """A new network."""
         return Mlp(self.width, self.layers, inputs)
 
 

@@ -24,7 +24,6 @@ class RbfOptions(SurrogateOptions):
     smoothing: float = number(0.0, least=0.0, most=1e6)
 
     def network(self, inputs: Inputs = FOUR) -> "Rbf":
-        """A new interpolation, through nothing yet."""
         return Rbf(self, inputs)
 
 

@@ -14,7 +14,6 @@ class ResnetOptions(SurrogateOptions):
     blocks: int = integer(4, least=1, most=64)
 
     def network(self, inputs: Inputs = FOUR) -> "Resnet":
-        """A new network."""
         return Resnet(self.width, self.blocks, inputs)
 
 

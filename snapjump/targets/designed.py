@@ -33,10 +33,8 @@ class Designed:
         """Apex (2,) by the forward model, if there is one for this environment."""
         if self.problem.forward is None:
             return None
-        found: Array = self.problem.forward.predict(
-            self.problem.designs(self.chosen.controls[None, :])
-        )[0]
-        return found
+        designs = self.problem.designs(self.chosen.controls[None, :])
+        return self.problem.forward.predict(designs)[0]
 
     @property
     def simulated(self) -> Array | None:

@@ -7,10 +7,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from snapjump.inverse.base import ForwardModel, Problem
+from snapjump.inverse.base import Array, ForwardModel, Problem
 from snapjump.inverse.gauss_newton import grid_triangles
 
-Array = NDArray[np.float64]
 # Per control: enough that the forward model's own error is what decides at the boundary.
 POINTS = 21
 

@@ -3,16 +3,15 @@
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from snapjump.batch import simulate_designs
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
-from snapjump.declare.inputs import DEFAULT_INPUTS
+from snapjump.declare.inputs import DEFAULT_INPUTS, PARTS
+from snapjump.plan.parts.axes import Array
 from snapjump.scenes.sensitivities import SMALLEST_STICK_ZONE_M_S, check_differentiable
 from snapjump.statics.threshold_curve import ThresholdCurve
 
-Array = NDArray[np.float64]
 LANES = 8  # even for one jump, which takes a third longer so: every width is compiled anew
 RESOLVED_STICK_ZONE_M_S = 0.01
 EPSILON = DEFAULT_INPUTS.index("design.epsilon")
@@ -73,13 +72,10 @@ class JumpSimulator:
         return np.where(np.isfinite(batch.apexes)[:, :, None], found, np.nan)
 
 
-# What a tier does not choose: the physical model, and where it is computed.
-KEPT = ("robot", "design", "environment", "frame", "contact", "friction", "damping", "backend")
-
-
 def at_tier(base: Simulation, tier: str) -> Simulation:
-    """The physical model of a simulation with the mesh, integrator and steps of a tier."""
-    return with_tier(tier, **{part: getattr(base, part) for part in KEPT})
+    """The physical model of a simulation, computed where it is, with the mesh, integrator and steps
+    of a tier."""
+    return with_tier(tier, **{part: getattr(base, part) for part in (*PARTS, "backend")})
 
 
 def differentiable(base: Simulation) -> Simulation:

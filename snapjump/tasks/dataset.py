@@ -4,23 +4,26 @@ import os
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from snapjump.dataset.folder import DatasetFolder, default_path
+from snapjump.dataset.generate import Generation, generate
+from snapjump.dataset.options import SharedDataset
+from snapjump.dataset.read import open_dataset
+from snapjump.dataset.specification import Specification, specify
+from snapjump.dataset.statistics import gather
+from snapjump.declare.members import make_member
+from snapjump.executor.base import Executor
+from snapjump.files.lock import FileLock
 from snapjump.files.result_folder import ResultFolder
+from snapjump.plots.dataset import draw_dataset, draw_status
 from snapjump.tasks.base import INTERRUPTED, OK, Outcome, Progress
 from snapjump.tasks.complete import check_complete, whole
 from snapjump.terminal.block import number
 from snapjump.tracking.base import DatasetUse
 from snapjump.tracking.parts.tracked import write_datasets
 
-if TYPE_CHECKING:
-    from snapjump.dataset.folder import DatasetFolder
-    from snapjump.dataset.generate import Generation
-    from snapjump.dataset.options import SharedDataset
-    from snapjump.dataset.specification import Specification
-    from snapjump.executor.base import Executor
-    from snapjump.files.lock import FileLock
-
+OF_THIS_RUN = ("made", "kept")  # rows, whatever their status
 # Share of the progress bar for the jumps; the rest is for reading them again and drawing.
 GENERATION_SHARE = 0.95
 
@@ -29,20 +32,15 @@ class GenerateDataset:
     """Generates what is missing, then looks at all of it."""
 
     _config: Mapping[str, Any]
-    _options: "SharedDataset"
-    _specification: "Specification"
-    _executor: "Executor"
-    _folder: "DatasetFolder"
-    _locks: "list[FileLock]"
+    _options: SharedDataset
+    _specification: Specification
+    _executor: Executor
+    _folder: DatasetFolder
+    _locks: list[FileLock]
     _damaged: Sequence[str] = ()
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Check every value, the folder and the executor; claim the folder."""
-        from snapjump.dataset.folder import DatasetFolder, default_path
-        from snapjump.dataset.options import SharedDataset
-        from snapjump.dataset.specification import specify
-        from snapjump.declare.members import make_member
-
         self._config = config
         self._options = whole(SharedDataset, config.get("dataset"))
         self._specification = specify(config, self._options.shard_size, self._options.sensitivities)
@@ -60,8 +58,6 @@ class GenerateDataset:
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         """Generate, read it all once more, and leave figures and the record of its hash."""
-        from snapjump.dataset.generate import generate
-
         shown = GENERATION_SHARE if self._config["figures"] else 1.0
         try:
             generation = generate(
@@ -86,20 +82,16 @@ class GenerateDataset:
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
         """The closing block; of a run that was stopped, how it goes on."""
-        plan = self._config["plan"]
-        found = outcome.summary
-        title = f"{plan['name']}, {self._specification.plan.count:,} jumps at "
-        lines = [("dataset", title + str(self._specification.simulation.accuracy))]
-        place = os.path.relpath(self._folder.path)
+        found, made_of, place = outcome.summary, self._specification, self._folder.path
+        title = f"{self._config['plan']['name']}, {made_of.plan.count:,} jumps at "
+        lines = [("dataset", title + str(made_of.simulation.accuracy))]
         if outcome.status == INTERRUPTED:
-            again = f"the same command continues what is in {place}"
+            again = f"the same command continues what is in {os.path.relpath(place)}"
             return [*lines, ("stopped", again)]
         if "rows" not in found:
             return lines
-        statuses = {k[5:]: n for k, n in found.items() if k.startswith("rows_") and n}
-        told = [
-            f"{n:,} {status}" for status, n in statuses.items() if status not in ("made", "kept")
-        ]
+        counts = {k[5:]: n for k, n in found.items() if k.startswith("rows_") and n}
+        told = [f"{n:,} {status}" for status, n in counts.items() if status not in OF_THIS_RUN]
         rate = found["jumps_per_second"]
         speed = f"{number(rate)} jumps/s, {number(found['jumps_per_second_core'])} a core"
         return [
@@ -109,14 +101,11 @@ class GenerateDataset:
             ("damaged", "; ".join(self._damaged)),
             ("speed", speed if rate else ""),
             ("hash", str(found["dataset_sha256"] or "not before all parts are done")),
-            ("dataset in", place),
+            ("dataset in", os.path.relpath(place)),
         ]
 
-    def _conclude(self, folder: ResultFolder, generation: "Generation") -> None:
+    def _conclude(self, folder: ResultFolder, generation: Generation) -> None:
         """Figures of the whole dataset, and what its record names."""
-        from snapjump.dataset.read import open_dataset
-        from snapjump.dataset.statistics import gather
-
         dataset = open_dataset(self._folder.path)
         plan = self._config["plan"]["name"]
         name = f"{plan}-{self._specification.simulation.accuracy}"
@@ -124,8 +113,6 @@ class GenerateDataset:
         write_datasets(folder, [use])
         if not self._config["figures"]:
             return
-        from snapjump.plots.dataset import draw_dataset, draw_status
-
         statistics = gather(dataset)
         tier = self._specification.simulation.accuracy
         title = f"{dataset.rows:,} jumps at {tier}, plan {plan}, dataset {dataset.sha256[:8]}"
@@ -137,16 +124,13 @@ class GenerateDataset:
         folder.write_figures(draw)
 
 
-def summary(folder: "DatasetFolder", generation: "Generation") -> dict[str, Any]:
+def summary(folder: DatasetFolder, generation: Generation) -> dict[str, Any]:
     """The flat numbers of result.json; speeds are of what this run made, null if nothing."""
     manifest = generation.manifest
     rate = generation.made / generation.seconds if generation.made else None
     return {
         "dataset_path": str(folder.path),
-        "dataset_sha256": manifest["dataset_sha256"],
-        "complete": manifest["complete"],
-        "designs": manifest["designs"],
-        "rows": manifest["rows"],
+        **{key: manifest[key] for key in ("dataset_sha256", "complete", "designs", "rows")},
         **{f"rows_{status}": count for status, count in manifest["statuses"].items()},
         "rows_made": generation.made,
         "rows_kept": generation.kept,

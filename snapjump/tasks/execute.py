@@ -12,15 +12,7 @@ from snapjump.files.atomic import write_text
 from snapjump.files.json_file import finite
 from snapjump.files.provenance import now, provenance
 from snapjump.files.result_folder import ResultFolder
-from snapjump.tasks.base import (
-    BAD_INPUT,
-    ERROR,
-    INTERRUPTED,
-    NOT_FINITE,
-    OK,
-    Outcome,
-    Task,
-)
+from snapjump.tasks.base import BAD_INPUT, ERROR, INTERRUPTED, NOT_FINITE, OK, Outcome, Task
 from snapjump.tasks.interrupts import heeded, stopping, uninterrupted
 from snapjump.tasks.publish import check_publish, publish
 from snapjump.tasks.registry import find_task
@@ -48,8 +40,8 @@ def execute(
     task: Task | None = None
     try:
         check_run(config)
-        task = find_task(config["task"]["name"])
         with heeded() as noticed:
+            task = find_task(config["task"]["name"])
             task.prepare(config)
             folder.write_config(config)
             outcome = task.run(folder, stopping(bar, noticed))

@@ -1,14 +1,14 @@
 """``task=export``: a forward model as ONNX, for programs that have no torch."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from snapjump.files.result_folder import ResultFolder
+from snapjump.learning.export import check_exportable, export
+from snapjump.learning.forward_model import ForwardModel, open_forward_model
+from snapjump.targets.request import checkpoint_path
 from snapjump.tasks.base import OK, Outcome, Progress
 from snapjump.terminal.block import number
-
-if TYPE_CHECKING:
-    from snapjump.learning.forward_model import ForwardModel
 
 FILE = "forward_model.onnx"
 
@@ -18,14 +18,10 @@ class Export:
 
     _path: str
     _seed: int
-    _model: "ForwardModel"
+    _model: ForwardModel
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Read the checkpoint, which checks it."""
-        from snapjump.learning.export import check_exportable
-        from snapjump.learning.forward_model import open_forward_model
-        from snapjump.targets.request import checkpoint_path
-
         self._path = str(checkpoint_path(config.get("checkpoint")))
         self._seed = config["seed"]
         self._model = open_forward_model(self._path)
@@ -33,24 +29,11 @@ class Export:
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         """Write the file, once it has been compared."""
-        from snapjump.learning.export import export
-
         progress(0.0, "exporting")
         found = export(self._model, folder.path / FILE, self._seed)
-        return Outcome(
-            OK,
-            "",
-            {
-                "checkpoint": self._path,
-                "onnx": FILE,
-                "max_difference": found.difference,
-                "onnx_us": found.onnx_us,
-                "torch_us": found.torch_us,
-            },
-        )
+        return Outcome(OK, "", {"checkpoint": self._path, "onnx": FILE, **found._asdict()})
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
-        """The closing block."""
         lines = [("export", f"{self._model.about['surrogate']['name']} from {self._path}")]
         found = outcome.summary
         if "onnx" not in found:

@@ -4,21 +4,34 @@ import math
 import sys
 from collections.abc import Mapping
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from snapjump.backend.scalar import ScalarBackend
 from snapjump.checks import ParameterError
+from snapjump.composition import Simulation
+from snapjump.declare.fields import construct
+from snapjump.declare.members import make_member
 from snapjump.files.result_folder import ResultFolder
+from snapjump.inverse.base import Array, InverseOptions, Solution
+from snapjump.parameters.design import Design
+from snapjump.plots.inverse import inverse_picture
+from snapjump.results import Result
+from snapjump.simulation import build, simulate
+from snapjump.targets import request
+from snapjump.targets.answer import answer
+from snapjump.targets.design import problem_of
+from snapjump.targets.designed import Designed
+from snapjump.targets.manufacturing import one_percent_costs_bar
+from snapjump.targets.region import AchievableRegion
+from snapjump.targets.robust import Tolerance, compare
+from snapjump.targets.simulator import differentiable
+from snapjump.targets.warm_up import warm_up
 from snapjump.tasks.base import OK, UNREACHABLE, Outcome, Progress
 from snapjump.tasks.complete import check_complete
+from snapjump.terminal.inverse_report import inverse_report
 
-if TYPE_CHECKING:
-    from snapjump.composition import Simulation
-    from snapjump.inverse.base import Array, InverseOptions, Solution
+if TYPE_CHECKING:  # bad input is found before torch is loaded
     from snapjump.learning.forward_model import ForwardModel
-    from snapjump.results import Result
-    from snapjump.targets.designed import Designed
-    from snapjump.targets.robust import Tolerance
 
 # Shares of the progress bar that are done as the search, the simulation and the drawing begin.
 SEARCH, SIMULATION, DRAWING = 0.1, 0.6, 0.8
@@ -29,23 +42,16 @@ class InverseDesign:
     """Decides, searches, simulates what was found, and draws it."""
 
     _config: Mapping[str, Any]
-    _base: "Simulation"
-    _method: "InverseOptions"
-    _tolerance: "Tolerance"
+    _base: Simulation
+    _method: InverseOptions
+    _tolerance: Tolerance
     _trained: "ForwardModel"
     _forward: "ForwardModel | None"
-    _target: "Array"
+    _target: Array
     _warning: str
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Check every value, the forward model, and that it is one of this physical model."""
-        from snapjump.declare.fields import construct
-        from snapjump.declare.members import make_member
-        from snapjump.simulation import build
-        from snapjump.targets import request
-        from snapjump.targets.robust import Tolerance
-        from snapjump.targets.simulator import differentiable
-
         self._config = config
         self._target = request.checked_target(config.get("target"))
         self._method = make_member("inverse", config.get("inverse"))
@@ -66,13 +72,6 @@ class InverseDesign:
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         """Search, simulate the design at the configured tier, and draw."""
-        from snapjump.targets.answer import answer
-        from snapjump.targets.design import problem_of
-        from snapjump.targets.designed import Designed
-        from snapjump.targets.manufacturing import one_percent_costs_bar
-        from snapjump.targets.robust import compare
-        from snapjump.targets.warm_up import warm_up
-
         if self._warning:
             print(f"warning: {self._warning}", file=sys.stderr)
         problem = problem_of(
@@ -97,17 +96,10 @@ class InverseDesign:
         return outcome_of(designed)
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
-        """The closing block."""
-        from snapjump.terminal.inverse_report import inverse_report
-
         return inverse_report(self._config, outcome.summary)
 
-    def _simulated(self, chosen: "Solution", progress: Progress) -> "Result":
+    def _simulated(self, chosen: Solution, progress: Progress) -> Result:
         """The jump of a design with its trajectory, by the program for one robot."""
-        from snapjump.backend.scalar import ScalarBackend
-        from snapjump.parameters.design import Design
-        from snapjump.simulation import simulate
-
         delta_alpha, epsilon = chosen.controls.tolist()
         design = Design(epsilon=epsilon, delta_alpha=delta_alpha)
         share = DRAWING - SIMULATION
@@ -116,21 +108,15 @@ class InverseDesign:
             lambda done, text: progress(SIMULATION + share * done, text),
         )
 
-    def _draw(self, folder: ResultFolder, designed: "Designed") -> None:
-        from snapjump.plots.inverse import inverse_picture
-        from snapjump.targets.region import AchievableRegion
-
+    def _draw(self, folder: ResultFolder, designed: Designed) -> None:
         region = None
         if self._forward is not None:
             region = AchievableRegion.of(designed.problem, self._forward, DRAWN_POINTS)
 
-        def draw(path: Path) -> None:
-            inverse_picture(designed, region, path / "inverse.png")
-
-        folder.write_figures(draw)
+        folder.write_figures(lambda path: inverse_picture(designed, region, path / "inverse.png"))
 
 
-def outcome_of(designed: "Designed") -> Outcome:
+def outcome_of(designed: Designed) -> Outcome:
     """What to tell the shell of it."""
     summary, jump = designed.summary(), designed.jump
     if designed.answer.reachable:

@@ -1,14 +1,14 @@
 """``task=simulate``: one simulation of one scene, with its trajectory and its figures."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from snapjump.files.result_folder import ResultFolder
+from snapjump.plots import figures
+from snapjump.simulation import Simulation, build, simulate
 from snapjump.tasks.base import NOT_FINITE, OK, Outcome, Progress
 from snapjump.tasks.complete import check_complete
-
-if TYPE_CHECKING:
-    from snapjump.simulation import Result, Simulation
+from snapjump.terminal.scene_report import scene_report
 
 # Share of the progress bar for the simulation; the rest is for drawing.
 SIMULATION_SHARE = 0.6
@@ -18,12 +18,10 @@ class Simulate:
     """Builds the scene, simulates it and draws what happened."""
 
     _config: Mapping[str, Any]
-    _simulation: "Simulation"
+    _simulation: Simulation
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Build the simulation, which checks every value; then that none was left out."""
-        from snapjump.simulation import build
-
         self._config = config
         self._simulation = build(config)
         check_complete(config, self._simulation)
@@ -31,8 +29,6 @@ class Simulate:
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         """Simulate, and leave the trajectory and the figures."""
-        from snapjump.simulation import simulate
-
         share = SIMULATION_SHARE if self._config["figures"] else 1.0
         result = simulate(self._simulation, lambda done, text: progress(share * done, text))
         outcome = Outcome(result.status, result.message, dict(result.summary))
@@ -41,17 +37,13 @@ class Simulate:
             outcome.status = NOT_FINITE
             outcome.message = "the trajectory is not finite in " + ", ".join(not_finite)
         if self._config["figures"] and not not_finite:
-            _draw(result, folder, lambda done, text: progress(share + (1 - share) * done, text))
+
+            def drawing(done: float, text: str) -> None:
+                progress(share + (1 - share) * done, text)
+
+            folder.write_figures(lambda path: figures(result, path, drawing))
         return outcome
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
         """The closing block of this scene."""
-        from snapjump.terminal.scene_report import scene_report
-
         return scene_report(self._config, outcome.summary)
-
-
-def _draw(result: "Result", folder: ResultFolder, progress: Progress) -> None:
-    from snapjump.plots import figures
-
-    folder.write_figures(lambda path: figures(result, path, progress))

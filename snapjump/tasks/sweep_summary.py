@@ -18,6 +18,7 @@ from snapjump.tasks.exit_codes import (
     sweep_exit_code,
 )
 from snapjump.tasks.names import cell_name
+from snapjump.tasks.sweep_figure import sweep_figure
 from snapjump.terminal.block import markdown_table, number, table
 from snapjump.tracking.base import Record, TrackingError
 from snapjump.tracking.parts.tracked import milliseconds, numbers_of, record_folder
@@ -146,8 +147,6 @@ def full_csv(cells: Sequence[Cell]) -> str:
 
 def draw(sweep: "Sweep", cells: Sequence[Cell]) -> bool:
     """Draw the inputs against the main results, if there is anything to draw."""
-    from snapjump.tasks.sweep_figure import sweep_figure
-
     done = [cell for cell in cells if cell.status in FINISHED]
     results = [key for key in main_results(cells) if any(key in cell.numbers() for cell in done)]
     if not results or not cells[0].inputs:

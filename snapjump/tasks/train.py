@@ -3,21 +3,33 @@
 import os
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from hydra.core.hydra_config import HydraConfig
 
 from snapjump.checks import ParameterError
+from snapjump.dataset.folder import default_path
+from snapjump.dataset.options import DatasetOptions
+from snapjump.dataset.read import open_dataset
+from snapjump.dataset.specification import specify
+from snapjump.declare.members import make_member
 from snapjump.files.atomic import write_bytes
 from snapjump.files.result_folder import ResultFolder
+from snapjump.learning.data import JumpData
+from snapjump.learning.forward_model import ForwardModel
+from snapjump.learning.learn import FORWARD_MODEL, Learned, check_slopes, learn
+from snapjump.learning.measures import errors
+from snapjump.learning.timing import microseconds
+from snapjump.learning.training import Training
+from snapjump.plan.parts.axes import labels_of
+from snapjump.plots.training import draw_training
+from snapjump.surrogate.base import SurrogateOptions
 from snapjump.tasks.base import INTERRUPTED, NOT_FINITE, OK, Outcome, Progress
 from snapjump.tasks.complete import whole
+from snapjump.tasks.names import task_overrides
 from snapjump.terminal.block import number
 from snapjump.tracking.base import DatasetUse
 from snapjump.tracking.parts.tracked import write_curves, write_datasets
-
-if TYPE_CHECKING:
-    from snapjump.learning.data import JumpData
-    from snapjump.learning.learn import Learned
-    from snapjump.surrogate.base import SurrogateOptions
 
 ROWS = ("rows_train", "rows_validation", "rows_test")
 # What the command that makes the dataset does not know.
@@ -28,17 +40,11 @@ class Train:
     """Trains a surrogate on all of a dataset but the test set, which it is measured on."""
 
     _config: Mapping[str, Any]
-    _options: "SurrogateOptions"
-    _data: "JumpData"
+    _options: SurrogateOptions
+    _data: JumpData
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Check every value, then the dataset: that it is whole, and enough for the split."""
-        from snapjump.dataset.read import open_dataset
-        from snapjump.declare.members import make_member
-        from snapjump.learning.data import JumpData
-        from snapjump.learning.learn import check_slopes
-        from snapjump.learning.training import Training
-
         self._config = config
         training = whole(Training, config.get("training"))
         self._options = make_member("surrogate", config.get("surrogate"))
@@ -51,10 +57,6 @@ class Train:
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         """Train, and leave the forward model, its curves and its figure."""
-        from snapjump.learning.forward_model import ForwardModel
-        from snapjump.learning.learn import FORWARD_MODEL, learn
-        from snapjump.learning.timing import microseconds
-
         dataset = self._data.dataset
         path = dataset.folder.path
         use = DatasetUse(path.name, dataset.sha256, str(path), dataset.rows, "training")
@@ -86,16 +88,16 @@ class Train:
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
         """The closing block; of a run that was stopped, how it goes on."""
         found, name = outcome.summary, self._config["surrogate"]["name"]
-        title = f"{name} on {self._data.dataset.folder.path.name}"
+        lines = [("forward model", f"{name} on {self._data.dataset.folder.path.name}")]
         if outcome.status == INTERRUPTED:
-            return [("forward model", title), ("stopped", "the same command goes on")]
+            return [*lines, ("stopped", "the same command goes on")]
         if "mae_bar" not in found:
-            return [("forward model", title)]
+            return lines
         covered = found.get("coverage")
         intervals = f"{100.0 * covered:.1f} % of the apexes inside" if covered is not None else ""
         before = ", before this run" if found["trained_before"] else ""
         return [
-            ("forward model", title),
+            *lines,
             ("MAE", f"{number(found['mae_bar'])} L (x {number(found['mae_x_bar'])}, "
                     f"y {number(found['mae_y_bar'])}), 95 % below {number(found['p95_bar'])} L, "
                     f"on {found['rows_test']:,} jumps it has not seen"),
@@ -106,11 +108,7 @@ class Train:
             ("kept in", str(found["checkpoint"])),
         ]  # fmt: skip
 
-    def _draw(self, folder: ResultFolder, learned: "Learned") -> None:
-        from snapjump.learning.measures import errors
-        from snapjump.plan.parts.axes import labels_of
-        from snapjump.plots.training import draw_training
-
+    def _draw(self, folder: ResultFolder, learned: Learned) -> None:
         test = self._data.test
         off = errors(learned.network, test)
         title = (
@@ -133,10 +131,6 @@ def dataset_path(config: Mapping[str, Any]) -> Path:
 
     Raises ParameterError.
     """
-    from snapjump.dataset.folder import default_path
-    from snapjump.dataset.options import DatasetOptions
-    from snapjump.dataset.specification import specify
-
     given: DatasetOptions = whole(DatasetOptions, config.get("dataset"))
     if given.path is not None:
         return Path(given.path)
@@ -145,10 +139,6 @@ def dataset_path(config: Mapping[str, Any]) -> Path:
 
 def command_of_dataset() -> str:
     """The command that makes the dataset of this configuration."""
-    from hydra.core.hydra_config import HydraConfig
-
-    from snapjump.tasks.names import task_overrides
-
     given = task_overrides(HydraConfig.get()) if HydraConfig.initialized() else []
     kept = [
         text for text in given if text.lstrip("+").split("=")[0].split(".")[0] not in OF_TRAINING

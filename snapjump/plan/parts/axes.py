@@ -4,6 +4,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from snapjump.checks import ParameterError, is_finite_number
 from snapjump.declare.inputs import (
     DEFAULT_INPUTS,
@@ -17,6 +20,7 @@ from snapjump.declare.inputs import (
 from snapjump.parameters.design import Design
 from snapjump.parameters.environment import Environment
 
+Array = NDArray[np.float64]
 Range = tuple[float, float]
 
 
@@ -114,9 +118,11 @@ def default_axes(ranges: Sequence[Range] | None = None) -> tuple[Axis, ...]:
     return axes_of(inputs, ranges or [one.plan for one in inputs if one.plan is not None])
 
 
-def recorded_axes(specification: Mapping[str, Any]) -> tuple[Axis, ...]:
-    """The axes of a dataset, from its plain specification."""
-    if "inputs" in specification:
-        return tuple(Axis(**one) for one in specification["inputs"])
-    plan = specification["plan"]
-    return default_axes([tuple(plan[axis.column]) for axis in default_axes()])
+def recorded_axes(plain: Mapping[str, Any]) -> tuple[Axis, ...]:
+    """The axes of a dataset, from its plain specification, or of what a checkpoint was trained on;
+    the four, where these name none."""
+    if "inputs" in plain:
+        return tuple(Axis(**one) for one in plain["inputs"])
+    if "ranges" in plain:
+        return default_axes([(low, high) for low, high in plain["ranges"]])
+    return default_axes([tuple(plain["plan"][axis.column]) for axis in default_axes()])
