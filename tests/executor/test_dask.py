@@ -34,7 +34,7 @@ def start(tool: str, *arguments: str) -> "subprocess.Popen[bytes]":
 
 
 @pytest.fixture
-def cluster(tmp_path: Path) -> Iterator[tuple[str, list["subprocess.Popen[bytes]"]]]:
+def cluster(tmp_path) -> Iterator[tuple[str, list["subprocess.Popen[bytes]"]]]:
     """Address of a real scheduler, and its two worker processes."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
@@ -67,7 +67,7 @@ def wait_for_workers(address: str) -> None:
         client.wait_for_workers(2, timeout=PATIENCE_S)
 
 
-def test_a_killed_worker_costs_nothing_but_time(cluster, tmp_path: Path) -> None:
+def test_a_killed_worker_costs_nothing_but_time(cluster, tmp_path):
     address, workers = cluster
     killed: list[float] = []
 
@@ -87,7 +87,7 @@ def test_a_killed_worker_costs_nothing_but_time(cluster, tmp_path: Path) -> None
     assert not list((path / "shards").glob(".*.json.*"))
 
 
-def test_workers_started_here_by_the_command_line(process, tmp_path: Path) -> None:
+def test_workers_started_here_by_the_command_line(process, tmp_path):
     plan = ("plan=latin_hypercube", "plan.count=24", "dataset.shard_size=8")
     done = process(
         *OVERRIDES, *plan, "executor=dask", "dataset.path=d", "tracking=off", "figures=false"
@@ -115,7 +115,7 @@ def still_running(group: int) -> list[str]:
     return found
 
 
-def test_ctrl_c_of_a_terminal_stops_all_processes_without_a_word_of_theirs(tmp_path: Path) -> None:
+def test_ctrl_c_of_a_terminal_stops_all_processes_without_a_word_of_theirs(tmp_path):
     plan = ("plan=sobol", "plan.count=20000", "dataset.shard_size=16", "executor=dask")
     process = subprocess.Popen(
         [sys.executable, str(ROOT / "run.py"), *OVERRIDES, *plan, "dataset.path=d", "tracking=off"],
@@ -139,7 +139,7 @@ def test_ctrl_c_of_a_terminal_stops_all_processes_without_a_word_of_theirs(tmp_p
         time.sleep(0.1)
 
 
-def test_what_a_worker_raises_comes_here(cluster) -> None:
+def test_what_a_worker_raises_comes_here(cluster):
     address, _ = cluster
     with DaskExecutor(address, 1) as executor:
         assert executor.cores >= 1 and executor.threads is None
@@ -149,7 +149,7 @@ def test_what_a_worker_raises_comes_here(cluster) -> None:
             list(executor.answers(make_shard, [{"backend": BACKEND}], lambda share: None))
 
 
-def test_no_scheduler_is_bad_input() -> None:
+def test_no_scheduler_is_bad_input():
     with socket.socket() as unused:
         unused.bind(("127.0.0.1", 0))
         address = f"tcp://127.0.0.1:{unused.getsockname()[1]}"
@@ -157,13 +157,13 @@ def test_no_scheduler_is_bad_input() -> None:
             Dask(address).executor().check()
 
 
-def test_without_the_package_it_says_what_to_install(monkeypatch) -> None:
+def test_without_the_package_it_says_what_to_install(monkeypatch):
     monkeypatch.setattr("snapjump.executor.dask.find_spec", lambda name: None)
     with pytest.raises(ParameterError, match=r"snapjump\[cluster\]"):
         Dask().executor().check()
 
 
-def test_workers_here_share_the_cores() -> None:
+def test_workers_here_share_the_cores():
     cores = len(os.sched_getaffinity(0))
     assert DaskExecutor(None, 1).threads == cores
     assert DaskExecutor(None, 10 * cores).threads == 1

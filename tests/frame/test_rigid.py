@@ -200,11 +200,7 @@ def test_tangent_of_friction_at_the_corners(slip):
     origin[2] -= 0.1 / MOVING.rate_factor
     check_tangent(model, MOVING, free, origin)
     _, work = assembled(
-        model,
-        MOVING,
-        masses_of(model),
-        full_state(model, free, angles_at(model)),
-        origin=origin,
+        model, MOVING, masses_of(model), full_state(model, free, angles_at(model)), origin=origin
     )
     square = work.system.square
     assert abs(square[0, 1] - square[1, 0]) > 0.01 * np.abs(square).max()

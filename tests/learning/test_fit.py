@@ -43,12 +43,12 @@ def equal(one: Surrogate, other: Surrogate) -> bool:
 
 
 @pytest.fixture
-def every_epoch(monkeypatch: pytest.MonkeyPatch) -> None:
+def every_epoch(monkeypatch) -> None:
     """States are saved after each epoch."""
     monkeypatch.setattr(keeper, "SAVE_EVERY_S", 0.0)
 
 
-def test_it_learns_and_says_how_far_it_is(data: Data, tmp_path: Path) -> None:
+def test_it_learns_and_says_how_far_it_is(data, tmp_path):
     told: list[tuple[float, str]] = []
     found = data(epochs=20, patience=20, learning_rate=0.01)
     _, fit = fitted(found, tmp_path, lambda share, text: told.append((share, text)))
@@ -62,9 +62,7 @@ def test_it_learns_and_says_how_far_it_is(data: Data, tmp_path: Path) -> None:
     assert told[0][1].startswith("epoch 1, validation MAE") and fit.seconds > 0.0
 
 
-def test_what_is_kept_are_the_best_weights(
-    data: Data, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_is_kept_are_the_best_weights(data, tmp_path, monkeypatch):
     found = data(epochs=6)
     monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 1e-3 * 4.0**epoch)
     made, fit = fitted(found, tmp_path)
@@ -75,9 +73,7 @@ def test_what_is_kept_are_the_best_weights(
     assert min(errors) < 0.9 * errors[-1]  # or it would be no test
 
 
-def test_it_stops_when_nothing_becomes_better(
-    data: Data, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_it_stops_when_nothing_becomes_better(data, tmp_path, monkeypatch):
     found = data(epochs=50, patience=3)
     monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 0.0)
     _, fit = fitted(found, tmp_path)
@@ -85,9 +81,7 @@ def test_it_stops_when_nothing_becomes_better(
 
 
 @pytest.mark.parametrize("after", [1, 2, 5])
-def test_a_training_that_was_killed_goes_on_to_the_same_bits(
-    data: Data, tmp_path: Path, every_epoch: None, after: int
-) -> None:
+def test_a_training_that_was_killed_goes_on_to_the_same_bits(data, tmp_path, every_epoch, after):
     whole, expected = fitted(data(), tmp_path / "whole")
     epochs: list[str] = []
 
@@ -104,9 +98,7 @@ def test_a_training_that_was_killed_goes_on_to_the_same_bits(
     assert fit.curves == expected.curves
 
 
-def test_a_training_that_had_ended_is_not_gone_on_with(
-    data: Data, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_training_that_had_ended_is_not_gone_on_with(data, tmp_path, monkeypatch):
     complete = data()
     for _ in range(2):
         _, fit = fitted(complete, tmp_path / "complete")
@@ -118,9 +110,7 @@ def test_a_training_that_had_ended_is_not_gone_on_with(
     assert len(first.curves) == 3 and again == first
 
 
-def test_patience_goes_on_where_it_was(
-    data: Data, tmp_path: Path, every_epoch: None, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_patience_goes_on_where_it_was(data, tmp_path, every_epoch, monkeypatch):
     found = data(epochs=50, patience=3)
     monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 0.0)
 
@@ -134,14 +124,14 @@ def test_patience_goes_on_where_it_was(
     assert len(fit.curves) == 4
 
 
-def test_a_state_that_is_damaged_is_begun_anew(data: Data, tmp_path: Path) -> None:
+def test_a_state_that_is_damaged_is_begun_anew(data, tmp_path):
     whole, _ = fitted(data(), tmp_path)
     (tmp_path / STATE).write_bytes((tmp_path / STATE).read_bytes()[:1000])
     again, fit = fitted(data(), tmp_path)
     assert equal(again, whole) and len(fit.curves) == 6
 
 
-def test_ctrl_c_is_not_swallowed(data: Data, tmp_path: Path) -> None:
+def test_ctrl_c_is_not_swallowed(data, tmp_path):
     def interrupts(share: float, text: str) -> None:
         raise KeyboardInterrupt
 
@@ -149,7 +139,7 @@ def test_ctrl_c_is_not_swallowed(data: Data, tmp_path: Path) -> None:
         fitted(data(), tmp_path, interrupts)
 
 
-def test_a_loss_that_is_no_number_is_told(data: Data, tmp_path: Path) -> None:
+def test_a_loss_that_is_no_number_is_told(data, tmp_path):
     found = data()
     made = network(found)
     made.loss = lambda rows: torch.nan * made(rows.designs).sum()  # type: ignore[method-assign]
@@ -157,7 +147,7 @@ def test_a_loss_that_is_no_number_is_told(data: Data, tmp_path: Path) -> None:
         descend(made, found, tmp_path, nothing)
 
 
-def test_torch_has_its_threads_back(data: Data, tmp_path: Path) -> None:
+def test_torch_has_its_threads_back(data, tmp_path):
     before = torch.get_num_threads()
     torch.set_num_threads(2)
     try:

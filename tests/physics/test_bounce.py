@@ -84,11 +84,7 @@ def test_with_weight(single_mass, reference):
     exact = reference("C2b_with_gravity")
     step = exact["tc"] / STEPS
     simulation = single_mass(
-        "bounce",
-        step,
-        mass_kg=4e-3,
-        duration_s=1.1 * exact["tc"],
-        sample_interval_s=0.5 * step,
+        "bounce", step, mass_kg=4e-3, duration_s=1.1 * exact["tc"], sample_interval_s=0.5 * step
     )
     scales = simulation.robot.scales
     model = mass_model(simulation, 10.0, 0.0)

@@ -1,7 +1,6 @@
 """The balance line of energy.png."""
 
 import copy
-from typing import Any
 
 import numpy as np
 import pytest
@@ -9,7 +8,7 @@ import pytest
 from snapjump.plots.books import read_books
 
 
-def test_balance_of_kept_books_is_zero(jump: Any) -> None:
+def test_balance_of_kept_books_is_zero(jump):
     books = read_books(jump)
     assert books is not None
     assert books.unit_J == pytest.approx(2e11 * 1e-2 * 5e-5**3 / 12 / 0.02)
@@ -30,7 +29,7 @@ def test_balance_of_kept_books_is_zero(jump: Any) -> None:
         ("numerical_loss_J", 1),
     ],
 )
-def test_balance_shows_what_is_missing(jump: Any, name: str, sign: int) -> None:
+def test_balance_shows_what_is_missing(jump, name, sign):
     wrong = copy.deepcopy(jump)
     unit = 2e11 * 1e-2 * 5e-5**3 / 12 / 0.02
     wrong.arrays[name][5:] += 0.1 * unit
@@ -40,7 +39,7 @@ def test_balance_shows_what_is_missing(jump: Any, name: str, sign: int) -> None:
     assert books.balance[5:] == pytest.approx(sign * 0.1)
 
 
-def test_books_without_losses_still_balance(snap: Any) -> None:
+def test_books_without_losses_still_balance(snap):
     arrays = {k: v for k, v in snap.arrays.items() if k in ("time_s", "elastic_J")}
     snap = copy.copy(snap)
     snap.arrays = arrays

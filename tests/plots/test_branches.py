@@ -1,8 +1,6 @@
 """Branches: solid where stable, dashed where not, parted where another begins."""
 
-import pathlib
 from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 from PIL import Image
@@ -11,7 +9,7 @@ from snapjump.plots import figures
 from snapjump.plots.branches import stable_runs
 
 
-def test_runs_part_at_another_branch_and_join_at_a_change_of_stability() -> None:
+def test_runs_part_at_another_branch_and_join_at_a_change_of_stability():
     number = np.array([0, 0, 0, 0, 1, 1, 1])
     negative = np.array([0, 0, 1, 1, 0, 0, 0])
     runs = [(run.start, run.stop, stable) for run, stable in stable_runs(number, negative)]
@@ -19,7 +17,7 @@ def test_runs_part_at_another_branch_and_join_at_a_change_of_stability() -> None
     assert list(stable_runs(np.array([]), np.array([]))) == []
 
 
-def test_static_and_cantilever(jump: Any, tmp_path: pathlib.Path) -> None:
+def test_static_and_cantilever(jump, tmp_path):
     alpha = np.linspace(0.0, 1.2, 60)
     arch = 0.28 - 0.05 * alpha**2
     arrays = {

@@ -1,7 +1,5 @@
 """The figure of a training: with and without epochs, of a grid and of random designs."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from PIL import Image
@@ -24,7 +22,7 @@ def shares(picture: np.ndarray, colour: str) -> int:
 
 @pytest.mark.parametrize("curves", [CURVES, []])
 @pytest.mark.parametrize("points", [5, 0])
-def test_it_is_drawn(tmp_path: Path, curves: list, points: int) -> None:
+def test_it_is_drawn(tmp_path, curves, points):
     random = np.random.default_rng(0)
     designs = random.random((500, 4))
     if points:
@@ -39,7 +37,7 @@ def test_it_is_drawn(tmp_path: Path, curves: list, points: int) -> None:
     assert (shares(picture, palette.CENTRE) > 200) == bool(curves)
 
 
-def test_a_model_without_errors_is_drawn(tmp_path: Path) -> None:
+def test_a_model_without_errors_is_drawn(tmp_path):
     random = np.random.default_rng(0)
     designs, apexes = random.random((50, 4)), random.normal(size=(50, 2))
     draw_training(

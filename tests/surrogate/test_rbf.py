@@ -9,14 +9,14 @@ from snapjump.surrogate.base import Rows
 from snapjump.surrogate.rbf import RbfOptions
 
 
-def test_it_passes_through_the_jumps_it_was_given() -> None:
+def test_it_passes_through_the_jumps_it_was_given():
     rows = jumps(300)
     network = RbfOptions(neighbours=40).network()
     network.fit(rows)
     assert torch.allclose(network(rows.designs), rows.apexes, atol=1e-4)
 
 
-def test_what_is_linear_in_its_inputs_is_exact_anywhere() -> None:
+def test_what_is_linear_in_its_inputs_is_exact_anywhere():
     def linear(rows: Rows) -> Rows:
         lag, epsilon, mass, mu = rows.designs.T
         x, y = lag + 2.0 * epsilon - mass.log(), 3.0 * mu + mass.log() - lag
@@ -28,7 +28,7 @@ def test_what_is_linear_in_its_inputs_is_exact_anywhere() -> None:
     assert torch.allclose(network(others.designs), others.apexes, atol=1e-4)
 
 
-def test_neighbours_in_one_plane_are_told() -> None:
+def test_neighbours_in_one_plane_are_told():
     rows = jumps(100)
     rows.designs[:, 3] = 0.3
     network = RbfOptions(neighbours=20).network()
@@ -37,7 +37,7 @@ def test_neighbours_in_one_plane_are_told() -> None:
         network(rows.designs)
 
 
-def test_fewer_points_than_neighbours() -> None:
+def test_fewer_points_than_neighbours():
     rows = jumps(20)
     network = RbfOptions().network()
     network.fit(rows)

@@ -31,7 +31,7 @@ def results(folder: Path) -> list[dict[str, Any]]:
     return [json.loads(file.read_text()) for file in files]
 
 
-def test_a_dataset_its_record_and_its_continuation(command, database, tmp_path: Path) -> None:
+def test_a_dataset_its_record_and_its_continuation(command, database, tmp_path):
     done = command(*OVERRIDES, *PLAN)
     assert done.returncode == 0, done.stderr
     (result,) = results(tmp_path)
@@ -80,7 +80,7 @@ def check_record(folder: Path, sha256: str) -> None:
     assert {"dataset.png", "status.png"} <= {f.path for f in client.list_artifacts(run.info.run_id)}
 
 
-def test_parts_of_a_sweep_share_a_folder(process, tmp_path: Path) -> None:
+def test_parts_of_a_sweep_share_a_folder(process, tmp_path):
     sweep = ("-m", *OVERRIDES, *PLAN, "figures=false", "tracking=off", "dataset.path=shared")
     done = process(
         *sweep, "dataset.parts=2", "dataset.part=1,2",
@@ -90,7 +90,7 @@ def test_parts_of_a_sweep_share_a_folder(process, tmp_path: Path) -> None:
     assert open_dataset(tmp_path / "shared").rows == 16
 
 
-def test_a_folder_that_another_process_writes_to_is_refused(command, tmp_path: Path) -> None:
+def test_a_folder_that_another_process_writes_to_is_refused(command, tmp_path):
     with FileLock(tmp_path / "d" / ".lock"):
         done = command(*OVERRIDES, *PLAN, "dataset.path=d", "tracking=off")
     assert done.returncode == 2
@@ -98,7 +98,7 @@ def test_a_folder_that_another_process_writes_to_is_refused(command, tmp_path: P
     assert not [file for file in tmp_path.rglob("*") if file.is_file() and file.name != ".lock"]
 
 
-def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(tmp_path: Path) -> None:
+def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(tmp_path):
     # Enough designs that it does not end by itself.
     overrides = ("plan=latin_hypercube", "plan.count=20000", "dataset.shard_size=16")
     process = subprocess.Popen(
@@ -137,12 +137,12 @@ def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(tmp_path: Path) -> None
         ({"speed": 3}, "dataset.speed"),
     ],
 )
-def test_bad_keys(change: dict[str, Any], key: str) -> None:
+def test_bad_keys(change, key):
     with refused(key):
         check_keys({**KEYS, **change})
 
 
 @pytest.mark.parametrize("key", KEYS)
-def test_keys_that_were_left_out(key: str) -> None:
+def test_keys_that_were_left_out(key):
     with pytest.raises(ParameterError, match=f"dataset.{key}"):
         check_keys({other: value for other, value in KEYS.items() if other != key})

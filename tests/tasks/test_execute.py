@@ -43,7 +43,7 @@ class StandIn:
 
 
 @pytest.fixture(autouse=True)
-def stand_in(monkeypatch: pytest.MonkeyPatch) -> None:
+def stand_in(monkeypatch) -> None:
     monkeypatch.setitem(registry.TASKS, "stand_in", f"{__name__}:StandIn")
     monkeypatch.setattr(registry, "import_module", lambda name: __import__("sys").modules[name])
 
@@ -54,7 +54,7 @@ def run(monkeypatch: pytest.MonkeyPatch, path: Path, action: Any) -> tuple[Outco
     return outcome, json.loads((path / "result.json").read_text())
 
 
-def test_a_good_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_good_end(tmp_path, monkeypatch):
     _, result = run(monkeypatch, tmp_path, lambda f: Outcome("ok", "", {"x_bar": np.float64(5)}))
     assert result.pop("wall_seconds") >= 0
     assert result == {"status": "ok", "x_bar": 5.0}
@@ -63,7 +63,7 @@ def test_a_good_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert ResultFolder(tmp_path).config() == CONFIG
 
 
-def test_nan_is_null_and_no_good_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_nan_is_null_and_no_good_end(tmp_path, monkeypatch):
     outcome, result = run(
         monkeypatch, tmp_path, lambda f: Outcome("ok", "", {"x_bar": math.nan, "y_bar": 1.0})
     )
@@ -72,23 +72,21 @@ def test_nan_is_null_and_no_good_end(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert "x_bar" in result["message"]
 
 
-def test_a_failure_keeps_its_own_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_failure_keeps_its_own_name(tmp_path, monkeypatch):
     failed = Outcome("not_converged", "at t = 1 ms", {"x_bar": math.nan})
     _, result = run(monkeypatch, tmp_path, lambda f: failed)
     assert (result["status"], result["message"]) == ("not_converged", "at t = 1 ms")
     assert result["x_bar"] is None
 
 
-def test_ctrl_c_leaves_a_marked_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_ctrl_c_leaves_a_marked_run(tmp_path, monkeypatch):
     def stop(folder: ResultFolder) -> Outcome:
         raise KeyboardInterrupt
 
     assert run(monkeypatch, tmp_path, stop)[1]["status"] == "interrupted"
 
 
-def test_ctrl_c_that_a_library_swallows_stops_at_the_next_progress(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_ctrl_c_that_a_library_swallows_stops_at_the_next_progress(tmp_path, monkeypatch):
     told: list[str] = []
 
     def swallow(self: StandIn, folder: ResultFolder, progress: Any) -> Outcome:
@@ -104,7 +102,7 @@ def test_ctrl_c_that_a_library_swallows_stops_at_the_next_progress(
     assert outcome.status == "interrupted" and told == ["went on"]
 
 
-def test_a_defect_leaves_its_traceback(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_defect_leaves_its_traceback(tmp_path, monkeypatch):
     def break_down(folder: ResultFolder) -> Outcome:
         raise ZeroDivisionError("by nought")
 
@@ -129,9 +127,7 @@ def test_a_defect_leaves_its_traceback(tmp_path: Path, monkeypatch: pytest.Monke
         ({"nonsense": 1}, "nonsense"),
     ],
 )
-def test_bad_input_is_one_line_and_leaves_nothing(
-    tmp_path: Path, change: dict[str, Any], key: str
-) -> None:
+def test_bad_input_is_one_line_and_leaves_nothing(tmp_path, change, key):
     outcome, _ = execute(
         {**CONFIG, **change}, ResultFolder(tmp_path), "python run.py", ProgressBar()
     )

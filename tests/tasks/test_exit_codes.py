@@ -16,7 +16,7 @@ from snapjump.tasks.exit_codes import exit_code, sweep_exit_code
         ("interrupted", 130),
     ],
 )
-def test_of_one_job(status: str, code: int) -> None:
+def test_of_one_job(status, code):
     assert exit_code(status) == code
 
 
@@ -30,5 +30,5 @@ def test_of_one_job(status: str, code: int) -> None:
         (["ok", "not_started"], 3),
     ],
 )
-def test_of_a_sweep(statuses: list[str], code: int) -> None:
+def test_of_a_sweep(statuses, code):
     assert sweep_exit_code(statuses) == code

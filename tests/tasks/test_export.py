@@ -2,7 +2,6 @@
 
 import json
 from pathlib import Path
-from typing import Any
 
 import pytest
 from forward_models import about, network
@@ -15,7 +14,7 @@ from snapjump.tasks.export import Export
 RBF = {"name": "rbf", "neighbours": 20, "kernel": "cubic", "smoothing": 0.0}
 
 
-def test_a_forward_model_becomes_onnx(command, tmp_path: Path) -> None:
+def test_a_forward_model_becomes_onnx(command, tmp_path):
     write_checkpoint(tmp_path / "model.safetensors", network(), about())
     done = command("task=export", "checkpoint=model.safetensors", "tracking=off")
     assert done.returncode == 0, done.stderr
@@ -29,9 +28,7 @@ def test_a_forward_model_becomes_onnx(command, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("value", ["", 3, "none.safetensors", "text.safetensors"])
-def test_checkpoints_that_are_none(
-    value: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_checkpoints_that_are_none(value, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "text.safetensors").write_text("a text")
     with refused("checkpoint") as caught:
@@ -39,7 +36,7 @@ def test_checkpoints_that_are_none(
     assert caught.value.value == value
 
 
-def test_what_is_no_network(tmp_path: Path) -> None:
+def test_what_is_no_network(tmp_path):
     path = str(tmp_path / "model.safetensors")
     write_checkpoint(Path(path), network(RBF), about(RBF))
     with pytest.raises(ParameterError, match="rbf"):

@@ -17,30 +17,30 @@ def cells(path: Path) -> list[Cell]:
     ]
 
 
-def test_inputs_are_the_keys_that_differ() -> None:
+def test_inputs_are_the_keys_that_differ():
     found = swept_inputs([["a=1", "+b=2", "c=4"], ["a=1", "+b=3", "c=4"]])
     assert found == [{"b": "2"}, {"b": "3"}]
 
 
-def test_the_table_shows_every_cell(tmp_path: Path) -> None:
+def test_the_table_shows_every_cell(tmp_path):
     header, rows = summary_table(cells(tmp_path))
     assert header == ["design.epsilon", "status", "x_bar", "y_bar", "seconds", "remark"]
     assert rows[0] == ["0.1", "ok", "1.25", "10", "0.5", ""]
     assert rows[1] == ["0.2", "not_converged", "", "", "", "at t = 1 ms"]
 
 
-def test_the_csv_holds_every_result(tmp_path: Path) -> None:
+def test_the_csv_holds_every_result(tmp_path):
     first, second = csv.DictReader(io.StringIO(full_csv(cells(tmp_path))))
     assert first["steps"] == "7" and first["folder"] == "a"
     assert second["message"] == "at t = 1 ms" and second["x_bar"] == ""
 
 
-def test_words_get_places_on_an_axis() -> None:
+def test_words_get_places_on_an_axis():
     assert positions(["0.1", "2e-3"]) == ([0.1, 0.002], [])
     assert positions(["draft", "paper", "draft"]) == ([0.0, 1.0, 0.0], ["draft", "paper"])
 
 
-def test_the_figure_is_drawn(tmp_path: Path) -> None:
+def test_the_figure_is_drawn(tmp_path):
     inputs = {"design.epsilon": ["0.1", "0.2"], "accuracy": ["draft", "paper"]}
     sweep_figure(tmp_path / "summary.png", inputs, {"x_bar": [1.0, None], "y_bar": [2.0, 3.0]})
     assert (tmp_path / "summary.png").stat().st_size > 5000

@@ -32,7 +32,7 @@ Config = Callable[..., dict[str, Any]]
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def dataset(tmp_path_factory) -> Path:
     """200 jumps by a smooth law."""
     path = tmp_path_factory.mktemp("datasets") / "smooth"
     smooth_dataset(path, small(200, 200))
@@ -40,7 +40,7 @@ def dataset(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def config(dataset: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Config:
+def config(dataset, tmp_path, monkeypatch) -> Config:
     """What Hydra would compose, for a run in a folder of its own."""
     monkeypatch.chdir(tmp_path)
     return partial(hydra_config, *SMALL, f"dataset.path={dataset}")
@@ -50,7 +50,7 @@ def silent(share: float, text: str) -> None:
     """No progress."""
 
 
-def test_a_forward_model_and_its_record(command, database, dataset: Path, tmp_path: Path) -> None:
+def test_a_forward_model_and_its_record(command, database, dataset, tmp_path):
     done = command(*SMALL, f"dataset.path={dataset}")
     assert done.returncode == 0, done.stderr
     (folder,) = {file.parent for file in tmp_path.glob("outputs/20*/*/result.json")}
@@ -88,7 +88,7 @@ def check_record(folder: Path, result: dict[str, Any]) -> None:
     assert {"forward_model.safetensors", "curves.csv", "training.png"} <= artifacts
 
 
-def test_a_killed_training_goes_on(command, dataset: Path, tmp_path: Path) -> None:
+def test_a_killed_training_goes_on(command, dataset, tmp_path):
     long = (*SMALL, f"dataset.path={dataset}", "training.epochs=100", "training.patience=100")
     off = ("tracking=off", "figures=false")
     process = subprocess.Popen(
@@ -111,7 +111,7 @@ def test_a_killed_training_goes_on(command, dataset: Path, tmp_path: Path) -> No
     assert "trained" in done.stdout and not list(folder.glob(".last*"))
 
 
-def test_what_was_trained_is_found_again(config: Config, tmp_path: Path) -> None:
+def test_what_was_trained_is_found_again(config, tmp_path):
     kept = []
     for name in ("first", "second"):
         (tmp_path / name).mkdir()
@@ -125,7 +125,7 @@ def test_what_was_trained_is_found_again(config: Config, tmp_path: Path) -> None
     assert one.read_bytes() == other.read_bytes()
 
 
-def test_what_has_no_epochs_has_a_figure_and_no_curves(config: Config, tmp_path: Path) -> None:
+def test_what_has_no_epochs_has_a_figure_and_no_curves(config, tmp_path):
     task = Train()
     values = config()
     values["surrogate"] = {"name": "rbf", "neighbours": 20, "kernel": "cubic", "smoothing": 0.0}
@@ -135,9 +135,7 @@ def test_what_has_no_epochs_has_a_figure_and_no_curves(config: Config, tmp_path:
     assert (tmp_path / "training.png").exists() and not (tmp_path / "curves.csv").exists()
 
 
-def test_a_training_that_diverges_is_told(
-    config: Config, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_training_that_diverges_is_told(config, tmp_path, monkeypatch):
     from snapjump.surrogate.resnet import Resnet
 
     monkeypatch.setattr(Resnet, "loss", lambda network, rows: np.nan * network(rows.designs).sum())
@@ -164,14 +162,12 @@ def test_a_training_that_diverges_is_told(
         ("~dataset.shard_size", "dataset.shard_size"),
     ],
 )
-def test_bad_input(config: Config, override: str, key: str) -> None:
+def test_bad_input(config, override, key):
     with refused(key):
         Train().prepare(config(override))
 
 
-def test_a_surrogate_that_needs_slopes_names_the_dataset_without(
-    config: Config, dataset: Path
-) -> None:
+def test_a_surrogate_that_needs_slopes_names_the_dataset_without(config, dataset):
     values = config()
     values["surrogate"] = {"name": "gradient_mlp", "width": 8, "layers": 1, "slope_weight": 0.1}
     with refused("dataset.path", "dataset.sensitivities=true") as caught:
@@ -180,8 +176,8 @@ def test_a_surrogate_that_needs_slopes_names_the_dataset_without(
 
 
 def test_a_dataset_that_is_not_there_is_named_with_the_command_that_makes_it(
-    config: Config, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+    config, tmp_path, monkeypatch
+):
     values = config("dataset.path=null", "accuracy=draft", "plan=sobol", "plan.count=64")
     with pytest.raises(ParameterError, match=r"make it with: python run\.py task=dataset") as error:
         Train().prepare(values)
@@ -192,7 +188,7 @@ def test_a_dataset_that_is_not_there_is_named_with_the_command_that_makes_it(
         Train().prepare(config(f"dataset.path={empty}"))
 
 
-def test_the_command_that_makes_a_dataset_has_all_that_determines_it(command) -> None:
+def test_the_command_that_makes_a_dataset_has_all_that_determines_it(command):
     overrides = ("surrogate=mlp", "training.epochs=3", "accuracy=draft", "plan.points=3")
     done = command("task=train", *overrides, "tracking=off", "seed=4")
     assert done.returncode == 2 and done.stderr.count("\n") == 1

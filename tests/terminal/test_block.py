@@ -2,21 +2,21 @@ from snapjump.terminal.block import block, markdown_table, number, table
 from snapjump.terminal.scene_report import scene_report
 
 
-def test_a_block_has_a_title_and_aligned_lines_without_empty_ones() -> None:
+def test_a_block_has_a_title_and_aligned_lines_without_empty_ones():
     lines = [("jump", "epsilon 0.2"), ("apex", "x 5 L"), ("tracking", ""), ("lift-off", "v_x 1")]
     assert block(lines) == "jump  epsilon 0.2\n  apex      x 5 L\n  lift-off  v_x 1"
 
 
-def test_tables() -> None:
+def test_tables():
     assert table(["a", "bb"], [["10", "x"]]).splitlines() == ["a   bb", "--  --", "10  x"]
     assert markdown_table(["a"], [["x|y"]]).splitlines() == ["| a |", "| --- |", "| x\\|y |"]
 
 
-def test_numbers_are_short_and_what_is_missing_is_empty() -> None:
+def test_numbers_are_short_and_what_is_missing_is_empty():
     assert [number(v) for v in (1.23456, 7, None, True)] == ["1.235", "7", "", "true"]
 
 
-def test_a_jump_is_reported_in_lengths_and_millimetres() -> None:
+def test_a_jump_is_reported_in_lengths_and_millimetres():
     config = {
         "sim": {"name": "jump"},
         "design": {"epsilon": 0.2, "delta_alpha": 0.1},
@@ -32,7 +32,7 @@ def test_a_jump_is_reported_in_lengths_and_millimetres() -> None:
     assert "lift-off" not in lines
 
 
-def test_a_changed_tier_claims_no_error() -> None:
+def test_a_changed_tier_claims_no_error():
     config = {
         "sim": {"name": "jump"},
         "design": {"epsilon": 0.2, "delta_alpha": 0.1},
@@ -45,7 +45,7 @@ def test_a_changed_tier_claims_no_error() -> None:
     assert lines["accuracy"] == "draft, but for stepping.tolerance: its error is not known"
 
 
-def test_other_scenes_show_every_output_by_name_with_its_unit() -> None:
+def test_other_scenes_show_every_output_by_name_with_its_unit():
     config = {
         "sim": {"name": "static"},
         "design": {"epsilon": 0.2, "delta_alpha": 0.1},

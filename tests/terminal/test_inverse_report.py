@@ -24,7 +24,7 @@ def told(**changes: Any) -> dict[str, str]:
     return dict(inverse_report(CONFIG, {**SUMMARY, **changes}))
 
 
-def test_lengths_in_both_units() -> None:
+def test_lengths_in_both_units():
     lines = told()
     assert lines["inverse"] == "target x 5 L, y 14 L, mu 0.3, m_bar 0.768, by gauss_newton"
     assert lines["design"] == "delta_alpha 0.0970151 rad, epsilon 0.18772"
@@ -35,13 +35,13 @@ def test_lengths_in_both_units() -> None:
     assert lines["others"] == lines["robust"] == lines["plain"] == ""
 
 
-def test_what_is_not_known_is_left_out() -> None:
+def test_what_is_not_known_is_left_out():
     missing = {key: None for key in (*COSTS, "predicted_x_bar", "simulated_x_bar", "error_bar")}
     lines = told(**missing)
     assert lines["predicted"] == lines["simulated"] == lines["error"] == lines["1 % of"] == ""
 
 
-def test_many_solutions() -> None:
+def test_many_solutions():
     others = {
         f"solution_{k}_{name}": 0.1 * k
         for k in range(2, 8)
@@ -51,7 +51,7 @@ def test_many_solutions() -> None:
     assert lines["others"].count("delta_alpha") == 4 and lines["others"].endswith("and 2 more")
 
 
-def test_a_robust_design() -> None:
+def test_a_robust_design():
     spread = {
         f"{name}_{key}_bar": value
         for name, value in (("robust", 0.2), ("plain", 0.3))
@@ -63,5 +63,5 @@ def test_a_robust_design() -> None:
     assert lines["cost"].endswith("0.5 s for the robust design")
 
 
-def test_an_interrupted_run() -> None:
+def test_an_interrupted_run():
     assert inverse_report(CONFIG, {"wall_seconds": 1.0}) == [("inverse", "by gauss_newton")]

@@ -38,7 +38,7 @@ def runs_of() -> Callable[[str], tuple[list[Any], list[Any], Any]]:
 
 
 @pytest.fixture
-def check_sweep(runs_of: Any) -> Callable[[str, Path], None]:
+def check_sweep(runs_of) -> Callable[[str, Path], None]:
     """Asserts that a store holds one parent and a complete child for each of the four jumps."""
 
     def check(uri: str, folder: Path) -> None:

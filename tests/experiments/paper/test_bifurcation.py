@@ -3,7 +3,6 @@
 import copy
 import json
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -41,7 +40,7 @@ def named(rows: Rows, name: str) -> Rows:
     return [row for row in rows if row["branch"] == name]
 
 
-def test_branches_lose_their_stability_at_the_critical_angle(branches: Rows) -> None:
+def test_branches_lose_their_stability_at_the_critical_angle(branches):
     simulation = composed(COARSE)
     snap = find_snap(simulation.robot, simulation.discretization, EPSILON, 0.0)
     up, down = named(branches, "up"), named(branches, "down")
@@ -55,7 +54,7 @@ def test_branches_lose_their_stability_at_the_critical_angle(branches: Rows) -> 
     assert mirrored["midpoint_bar"] == pytest.approx(-first["midpoint_bar"], abs=1e-4)
 
 
-def test_the_leaning_branch_is_unstable_from_pitchfork_to_pitchfork(branches: Rows) -> None:
+def test_the_leaning_branch_is_unstable_from_pitchfork_to_pitchfork(branches):
     leaning = named(branches, "leaning")
     angles = [row["alpha_rad"] for row in leaning]
     assert all(row["negative_eigenvalues"] > 0 for row in leaning)
@@ -63,7 +62,7 @@ def test_the_leaning_branch_is_unstable_from_pitchfork_to_pitchfork(branches: Ro
     assert angles[-1] == pytest.approx(-angles[0], abs=0.02)
 
 
-def test_landmarks_on_a_coarse_mesh(landmarks: Rows) -> None:
+def test_landmarks_on_a_coarse_mesh(landmarks):
     for row in landmarks:
         assert row["alpha_back_rad"] == pytest.approx(-row["alpha_critical_rad"], abs=1e-7)
         assert 0.5 < judge.gap_percent(row) < 1.2
@@ -72,7 +71,7 @@ def test_landmarks_on_a_coarse_mesh(landmarks: Rows) -> None:
     assert 0.1 < compare.overall(landmarks, compare.STRETCHES)[0] < 2.0
 
 
-def test_a_branch_that_is_lost_is_named() -> None:
+def test_a_branch_that_is_lost_is_named():
     simulation = composed(COARSE)
     arch = StaticArch(simulation.robot, simulation.discretization, EPSILON)
 
@@ -87,7 +86,7 @@ def test_a_branch_that_is_lost_is_named() -> None:
         turned_back(Lost(arch, 0.0), snapped)
 
 
-def test_a_row_of_exact_numbers_differs_in_nothing() -> None:
+def test_a_row_of_exact_numbers_differs_in_nothing():
     rows = [{"epsilon": e, **compare.exact_row(e)} for e in exact.COMPARED]
     for beam in (compare.STRETCHES, compare.RIGID):
         assert compare.overall(rows, beam)[0] < 1e-10
@@ -95,7 +94,7 @@ def test_a_row_of_exact_numbers_differs_in_nothing() -> None:
     assert compare.overall(rows, compare.RIGID) == (pytest.approx(2.0), "energy, flat clamps")
 
 
-def test_errors_that_fall_with_the_square_of_the_mesh_are_of_order_two() -> None:
+def test_errors_that_fall_with_the_square_of_the_mesh_are_of_order_two():
     tiers = {
         tier: [
             {"epsilon": 0.2, "elements": n}
@@ -107,12 +106,12 @@ def test_errors_that_fall_with_the_square_of_the_mesh_are_of_order_two() -> None
 
 
 @pytest.fixture
-def exactly(landmarks: Rows) -> Rows:
+def exactly(landmarks) -> Rows:
     """The landmarks, without any error."""
     return [{**row, **compare.exact_row(row["epsilon"])} for row in landmarks]
 
 
-def test_a_snap_without_a_loop_is_none(exactly: Rows) -> None:
+def test_a_snap_without_a_loop_is_none(exactly):
     tiers = dict.fromkeys(("standard", "reference", "paper"), exactly)
 
     def verdict(change: Any) -> str:
@@ -125,7 +124,7 @@ def test_a_snap_without_a_loop_is_none(exactly: Rows) -> None:
     assert not any(judge.snaps({**row, "midpoint_after_bar": 0.1}) for row in exactly)
 
 
-def test_angles_that_do_not_grow(landmarks: Rows) -> None:
+def test_angles_that_do_not_grow(landmarks):
     tiers = dict.fromkeys(("standard", "reference"), landmarks)
 
     def verdict(*alphas: float) -> str:
@@ -140,7 +139,7 @@ def test_angles_that_do_not_grow(landmarks: Rows) -> None:
     assert verdict(0.4, 0.5, 1.1, 0.9) == NOT_CONFIRMED
 
 
-def test_the_fold_may_come_first_in_made_up_arches(exactly: Rows) -> None:
+def test_the_fold_may_come_first_in_made_up_arches(exactly):
     tiers = dict.fromkeys(("standard", "reference", "paper"), exactly)
     first = judge.fold_statement(exactly, tiers)
     assert first.verdict == NOT_CONFIRMED and "at 3 of 3 pre-compressions" in first.found
@@ -155,7 +154,7 @@ def test_the_fold_may_come_first_in_made_up_arches(exactly: Rows) -> None:
     assert last.verdict == CONFIRMED and "at 0 of 3 pre-compressions" in last.found
 
 
-def test_conclusion_with_its_figures(branches: Rows, landmarks: Rows, tmp_path: Path) -> None:
+def test_conclusion_with_its_figures(branches, landmarks, tmp_path):
     part = Bifurcation()
     planned = part.plan(COARSE, 0)
     assert len(planned) == 9 and json.dumps([dict(cell.inputs) for cell in planned])
@@ -170,7 +169,7 @@ def test_conclusion_with_its_figures(branches: Rows, landmarks: Rows, tmp_path: 
     check_figures(found, tmp_path, 20_000)
 
 
-def test_nothing_is_judged_without_all_cells(landmarks: Rows) -> None:
+def test_nothing_is_judged_without_all_cells(landmarks):
     broken = done("paper", [], FAILED, "it broke")
     found = Bifurcation().conclude({"standard": done("standard", landmarks), "paper": broken})
     assert not found.statements and "paper (failed: it broke)" in found.section.paragraphs[0]

@@ -1,7 +1,6 @@
 """Critical states on a coarse mesh beside exact ones; lines, fits and verdicts on made-up ones."""
 
 import json
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -44,14 +43,14 @@ def scaled(h1: float, h2: float, epsilons: Any = EPSILONS) -> Rows:
     return [{**row, "h1_bar": h1 * row["h1_bar"], "h2_bar": h2 * row["h2_bar"]} for row in rows]
 
 
-def test_critical_states_are_near_the_exact_ones() -> None:
+def test_critical_states_are_near_the_exact_ones():
     rows = snap_rows({"groups": COARSE, "epsilons": (0.1, 0.3), "delta_alphas_rad": (0.0, 0.1)})
     assert [row["delta_alpha_rad"] for row in rows] == [0.0, 0.0, 0.1, 0.1]
     assert 0.05 < fits.largest_difference(rows, ["energy_released_bar"]) < 1.0
     assert 0.05 < fits.largest_difference(rows, ["h1_bar", "h2_bar"]) < 1.5
 
 
-def test_the_difference_from_exact_numbers_is_the_largest() -> None:
+def test_the_difference_from_exact_numbers_is_the_largest():
     rows = [
         arch(e, d, energy_released_bar=fits.exact_value(e, d, "energy_released_bar") or 0.0)
         for d in (0.0, 0.1, 0.19)
@@ -63,7 +62,7 @@ def test_the_difference_from_exact_numbers_is_the_largest() -> None:
     assert fits.exact_value(0.2, 0.1, "h1_bar") is None
 
 
-def test_lines() -> None:
+def test_lines():
     line = fits.straight_line([arch(e, energy_released_bar=80.0 * e - 1.0) for e in EPSILONS[9:]])
     assert (line.slope, line.intercept) == (pytest.approx(80.0), pytest.approx(-1.0))
     assert line.deviation_percent < 1e-9
@@ -71,7 +70,7 @@ def test_lines() -> None:
     assert fits.straight_line(bent(25.0)).worst_epsilon == 0.01
 
 
-def test_the_released_program_s_polynomials() -> None:
+def test_the_released_program_s_polynomials():
     assert exact.released_factor() * exact.released_height("h1", 0.17) == pytest.approx(
         fitted_mount_height_bar(0.17)
     )
@@ -80,7 +79,7 @@ def test_the_released_program_s_polynomials() -> None:
     assert fits.left_by_quadratics(scaled(1.0, 1.0), "h2") < 1e-9
 
 
-def test_energy_that_is_more_or_less_linear() -> None:
+def test_energy_that_is_more_or_less_linear():
     own = fits.within(bent(0.0))
 
     def verdict(curvature: float) -> str:
@@ -91,7 +90,7 @@ def test_energy_that_is_more_or_less_linear() -> None:
     assert "by -" in judge.energy_statement(bent(-200.0), own, "").found
 
 
-def test_polynomials_that_hold_for_an_arch_or_for_a_mesh() -> None:
+def test_polynomials_that_hold_for_an_arch_or_for_a_mesh():
     lagging = [arch(e, 0.05) for e in exact.COMPARED]
 
     def verdict(converged: float, own: float) -> str:
@@ -103,7 +102,7 @@ def test_polynomials_that_hold_for_an_arch_or_for_a_mesh() -> None:
     assert verdict(0.95, 0.97) == NOT_CONFIRMED
 
 
-def test_the_plan_and_the_conclusion_with_its_figures(tmp_path: Path) -> None:
+def test_the_plan_and_the_conclusion_with_its_figures(tmp_path):
     part = ReleasedEnergy()
     planned = part.plan(STANDARD, 0)
     assert json.dumps([dict(cell.inputs) for cell in planned])

@@ -14,7 +14,7 @@ from experiments.paper.study import tally
 from experiments.paper.texts import readme_block
 
 
-def test_a_verdict_follows_from_what_holds() -> None:
+def test_a_verdict_follows_from_what_holds():
     assert verdict(True) == verdict(True, True) == CONFIRMED
     assert verdict(False, True) == LIMITED
     assert verdict(False) == NOT_CONFIRMED
@@ -22,7 +22,7 @@ def test_a_verdict_follows_from_what_holds() -> None:
         Statement("It jumps", "perhaps", "It does", "`standard`")
 
 
-def test_tables_number_the_statements() -> None:
+def test_tables_number_the_statements():
     statements = [
         Statement("It jumps", CONFIRMED, "15 L", "`standard`"),
         Statement("It flies", NOT_CONFIRMED, "It falls", "`reference`", "task=paper figure=x"),
