@@ -2,16 +2,14 @@
 
 import json
 import os
-import signal
 import subprocess
 import sys
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import Done
+from command_line import begun, interrupted, result_in
 
 from snapjump.tasks.command_line import main
 
@@ -34,11 +32,6 @@ def here(tmp_path, monkeypatch) -> Iterator[Callable[..., int]]:
     yield run
     os.environ.clear()
     os.environ.update(environment)
-
-
-def only_folder(path: Path) -> Path:
-    (result,) = path.glob("outputs/*/*/result.json")
-    return result.parent
 
 
 @pytest.mark.parametrize(
@@ -110,18 +103,28 @@ def test_the_help_page_tells_every_group_and_member(here, capsys):
     assert max(len(line) for line in page.splitlines()) <= 120
 
 
-def test_help_is_quick(process):
-    done = process("--help", python=("-X", "importtime"))
-    assert done.returncode == 0
+def imported(process, *arguments):
+    """Modules that the command imports, and what it returns."""
+    done = process(*arguments, python=("-X", "importtime"))
+    lines = [line for line in done.stderr.splitlines() if "|" in line]
+    return {line.split("|")[-1].strip() for line in lines}, done.returncode
+
+
+def test_heavy_libraries_stay_out_of_what_does_not_need_them(process):
+    names, code = imported(process, "--help")
+    assert code == 0
     # Not by the clock: these are what takes a program long to begin.
-    assert not imported(done) & {"numba", "hydra", "scipy", *HEAVY}
+    assert not names & {"numba", "hydra", "scipy", *HEAVY}
+    names, code = imported(process, *JUMP, "tracking=off")
+    assert code == 0
+    assert "snapjump.simulation" in names
+    assert not names & HEAVY
 
 
 def test_what_a_run_leaves(command, tmp_path):
     done = command(*JUMP, "tracking=off", "design.epsilon=0.25")
     assert done.returncode == 0, done.stderr
-    folder = only_folder(tmp_path)
-    result = json.loads((folder / "result.json").read_text())
+    folder, result = result_in(tmp_path)
     assert result["status"] == "ok"
     for key in (
         "x_bar", "y_bar", "apex_time_s", "liftoff_time_s", "liftoff_vx_m_s", "liftoff_vy_m_s",
@@ -146,22 +149,10 @@ def test_two_runs_never_share_a_folder(tmp_path):
     assert len(list(tmp_path.glob("outputs/*/*/result.json"))) == 2
 
 
-def test_without_tracking_the_heavy_libraries_stay_out(process):
-    done = process(*JUMP, "tracking=off", python=("-X", "importtime"))
-    assert done.returncode == 0
-    assert "snapjump.simulation" in imported(done)
-    assert not imported(done) & HEAVY
-
-
-def imported(done: Done) -> set[str]:
-    """Modules that an interpreter with ``-X importtime`` has imported."""
-    return {line.split("|")[-1].strip() for line in done.stderr.splitlines() if "|" in line}
-
-
 def test_a_simulation_that_cannot_finish_says_so(command, tmp_path):
     done = command(*JUMP, "tracking=off", "contact.distance_m=1e-9")
     assert done.returncode == 3
-    result = json.loads((only_folder(tmp_path) / "result.json").read_text())
+    _, result = result_in(tmp_path)
     assert result["status"] == "step_underflow"
     assert " ms after the start" in result["message"]
     assert result["x_bar"] is None
@@ -171,25 +162,13 @@ def test_a_simulation_that_cannot_finish_says_so(command, tmp_path):
 def test_a_robot_that_does_not_jump_is_no_failure(command, tmp_path):
     done = command(*JUMP, "tracking=off", "environment.mass_bar=200")
     assert done.returncode == 0
-    result = json.loads((only_folder(tmp_path) / "result.json").read_text())
+    _, result = result_in(tmp_path)
     assert result["status"] == "no_jump" and result["liftoff_time_s"] is None
     assert "no_jump" in done.stdout
 
 
 def test_ctrl_c_leaves_a_clean_marked_run(tmp_path):
-    process = subprocess.Popen(
-        [sys.executable, str(RUN), "accuracy=reference", "tracking=off"],
-        cwd=tmp_path,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
     # The configuration is written just before the work begins.
-    while not list(tmp_path.glob("outputs/*/*/config.yaml")):
-        assert process.poll() is None
-        time.sleep(0.005)
-    process.send_signal(signal.SIGINT)
-    _, errors = process.communicate(timeout=300)
-    assert process.returncode == 130
-    assert "Traceback" not in errors and "interrupted" in errors
-    result = json.loads((only_folder(tmp_path) / "result.json").read_text())
-    assert result["status"] == "interrupted"
+    run = ("accuracy=reference", "tracking=off")
+    interrupted(begun(tmp_path, *run, until="outputs/*/*/config.yaml"))
+    assert result_in(tmp_path)[1]["status"] == "interrupted"

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from command_line import begun
 from small_datasets import BACKEND, OVERRIDES, generated, small
 
 from snapjump.checks import ParameterError
@@ -95,11 +96,8 @@ def test_workers_started_here_by_the_command_line(process, tmp_path):
     assert done.returncode == 0, done.stderr
     assert "24 now" in done.stdout
     generated(tmp_path / "local", small())
-    assert (
-        open_dataset(tmp_path / "d")
-        .table(["index", "x_bar"])
-        .equals(open_dataset(tmp_path / "local").table(["index", "x_bar"]))
-    )
+    here, local = (open_dataset(tmp_path / n).table(["index", "x_bar"]) for n in ("d", "local"))
+    assert here.equals(local)
 
 
 def still_running(group: int) -> list[str]:
@@ -117,17 +115,8 @@ def still_running(group: int) -> list[str]:
 
 def test_ctrl_c_of_a_terminal_stops_all_processes_without_a_word_of_theirs(tmp_path):
     plan = ("plan=sobol", "plan.count=20000", "dataset.shard_size=16", "executor=dask")
-    process = subprocess.Popen(
-        [sys.executable, str(ROOT / "run.py"), *OVERRIDES, *plan, "dataset.path=d", "tracking=off"],
-        cwd=tmp_path,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        start_new_session=True,
-    )
-    while len(list(tmp_path.glob("d/shards/*.json"))) < 3:
-        assert process.poll() is None
-        time.sleep(0.05)
+    run = (*OVERRIDES, *plan, "dataset.path=d", "tracking=off")
+    process = begun(tmp_path, *run, until="d/shards/shard-00002.json", start_new_session=True)
     os.killpg(process.pid, signal.SIGINT)
     out, errors = process.communicate(timeout=PATIENCE_S)
     assert process.returncode == 130

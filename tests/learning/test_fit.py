@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 import torch
@@ -11,6 +12,7 @@ from snapjump.declare.members import make_member
 from snapjump.learning import keeper
 from snapjump.learning.data import JumpData
 from snapjump.learning.fit import STATE, Fitted, descend
+from snapjump.learning.training import Training
 from snapjump.surrogate.base import Surrogate
 
 Data = Callable[..., JumpData]
@@ -22,6 +24,23 @@ class Killed(BaseException):
 
 def nothing(share: float, text: str) -> None:
     """No progress."""
+
+
+def dies_after(epochs: int, told: list[str], error: type[BaseException] = Killed) -> Any:
+    """Progress that ends after so many epochs and notes what it is told."""
+
+    def dies(share: float, text: str) -> None:
+        told.append(text)
+        if len(told) == epochs:
+            raise error
+
+    return dies
+
+
+@pytest.fixture
+def steady(monkeypatch) -> None:
+    """A learning rate of nothing, by which nothing becomes better."""
+    monkeypatch.setattr(Training, "rate", lambda training, epoch: 0.0)
 
 
 def network(data: JumpData) -> Surrogate:
@@ -73,55 +92,46 @@ def test_what_is_kept_are_the_best_weights(data, tmp_path, monkeypatch):
     assert min(errors) < 0.9 * errors[-1]  # or it would be no test
 
 
-def test_it_stops_when_nothing_becomes_better(data, tmp_path, monkeypatch):
-    found = data(epochs=50, patience=3)
-    monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 0.0)
-    _, fit = fitted(found, tmp_path)
-    assert len(fit.curves) == 4
-
-
 @pytest.mark.parametrize("after", [1, 2, 5])
 def test_a_training_that_was_killed_goes_on_to_the_same_bits(data, tmp_path, every_epoch, after):
     whole, expected = fitted(data(), tmp_path / "whole")
     epochs: list[str] = []
-
-    def dies(share: float, text: str) -> None:
-        epochs.append(text)
-        if len(epochs) == after:
-            raise Killed
-
     with pytest.raises(Killed):
-        fitted(data(), tmp_path / "killed", dies)
+        fitted(data(), tmp_path / "killed", dies_after(after, epochs))
     resumed, fit = fitted(data(), tmp_path / "killed", lambda share, text: epochs.append(text))
     assert len(epochs) == 6  # none of them twice
     assert equal(resumed, whole)
     assert fit.curves == expected.curves
 
 
-def test_a_training_that_had_ended_is_not_gone_on_with(data, tmp_path, monkeypatch):
+def test_a_training_that_had_ended_is_not_gone_on_with(data, tmp_path):
     complete = data()
     for _ in range(2):
-        _, fit = fitted(complete, tmp_path / "complete")
+        _, fit = fitted(complete, tmp_path)
         assert len(fit.curves) == 6
-    found = data(epochs=50, patience=2)
-    monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 0.0)
-    _, first = fitted(found, tmp_path / "stopped")
-    _, again = fitted(found, tmp_path / "stopped")
+
+
+def test_it_stops_when_nothing_becomes_better(data, tmp_path, steady):
+    found = data(epochs=50, patience=3)
+    for _ in range(2):
+        _, fit = fitted(found, tmp_path)
+        assert len(fit.curves) == 4
+    _, first = fitted(data(epochs=50, patience=2), tmp_path / "sooner")
+    _, again = fitted(data(epochs=50, patience=2), tmp_path / "sooner")
     assert len(first.curves) == 3 and again == first
 
 
-def test_patience_goes_on_where_it_was(data, tmp_path, every_epoch, monkeypatch):
+def test_patience_goes_on_where_it_was(data, tmp_path, every_epoch, steady):
     found = data(epochs=50, patience=3)
-    monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 0.0)
-
-    def dies(share: float, text: str) -> None:
-        if text.startswith("epoch 3"):
-            raise Killed
-
     with pytest.raises(Killed):
-        fitted(found, tmp_path, dies)
+        fitted(found, tmp_path, dies_after(3, []))
     _, fit = fitted(found, tmp_path)
     assert len(fit.curves) == 4
+
+
+def test_ctrl_c_is_not_swallowed(data, tmp_path):
+    with pytest.raises(KeyboardInterrupt):
+        fitted(data(), tmp_path, dies_after(1, [], KeyboardInterrupt))
 
 
 def test_a_state_that_is_damaged_is_begun_anew(data, tmp_path):
@@ -129,14 +139,6 @@ def test_a_state_that_is_damaged_is_begun_anew(data, tmp_path):
     (tmp_path / STATE).write_bytes((tmp_path / STATE).read_bytes()[:1000])
     again, fit = fitted(data(), tmp_path)
     assert equal(again, whole) and len(fit.curves) == 6
-
-
-def test_ctrl_c_is_not_swallowed(data, tmp_path):
-    def interrupts(share: float, text: str) -> None:
-        raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        fitted(data(), tmp_path, interrupts)
 
 
 def test_a_loss_that_is_no_number_is_told(data, tmp_path):

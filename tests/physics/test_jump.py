@@ -1,10 +1,11 @@
 """The jump: flight, ledger, gaps, monotony, its pinned baseline; mirror, momentum, similarity."""
 
-import dataclasses
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from families import FAMILIES
+from robots import scaled_robot
 
 from snapjump import Design, Environment, Robot, simulate_jump
 from snapjump.declare.members import member_class
@@ -144,8 +145,8 @@ def test_mirrored_mismatch_mirrors_the_jump(jump):
     angle = start_angle_rad(right.simulation)
     left = jump(
         design=Design(0.2, -lag),
-        robot=dataclasses.replace(robot, rotation_end_rad=robot.rotation_end_rad - lag),
-        sim=dataclasses.replace(scene, start_fraction=scene.start_fraction * (1.0 - lag / angle)),
+        robot=replace(robot, rotation_end_rad=robot.rotation_end_rad - lag),
+        sim=replace(scene, start_fraction=scene.start_fraction * (1.0 - lag / angle)),
         stepping=tight,
     )
     assert left.x_bar == pytest.approx(-right.x_bar, rel=1e-3)
@@ -165,33 +166,22 @@ def test_similarity(jump):
     baseline = jump()
     stiffer, denser, larger = 0.25, 4.0, 2.0
     time = larger * np.sqrt(denser / stiffer)
-    robot = Robot()
     base = baseline.simulation
     scaled = jump(
-        robot=dataclasses.replace(
-            robot,
-            length_m=robot.length_m * larger,
-            width_m=robot.width_m * larger,
-            thickness_m=robot.thickness_m * larger,
-            frame_height_m=robot.frame_height_m * larger,
-            youngs_modulus_Pa=robot.youngs_modulus_Pa * stiffer,
-            density_kg_m3=robot.density_kg_m3 * denser,
-            gravity_m_s2=float(robot.gravity_m_s2 * larger / time**2),
-            rotation_rate_rad_s=float(robot.rotation_rate_rad_s / time),
-        ),
-        contact=dataclasses.replace(
+        robot=scaled_robot(larger, stiffer, denser),
+        contact=replace(
             base.contact,
             stiffness_N_m=base.contact.stiffness_N_m * stiffer * larger,
             distance_m=base.contact.distance_m * larger,
         ),
-        friction=dataclasses.replace(
+        friction=replace(
             base.friction,
             velocity_threshold_m_s=float(base.friction.velocity_threshold_m_s * larger / time),
         ),
-        damping=dataclasses.replace(
+        damping=replace(
             base.damping, relaxation_time_s=float(base.damping.relaxation_time_s * time)
         ),
-        sim=dataclasses.replace(
+        sim=replace(
             base.sim,
             time_limit_s=float(base.sim.time_limit_s * time),
             sample_interval_s=float(base.sim.sample_interval_s * time),

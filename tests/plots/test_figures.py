@@ -4,7 +4,6 @@ import copy
 import pathlib
 import subprocess
 import sys
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -14,6 +13,8 @@ from PIL import Image
 from snapjump.plots import figures
 from snapjump.plots.film import ACTION, FLIGHT, LEAD, SIZE
 
+from .conftest import of
+
 
 def names(paths: list[pathlib.Path]) -> set[str]:
     return {path.name for path in paths}
@@ -22,9 +23,7 @@ def names(paths: list[pathlib.Path]) -> set[str]:
 def part(result: Any, keep: slice | np.ndarray) -> Any:
     """The same result with some of its samples."""
     arrays = {name: values[keep] for name, values in result.arrays.items()}
-    return SimpleNamespace(
-        status="stalled", summary={}, arrays=arrays, simulation=result.simulation
-    )
+    return of(result, status="stalled", summary={}, arrays=arrays)
 
 
 def test_jump_files_are_images_of_the_right_size(jump, tmp_path):
@@ -76,16 +75,11 @@ def test_samples_that_are_not_finite_are_left_out(jump, tmp_path):
     assert len(figures(broken, tmp_path)) == 3
 
 
-def test_arrays_without_any_finite_sample_give_no_figures(jump, tmp_path):
-    broken = copy.deepcopy(jump)
-    broken.arrays = {name: np.full_like(a, np.nan) for name, a in broken.arrays.items()}
-    assert figures(broken, tmp_path) == []
-
-
-def test_no_arrays_no_figures(jump, tmp_path):
-    assert figures(part(jump, slice(0, 0)), tmp_path) == []
-    empty = SimpleNamespace(status="failed", summary={}, arrays={}, simulation=jump.simulation)
-    assert figures(empty, tmp_path) == []
+def test_no_finite_samples_no_figures(jump, tmp_path):
+    lost = {name: np.full_like(values, np.nan) for name, values in jump.arrays.items()}
+    nothing = of(jump, status="failed", summary={}, arrays={})
+    for result in (of(jump, arrays=lost), part(jump, slice(0, 0)), nothing):
+        assert figures(result, tmp_path) == []
 
 
 @pytest.mark.parametrize("scene", ["bounce", "slide"])
@@ -96,8 +90,7 @@ def test_one_node_is_drawn_against_time(scene, jump, tmp_path):
     arrays |= {"node_normal_N": 1.0 - column, "node_friction_N": 0.3 * column}
     arrays |= {"node_vx_m_s": 1.0 + 0.0 * column, "node_vy_m_s": column}
     arrays |= {"kinetic_J": column[:, 0], "contact_J": 1.0 - column[:, 0]}
-    simulation = SimpleNamespace(**{**vars(jump.simulation), "sim": SimpleNamespace(name=scene)})
-    result = SimpleNamespace(status="ok", summary={}, arrays=arrays, simulation=simulation)
+    result = of(jump, scene, summary={}, arrays=arrays)
     assert names(figures(result, tmp_path)) == {f"{scene}.png", "energy.png"}
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from forward_models import about
 from made_up_maps import MadeUpModel, folded, problem
-from PIL import Image
+from pictures import count, picture
 
 from snapjump.inverse.base import Solution
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
@@ -31,12 +31,11 @@ def flight(jump) -> Any:
 
 
 def drawn(designed: Designed, region: AchievableRegion | None, folder: Path) -> np.ndarray:
-    path = inverse_picture(designed, region, folder / "inverse.png")
-    return np.asarray(Image.open(path).convert("RGB"))
+    return picture(inverse_picture(designed, region, folder / "inverse.png"))
 
 
-def has(picture: np.ndarray, colour: str, least: int = 40) -> bool:
-    return int((picture == palette.rgb(colour)).all(axis=2).sum()) > least
+def has(pixels: np.ndarray, colour: str) -> bool:
+    return count(pixels, colour) > 40
 
 
 @pytest.mark.parametrize("target", [TARGET, TARGET + 30.0])

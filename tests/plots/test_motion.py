@@ -1,7 +1,5 @@
 """Instants, interpolation and the ballistic flight that the pictures show."""
 
-import copy
-
 import numpy as np
 import pytest
 
@@ -9,6 +7,8 @@ from snapjump.plots.jump import apex_of
 from snapjump.plots.moments import middle_height, moments, snap_interval
 from snapjump.plots.motion import poses, read_motion
 from snapjump.plots.trajectory import flight_end
+
+from .conftest import of
 
 
 def test_samples_are_met_and_halfway_is_the_mean(jump):
@@ -64,8 +64,7 @@ def test_moments_are_named_in_order_and_eight(jump):
 
 
 def test_only_what_jumped_flies(jump):
-    fallen = copy.copy(jump)
-    fallen.status = "no_jump"
+    fallen = of(jump, status="no_jump")
     motion = read_motion(fallen)
     assert motion is not None
     assert flight_end(motion, None) == motion.time[-1]

@@ -18,9 +18,12 @@ from snapjump.targets.robust import Tolerance
 TOLERANCE = {"delta_alpha_rad": 0.002, "epsilon": 0.001, "mass_bar": 0.01, "mu": 0.02}
 
 
-def test_targets():
+def test_what_is_asked_for_is_given():
     np.testing.assert_array_equal(checked_target([5, 14.5]), [5.0, 14.5])
     np.testing.assert_array_equal(checked_target((-1.0, 0.0)), [-1.0, 0.0])
+    assert construct("tolerance", Tolerance, TOLERANCE) == Tolerance()
+    assert checkpoint_path(None) == SHIPPED
+    assert str(checkpoint_path("a/b.safetensors")) == "a/b.safetensors"
 
 
 @pytest.mark.parametrize(
@@ -36,10 +39,6 @@ def test_bad_targets(value):
         checked_target(value)
 
 
-def test_tolerances():
-    assert construct("tolerance", Tolerance, TOLERANCE) == Tolerance()
-
-
 @pytest.mark.parametrize(
     ("group", "key"),
     [
@@ -52,11 +51,6 @@ def test_tolerances():
 def test_bad_tolerances(group, key):
     with refused(key):
         construct("tolerance", Tolerance, group)
-
-
-def test_checkpoints():
-    assert checkpoint_path(None) == SHIPPED
-    assert str(checkpoint_path("a/b.safetensors")) == "a/b.safetensors"
 
 
 @pytest.mark.parametrize("value", ["", 3, False, ["a"]])

@@ -1,9 +1,9 @@
 """``task=export``: the file it leaves, and checkpoints that are refused."""
 
-import json
 from pathlib import Path
 
 import pytest
+from command_line import result_in
 from forward_models import about, network
 from refusals import refused
 
@@ -19,11 +19,10 @@ def test_a_forward_model_becomes_onnx(command, tmp_path):
     done = command("task=export", "checkpoint=model.safetensors", "tracking=off")
     assert done.returncode == 0, done.stderr
     assert done.stderr == "" or "Warning" not in done.stderr
-    (file,) = tmp_path.glob("outputs/20*/*/result.json")
-    result = json.loads(file.read_text())
+    folder, result = result_in(tmp_path)
     assert 0.0 <= result["max_difference"] < 1e-5
     assert result["onnx_us"] > 0.0 and result["torch_us"] > 0.0
-    assert (file.parent / "forward_model.onnx").stat().st_size > 1000
+    assert (folder / "forward_model.onnx").stat().st_size > 1000
     assert "us with onnxruntime" in done.stdout and "forward_model.onnx" in done.stdout
 
 

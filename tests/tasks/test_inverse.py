@@ -1,12 +1,12 @@
 """``python run.py task=inverse``: what it prints, leaves, refuses and says if out of reach."""
 
-import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from command_line import result_in
 from forward_models import about, network
 from hydra_config import hydra_config
 from refusals import refused
@@ -70,15 +70,14 @@ def test_the_command_line(command, checkpoint, target, tmp_path):
         "tracking=off",
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
-    (file,) = tmp_path.glob("outputs/*/*/result.json")
-    result = json.loads(file.read_text())
+    folder, result = result_in(tmp_path)
     assert result["status"] == "ok" and result["reachable"] is True
     assert all(isinstance(result[key], (int, float)) for key in KEYS)
     assert [result["predicted_x_bar"], result["predicted_y_bar"]] == pytest.approx(target, abs=1e-4)
     simulated = np.array([result["simulated_x_bar"], result["simulated_y_bar"]])
     assert result["error_bar"] == pytest.approx(np.hypot(*(simulated - target)))
     assert result["error_m"] == pytest.approx(0.02 * result["error_bar"])
-    assert (file.parent / "inverse.png").stat().st_size > 10_000
+    assert (folder / "inverse.png").stat().st_size > 10_000
     for word in ("target x", "design", "predicted", "simulated", " mm)", "1 % of", "error", "ms"):
         assert word in done.stdout
 

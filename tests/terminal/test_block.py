@@ -2,6 +2,8 @@
 
 from typing import Any
 
+from reported import DRAFT_JUMP
+
 from snapjump.terminal.block import block, markdown_table, number, table
 from snapjump.terminal.inverse_report import inverse_report
 from snapjump.terminal.scene_report import scene_report
@@ -22,15 +24,8 @@ def test_numbers_are_short_and_what_is_missing_is_empty():
 
 
 def test_a_jump_is_reported_in_lengths_and_millimetres():
-    config = {
-        "sim": {"name": "jump"},
-        "design": {"epsilon": 0.2, "delta_alpha": 0.1},
-        "environment": {"mu": 0.3, "mass_bar": 0.768},
-        "robot": {"length_m": 0.02},
-        "accuracy": {"name": "draft", "known_error": "3 %"},
-    }
     summary = {"x_bar": 5.0, "y_bar": 14.0, "apex_time_s": 0.25, "steps": 700}
-    lines = dict(scene_report(config, summary))
+    lines = dict(scene_report(DRAFT_JUMP, summary))
     assert lines["apex"] == "x 5 L (100 mm), y 14 L (280 mm), 250 ms after the clamps begin to turn"
     assert lines["cost"] == "700 steps"
     assert lines["accuracy"] == "draft: 3 %"
@@ -38,25 +33,13 @@ def test_a_jump_is_reported_in_lengths_and_millimetres():
 
 
 def test_a_changed_tier_claims_no_error():
-    config = {
-        "sim": {"name": "jump"},
-        "design": {"epsilon": 0.2, "delta_alpha": 0.1},
-        "environment": {"mu": 0.3, "mass_bar": 0.768},
-        "robot": {"length_m": 0.02},
-        "accuracy": {"name": "draft", "known_error": "3 %"},
-        "stepping": {"name": "adaptive", "tolerance": 1e-3},
-    }
-    lines = dict(scene_report(config, {}))
+    stepping = {"name": "adaptive", "tolerance": 1e-3}
+    lines = dict(scene_report({**DRAFT_JUMP, "stepping": stepping}, {}))
     assert lines["accuracy"] == "draft, but for stepping.tolerance: its error is not known"
 
 
 def test_other_scenes_show_every_output_by_name_with_its_unit():
-    config = {
-        "sim": {"name": "static"},
-        "design": {"epsilon": 0.2, "delta_alpha": 0.1},
-        "robot": {"length_m": 0.02},
-        "accuracy": {"name": "standard"},
-    }
+    config = {**DRAFT_JUMP, "sim": {"name": "static"}, "accuracy": {"name": "standard"}}
     summary = {"alpha_critical_rad": 0.9117, "h1_bar": 0.08, "wall_seconds": 2.5}
     lines = dict(scene_report(config, summary))
     assert lines["alpha_critical_rad"] == "0.9117 rad"
@@ -64,13 +47,8 @@ def test_other_scenes_show_every_output_by_name_with_its_unit():
     assert lines["cost"] == "2.5 s wall"
 
 
-CONFIG: dict[str, Any] = {
-    "inverse": {"name": "gauss_newton"},
-    "environment": {"mu": 0.3, "mass_bar": 0.768},
-    "robot": {"length_m": 0.02},
-    "sim": {"name": "jump"},
-    "accuracy": {"name": "standard", "known_error": "x within 1 %"},
-}
+STANDARD = {"name": "standard", "known_error": "x within 1 %"}
+CONFIG = {**DRAFT_JUMP, "inverse": {"name": "gauss_newton"}, "accuracy": STANDARD}
 COSTS = {f"one_percent_{name}_bar": 0.1 for name in ("delta_alpha", "epsilon", "mass_bar", "mu")}
 SUMMARY: dict[str, Any] = {
     "reachable": True, "target_x_bar": 5.0, "target_y_bar": 14.0, "epsilon": 0.1877201,

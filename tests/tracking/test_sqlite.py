@@ -3,9 +3,7 @@
 import json
 from pathlib import Path
 
-from .conftest import LAGS, SWEEP, TWO_AT_A_TIME
-
-JUMP = ("sim=jump", "accuracy=draft", "figures=false")
+from .conftest import JUMP, LAGS, SWEEP, TWO_AT_A_TIME
 
 
 def uri_in(folder: Path) -> str:
@@ -63,13 +61,10 @@ def test_a_failed_cell_does_not_stop_the_others(command, database, runs_of, tmp_
     assert recorded == {"ok": "FINISHED", "bad_input": "FAILED", "step_underflow": "FAILED"}
 
 
-def test_bad_input_in_a_cell_gives_exit_code_2(command, tmp_path):
+def test_bad_input_in_a_cell_and_of_a_sweep(command):
     done = command("-m", *JUMP, "tracking=off", "design.epsilon=0.2,0.9")
     assert done.returncode == 2
     assert "design.epsilon = 0.9 is not allowed" in done.stdout
-
-
-def test_bad_input_of_a_sweep_is_one_line(command):
     done = command("-m", "tracking=off", "contact=logbarrier,foo")
     assert done.returncode == 2
     assert done.stderr.startswith("contact = 'foo' is not allowed") and done.stderr.count("\n") == 1
