@@ -38,19 +38,19 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
 
 
 @pytest.fixture
-def command(tmp_path: Path) -> Command:
+def command(tmp_path) -> Command:
     """Runs ``python run.py`` with the given arguments in a folder of its own, in this process."""
     return partial(here, tmp_path)
 
 
 @pytest.fixture
-def process(tmp_path: Path) -> Command:
+def process(tmp_path) -> Command:
     """The same in a process of its own, where it matters that it is one."""
     return partial(apart, tmp_path)
 
 
 @pytest.fixture(scope="session")
-def tables(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def tables(tmp_path_factory) -> Path:
     """A tracking database without records: making one takes longer than most tests.
 
     The first of the processes that tests are spread over makes it for all.
@@ -67,6 +67,6 @@ def tables(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def database(tables: Path, tmp_path: Path) -> Path:
+def database(tables, tmp_path) -> Path:
     """The tracking database of the folder that commands run in, its tables made."""
     return Path(shutil.copy(tables, tmp_path / "mlruns.db"))

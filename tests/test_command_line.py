@@ -2,16 +2,14 @@
 
 import json
 import os
-import signal
 import subprocess
 import sys
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import Done
+from command_line import begun, interrupted, result_in
 
 from snapjump.tasks.command_line import main
 
@@ -22,7 +20,7 @@ JUMP = ("sim=jump", "contact=logbarrier", "accuracy=draft", "figures=false")
 
 
 @pytest.fixture
-def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., int]]:
+def here(tmp_path, monkeypatch) -> Iterator[Callable[..., int]]:
     """The command line in this process, which is quicker than another one."""
     monkeypatch.chdir(tmp_path)
     environment = dict(os.environ)
@@ -34,11 +32,6 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[.
     yield run
     os.environ.clear()
     os.environ.update(environment)
-
-
-def only_folder(path: Path) -> Path:
-    (result,) = path.glob("outputs/*/*/result.json")
-    return result.parent
 
 
 @pytest.mark.parametrize(
@@ -85,13 +78,7 @@ def only_folder(path: Path) -> Path:
         ("hydra.run.dir=/proc/nowhere", ["/proc/nowhere"]),
     ],
 )
-def test_bad_input_is_one_line_and_leaves_nothing(
-    here: Callable[..., int],
-    tmp_path: Path,
-    capfd: pytest.CaptureFixture[str],
-    argument: str,
-    names: list[str],
-) -> None:
+def test_bad_input_is_one_line_and_leaves_nothing(here, tmp_path, capfd, argument, names):
     assert here(argument) == 2
     out, err = capfd.readouterr()
     assert out == "" and err.count("\n") == 1, err
@@ -100,16 +87,14 @@ def test_bad_input_is_one_line_and_leaves_nothing(
     assert not [path for path in tmp_path.rglob("*") if path.is_file()]
 
 
-def test_bad_input_is_found_before_anything_is_compiled(process, tmp_path: Path) -> None:
+def test_bad_input_is_found_before_anything_is_compiled(process, tmp_path):
     done = process("design.epsilon=0.9", "tracking=off", python=("-X", "importtime"))
     assert done.returncode == 2
     assert "design.epsilon = 0.9 is not allowed" in done.stderr.splitlines()[-1]
     assert "compiling" not in done.stderr + done.stdout
 
 
-def test_the_help_page_tells_every_group_and_member(
-    here: Callable[..., int], capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_help_page_tells_every_group_and_member(here, capsys):
     assert here("--help") == 0
     page = capsys.readouterr().out
     for member in CONF.glob("*/*.yaml"):
@@ -120,18 +105,28 @@ def test_the_help_page_tells_every_group_and_member(
     assert max(len(line) for line in page.splitlines()) <= 120
 
 
-def test_help_is_quick(process) -> None:
-    done = process("--help", python=("-X", "importtime"))
-    assert done.returncode == 0
+def imported(process, *arguments):
+    """Modules that the command imports, and what it returns."""
+    done = process(*arguments, python=("-X", "importtime"))
+    lines = [line for line in done.stderr.splitlines() if "|" in line]
+    return {line.split("|")[-1].strip() for line in lines}, done.returncode
+
+
+def test_heavy_libraries_stay_out_of_what_does_not_need_them(process):
+    names, code = imported(process, "--help")
+    assert code == 0
     # Not by the clock: these are what takes a program long to begin.
-    assert not imported(done) & {"numba", "hydra", "scipy", *HEAVY}
+    assert not names & {"numba", "hydra", "scipy", *HEAVY}
+    names, code = imported(process, *JUMP, "tracking=off")
+    assert code == 0
+    assert "snapjump.simulation" in names
+    assert not names & HEAVY
 
 
-def test_what_a_run_leaves(command, tmp_path: Path) -> None:
+def test_what_a_run_leaves(command, tmp_path):
     done = command(*JUMP, "tracking=off", "design.epsilon=0.25")
     assert done.returncode == 0, done.stderr
-    folder = only_folder(tmp_path)
-    result = json.loads((folder / "result.json").read_text())
+    folder, result = result_in(tmp_path)
     assert result["status"] == "ok"
     for key in (
         "x_bar", "y_bar", "apex_time_s", "liftoff_time_s", "liftoff_vx_m_s", "liftoff_vy_m_s",
@@ -149,57 +144,33 @@ def test_what_a_run_leaves(command, tmp_path: Path) -> None:
         assert word in done.stdout
 
 
-def test_two_runs_never_share_a_folder(tmp_path: Path) -> None:
+def test_two_runs_never_share_a_folder(tmp_path):
     arguments = [sys.executable, str(RUN), *JUMP, "tracking=off"]
     both = [subprocess.Popen(arguments, cwd=tmp_path) for _ in range(2)]
     assert [process.wait(300) for process in both] == [0, 0]
     assert len(list(tmp_path.glob("outputs/*/*/result.json"))) == 2
 
 
-def test_without_tracking_the_heavy_libraries_stay_out(process) -> None:
-    done = process(*JUMP, "tracking=off", python=("-X", "importtime"))
-    assert done.returncode == 0
-    assert "snapjump.simulation" in imported(done)
-    assert not imported(done) & HEAVY
-
-
-def imported(done: Done) -> set[str]:
-    """Modules that an interpreter with ``-X importtime`` has imported."""
-    return {line.split("|")[-1].strip() for line in done.stderr.splitlines() if "|" in line}
-
-
-def test_a_simulation_that_cannot_finish_says_so(command, tmp_path: Path) -> None:
+def test_a_simulation_that_cannot_finish_says_so(command, tmp_path):
     done = command(*JUMP, "tracking=off", "contact.distance_m=1e-9")
     assert done.returncode == 3
-    result = json.loads((only_folder(tmp_path) / "result.json").read_text())
+    _, result = result_in(tmp_path)
     assert result["status"] == "step_underflow"
     assert " ms after the start" in result["message"]
     assert result["x_bar"] is None
     assert done.stderr.splitlines()[-1] == f"{result['status']}: {result['message']}"
 
 
-def test_a_robot_that_does_not_jump_is_no_failure(command, tmp_path: Path) -> None:
+def test_a_robot_that_does_not_jump_is_no_failure(command, tmp_path):
     done = command(*JUMP, "tracking=off", "environment.mass_bar=200")
     assert done.returncode == 0
-    result = json.loads((only_folder(tmp_path) / "result.json").read_text())
+    _, result = result_in(tmp_path)
     assert result["status"] == "no_jump" and result["liftoff_time_s"] is None
     assert "no_jump" in done.stdout
 
 
-def test_ctrl_c_leaves_a_clean_marked_run(tmp_path: Path) -> None:
-    process = subprocess.Popen(
-        [sys.executable, str(RUN), "accuracy=reference", "tracking=off"],
-        cwd=tmp_path,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
+def test_ctrl_c_leaves_a_clean_marked_run(tmp_path):
     # The configuration is written just before the work begins.
-    while not list(tmp_path.glob("outputs/*/*/config.yaml")):
-        assert process.poll() is None
-        time.sleep(0.005)
-    process.send_signal(signal.SIGINT)
-    _, errors = process.communicate(timeout=300)
-    assert process.returncode == 130
-    assert "Traceback" not in errors and "interrupted" in errors
-    result = json.loads((only_folder(tmp_path) / "result.json").read_text())
-    assert result["status"] == "interrupted"
+    run = ("accuracy=reference", "tracking=off")
+    interrupted(begun(tmp_path, *run, until="outputs/*/*/config.yaml"))
+    assert result_in(tmp_path)[1]["status"] == "interrupted"

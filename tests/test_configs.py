@@ -50,11 +50,11 @@ def defaults(cls: Any) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("family", EVERY)
-def test_every_member_has_its_file_and_every_file_its_member(family: str) -> None:
+def test_every_member_has_its_file_and_every_file_its_member(family):
     assert files(family) == set(EVERY[family])
 
 
-def test_groups_that_are_no_family_of_the_library() -> None:
+def test_groups_that_are_no_family_of_the_library():
     assert files("task") == set(TASKS)
     assert files("tracking") == set(member_names("tracking"))
     assert files("accuracy") == set(TIERS)
@@ -63,7 +63,7 @@ def test_groups_that_are_no_family_of_the_library() -> None:
 
 
 @pytest.mark.parametrize(("family", "name"), MEMBERS + OTHERS)
-def test_a_file_has_the_fields_and_defaults_of_its_member(family: str, name: str) -> None:
+def test_a_file_has_the_fields_and_defaults_of_its_member(family, name):
     expected = defaults(EVERY[family][name])
     values = section(family, name)
     assert values.pop("name") == name
@@ -79,19 +79,19 @@ def plain(value: Any) -> Any:
 
 
 @pytest.mark.parametrize(("family", "name"), MEMBERS + OTHERS)
-def test_a_file_says_what_its_member_says(family: str, name: str) -> None:
+def test_a_file_says_what_its_member_says(family, name):
     if files_of(family)[name].suffix == ".py":
         documented = (EVERY[family][name].__doc__ or "").strip().splitlines()[0]
         assert describe(file(family, name)) == documented
 
 
 @pytest.mark.parametrize("cls", [Robot, Design, Environment])
-def test_parameters_have_the_library_s_defaults(cls: type) -> None:
+def test_parameters_have_the_library_s_defaults(cls):
     assert hydra_config()[cls.__name__.lower()] == defaults(cls)
 
 
 @pytest.mark.parametrize("name", TIERS)
-def test_a_tier_is_the_library_s(name: str) -> None:
+def test_a_tier_is_the_library_s(name):
     values, tier = section("accuracy", name), TIERS[name]
     numbers = {path.partition(".")[2]: value for path, value in tier.numbers.items()}
     assert values == {"name": name, **numbers, "known_error": tier.known_error}
@@ -104,7 +104,7 @@ def test_a_tier_is_the_library_s(name: str) -> None:
     sorted(p for folder in FOLDERS for p in folder.glob("*/*.yaml")),
     ids=lambda p: f"{p.parent.name}-{p.stem}",
 )
-def test_every_key_has_its_unit_or_range_in_a_comment(path: Path) -> None:
+def test_every_key_has_its_unit_or_range_in_a_comment(path):
     assert describe(path).endswith(".")
     for line in path.read_text().splitlines():
         key = line.strip().partition(":")[0]
@@ -114,12 +114,12 @@ def test_every_key_has_its_unit_or_range_in_a_comment(path: Path) -> None:
 
 @pytest.mark.parametrize("scene", FAMILIES["sim"])
 @pytest.mark.parametrize("accuracy", TIERS)
-def test_every_scene_builds_at_every_accuracy(scene: str, accuracy: str) -> None:
+def test_every_scene_builds_at_every_accuracy(scene, accuracy):
     assert build(hydra_config(f"sim={scene}", f"accuracy={accuracy}")) is not None
 
 
 @pytest.mark.parametrize(("family", "name"), MEMBERS)
-def test_every_member_can_be_chosen(family: str, name: str) -> None:
+def test_every_member_can_be_chosen(family, name):
     scene = () if family == "sim" else (f"sim={SCENE_OF.get((family, name), 'jump')}",)
     config = hydra_config(*scene, *NEEDS.get((family, name), ()), f"{family}={name}")
     assert config[family]["name"] == name
@@ -134,17 +134,17 @@ def test_every_member_of_another_family_can_be_chosen(family, name):
     assert make_member(family, config[family]) == EVERY[family][name]()
 
 
-def test_a_dataset_has_lanes_unless_told_otherwise() -> None:
+def test_a_dataset_has_lanes_unless_told_otherwise():
     assert hydra_config("task=dataset")["backend"]["name"] == "lanes"
     assert hydra_config("task=dataset", "backend=scalar")["backend"]["name"] == "scalar"
     assert hydra_config()["backend"]["name"] == "scalar"
 
 
-def test_the_seed_of_a_run_is_that_of_its_plan() -> None:
+def test_the_seed_of_a_run_is_that_of_its_plan():
     assert hydra_config("task=dataset", "plan=sobol", "seed=5")["plan"]["seed"] == 5
 
 
-def test_a_slurm_sweep_composes_with_its_launcher() -> None:
+def test_a_slurm_sweep_composes_with_its_launcher():
     pytest.importorskip("hydra_plugins.hydra_submitit_launcher", reason="needs snapjump[cluster]")
     register_resolvers()
     with initialize_config_dir(str(CONF), version_base="1.3"):
@@ -155,7 +155,7 @@ def test_a_slurm_sweep_composes_with_its_launcher() -> None:
     assert {key: launcher[key] for key in given} == given
 
 
-def test_the_command_line_wins_over_scene_and_tier() -> None:
+def test_the_command_line_wins_over_scene_and_tier():
     chosen = ("damping=mass_proportional", "friction=lagged", "integrator=sdirk2")
     config = hydra_config("sim=bounce", "accuracy=paper", *chosen, "stepping.step_s=2e-6")
     assert config["damping"]["name"] == "mass_proportional"
@@ -166,6 +166,6 @@ def test_the_command_line_wins_over_scene_and_tier() -> None:
     assert config["discretization"]["clamp"] == "two_nodes"
 
 
-def test_a_key_wins_over_its_tier() -> None:
+def test_a_key_wins_over_its_tier():
     config = hydra_config("accuracy=draft", "discretization.elements=64")
     assert config["discretization"]["elements"] == 64

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from reported import DRAFT_JUMP
 
 from experiments.tradeoff.tiers import PROMISES
 from snapjump.composition import with_tier
@@ -38,9 +39,8 @@ def test_meshes_clamps_and_light_frames():
     assert coarse[0] > 16.0 * fine[0] and coarse[1] > 16.0 * fine[1]
     nodes = mesh_percent(DiscreteElasticRod(elements=128, clamp="two_nodes"), DAMPED_S)
     assert nodes[0] > 5.0 * fine[0]
-    heavy, light = (
-        error_estimate(STANDARD, 1e-6, ratio, DAMPED_S).x_percent for ratio in (HEAVY, 24.0)
-    )
+    ratios = (HEAVY, 24.0)
+    heavy, light = (error_estimate(STANDARD, 1e-6, r, DAMPED_S).x_percent for r in ratios)
     assert light > 3.0 * heavy
 
 
@@ -63,17 +63,8 @@ def test_promises_are_those_of_the_tiers():
 
 @pytest.mark.parametrize(("within", "lines"), [(True, 0), (False, 1)])
 def test_a_jump_beyond_its_tier_says_so(within, lines):
-    config = {
-        "sim": {"name": "jump"},
-        "design": {"epsilon": 0.2, "delta_alpha": 0.1},
-        "environment": {"mu": 0.3, "mass_bar": 0.768},
-        "robot": {"length_m": 0.02},
-        "accuracy": {"name": "draft", "known_error": "3 %"},
-    }
     summary = {"x_bar": 5.0, "y_bar": 14.0, "error_estimate_percent": 7.1, "within_tier": within}
-    told = [
-        text for heading, text in scene_report(config, summary) if heading == "warning" and text
-    ]
-    assert len(told) == lines
-    if told:
-        assert told == ["estimated error 7.1 %, more than the 3 % that draft stands for"]
+    report = scene_report(DRAFT_JUMP, summary)
+    told = [text for heading, text in report if heading == "warning" and text]
+    expected = "estimated error 7.1 %, more than the 3 % that draft stands for"
+    assert told == [expected] * lines

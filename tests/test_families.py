@@ -1,4 +1,4 @@
-"""Families of kernels: every member fulfils its contract, and every option becomes a member."""
+"""Families: members are found by their files, fulfil their contract and become of options."""
 
 import importlib
 import pkgutil
@@ -6,8 +6,10 @@ from pathlib import Path
 
 import pytest
 from families import EVERY
+from refusals import refused
 
 import snapjump
+from snapjump.declare.members import make_member, member_group, member_names
 from snapjump.number.compile_cache import KERNEL_PACKAGES
 from snapjump.number.methods import METHODS, Contract, methods_of
 
@@ -71,3 +73,28 @@ def test_sources_of_all_kernels_name_the_folder_of_the_compiled_ones():
 def test_every_option_has_a_docstring_and_defaults(family):
     for options in EVERY[family].values():
         assert type(options()).__doc__
+
+
+def test_members_are_the_modules_but_for_the_contract():
+    assert "mlp" in member_names("surrogate")
+    assert "base" not in member_names("surrogate")
+
+
+def test_a_group_becomes_options_and_back():
+    group = {"name": "mlp", "width": 8, "layers": 2}
+    assert member_group(make_member("surrogate", group)) == group
+
+
+@pytest.mark.parametrize(
+    ("group", "key"),
+    [
+        ({"name": "nonesuch"}, "surrogate"),
+        ({"name": "base"}, "surrogate"),
+        ({"name": "mlp", "width": 8, "layers": 2, "depth": 3}, "surrogate.depth"),
+        ({"name": "mlp", "width": 0, "layers": 2}, "surrogate.width"),
+        ("mlp", "surrogate"),
+    ],
+)
+def test_bad_groups_are_named(group, key):
+    with refused(key):
+        make_member("surrogate", group)

@@ -8,7 +8,7 @@ import pytest
 from snapjump import Environment, ParameterError
 from snapjump.batch import simulate_batch, variants
 from snapjump.batch.alike import check_alike
-from snapjump.composition import Simulation, with_tier
+from snapjump.composition import with_tier
 from snapjump.declare.members import member_class
 from snapjump.stepping.fixed import FixedStep
 
@@ -25,19 +25,19 @@ OTHERS = {
 
 
 @pytest.mark.parametrize("family", OTHERS)
-def test_another_composition_is_refused_by_name(family: str) -> None:
+def test_another_composition_is_refused_by_name(family):
     with pytest.raises(ParameterError, match=f"^{family} = .* is not allowed: .*first robot"):
         simulate_batch([BASE, replace(BASE, **{family: OTHERS[family]})])
 
 
-def test_other_numbers_march_together() -> None:
+def test_other_numbers_march_together():
     contact = replace(BASE.contact, stiffness_N_m=2e4)
     robot = replace(BASE.robot, mount_height=2e-3, gravity_m_s2=9.8)
     check_alike([BASE, replace(BASE, contact=contact), replace(BASE, robot=robot)])
 
 
 @pytest.mark.parametrize("stepping", ["adaptive", "fixed"])
-def test_robots_of_other_scales_march_together(stepping: str, base: Simulation) -> None:
+def test_robots_of_other_scales_march_together(stepping, base):
     """Each as if it were alone, to the last bit, up to its own time limit."""
     if stepping == "fixed":
         base = replace(base, stepping=FixedStep(step_s=4e-5))
@@ -56,7 +56,7 @@ def test_robots_of_other_scales_march_together(stepping: str, base: Simulation) 
     np.testing.assert_array_equal(together.estimate.x_percent, expected)
 
 
-def test_a_variant_keeps_what_it_does_not_change() -> None:
+def test_a_variant_keeps_what_it_does_not_change():
     class Windy(Environment):
         """An environment with one field more."""
 
@@ -65,4 +65,6 @@ def test_a_variant_keeps_what_it_does_not_change() -> None:
     base = replace(BASE, environment=Windy(wind_rad=0.1))
     (other,) = variants(base, [(0.05, 0.25, 1.2, 0.4)])
     assert other.environment == Windy(mu=0.4, mass_bar=1.2, wind_rad=0.1)
-    assert {f.name for f in fields(other.environment)} == {"mu", "mass_bar", "wind_rad"}
+    assert {f.name for f in fields(other.environment)} == {f.name for f in fields(Environment)} | {
+        "wind_rad"
+    }

@@ -154,7 +154,8 @@ def test_a_folder_of_another_dataset_is_refused_with_the_first_difference(tmp_pa
 
 
 def test_a_folder_of_other_sources_or_of_something_else_is_refused(tmp_path):
-    folder = DatasetFolder(tmp_path / "of before")
+    folder = DatasetFolder(tmp_path / "before")
+    folder.path.mkdir()
     other = {**SPECIFICATION.plain, "source_sha256": "of before"}
     write_sealed(folder.specification, other)
     assert first_error(folder, SPECIFICATION).startswith("source_sha256 = ")

@@ -1,7 +1,6 @@
 """Declared fields: defaults, ranges as data, one line for what is not allowed."""
 
 from dataclasses import FrozenInstanceError, fields, replace
-from typing import Any
 
 import pytest
 
@@ -27,7 +26,7 @@ class Damped(Spring):
     damping_s: float = number(0.0, least=0.0, unit="s")
 
 
-def test_defaults_and_equality() -> None:
+def test_defaults_and_equality():
     assert Spring() == Spring(1e5, 0.5, 8, "linear", False)
     assert replace(Spring(), share=1.0).share == 1.0
     assert [f.name for f in fields(Damped)][-1] == "damping_s"
@@ -51,13 +50,13 @@ def test_defaults_and_equality() -> None:
         ({"damping_s": -1.0}, "contact.damping_s = -1.0 is not allowed: a number in [0, inf) s"),
     ],
 )
-def test_what_is_not_allowed_is_one_line(values: dict[str, Any], line: str) -> None:
+def test_what_is_not_allowed_is_one_line(values, line):
     with pytest.raises(ParameterError) as raised:
         Damped(**values)
     assert str(raised.value) == line
 
 
-def test_ranges_are_data() -> None:
+def test_ranges_are_data():
     allowed = {f.name: f.metadata["allowed"] for f in fields(Spring)}
     assert allowed["share"][:3] == (0.0, 1.0, False)
     assert allowed["stiffness_N_m"].unit == "N/m" and allowed["stiffness_N_m"].above

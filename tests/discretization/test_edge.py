@@ -36,7 +36,7 @@ def plain_figures(numbers: Any) -> Any:
     return np.array([*edge, half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)])
 
 
-def test_edges_and_angles_of_duals() -> None:
+def test_edges_and_angles_of_duals():
     random = np.random.default_rng(3)
     for _ in range(20):
         memory = aligned_zeros((8, 8))

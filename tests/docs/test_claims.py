@@ -28,9 +28,7 @@ PRINTED = {"README.md": "ok 5.3", "docs/designing.md": "True [", "docs/datasets.
 
 
 @pytest.mark.parametrize(("source", "page"), PYTHON.items(), ids=PYTHON.values())
-def test_every_python_block_runs(
-    source: str, page: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_every_python_block_runs(source, page, capsys):
     if "ContactLaw" in source:
         assert source in LAW_PAGE
         return
@@ -38,7 +36,7 @@ def test_every_python_block_runs(
     assert capsys.readouterr().out.startswith(PRINTED[page])
 
 
-def test_its_figures_stand_where_they_come_from() -> None:
+def test_its_figures_stand_where_they_come_from():
     """The table against the paper: each number of ours on the page that its row links to (which
     may have more digits), and each factor the ratio of the numbers, whichever way is better."""
     table = README.partition("| | theirs |")[2].partition("\n\n")[0]
@@ -70,7 +68,7 @@ def numbers(cell: str, first: bool = False) -> list[str]:
     return re.findall(r"\d+(?:\.\d+)?", plain)
 
 
-def test_generated_sections_are_there() -> None:
+def test_generated_sections_are_there():
     models = (ROOT / "docs/forward_models.md").read_text(encoding="utf-8")
     for text, section in (
         (README, "inverse"),
@@ -81,7 +79,7 @@ def test_generated_sections_are_there() -> None:
         assert text.index(f"<!-- {section}:begin -->") < text.index(f"<!-- {section}:end -->")
 
 
-def test_the_citation_is_of_this_version() -> None:
+def test_the_citation_is_of_this_version():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     citation = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
     assert citation["version"] == project["version"]

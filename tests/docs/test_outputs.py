@@ -2,15 +2,13 @@
 
 from pathlib import Path
 
-import pytest
-
 from snapjump.tasks.publish import replaced
 from snapjump.terminal.output_table import output_table
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "outputs.md"
 
 
-def test_the_table_of_outputs_is_that_of_the_declarations(pytestconfig: pytest.Config) -> None:
+def test_the_table_of_outputs_is_that_of_the_declarations(pytestconfig):
     written = PAGE.read_text(encoding="utf-8")
     text = replaced(written, "outputs", output_table())
     if pytestconfig.getoption("--write-golden"):

@@ -67,15 +67,13 @@ def plain(override: Override) -> str:
     return f"{override.get_key_element()}={first}"
 
 
-def test_commands_are_found() -> None:
+def test_commands_are_found():
     assert len(RUNS) > 40
     assert {"experiments.grid", "experiments.start", "experiments.speed"} <= set(MODULES)
 
 
 @pytest.mark.parametrize("run", RUNS, ids=" ".join)
-def test_every_command_is_accepted(
-    run: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_every_command_is_accepted(run, tmp_path, monkeypatch):
     """As far as it is found out before work begins, without the data that only a reader has."""
     if "--help" in run:
         return
@@ -95,12 +93,12 @@ def test_every_command_is_accepted(
 
 
 @pytest.mark.parametrize("module", MODULES)
-def test_every_module_exists(module: str) -> None:
+def test_every_module_exists(module):
     assert importlib.util.find_spec(module) is not None
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name)
-def test_every_link_leads_to_a_file(page: Path) -> None:
+def test_every_link_leads_to_a_file(page):
     text = FENCE.sub("", page.read_text(encoding="utf-8"))
     targets = [t.partition("#")[0] for t in LINK.findall(text) if "://" not in t]
     missing = [t for t in targets if t and not (page.parent / t).exists()]
@@ -108,7 +106,7 @@ def test_every_link_leads_to_a_file(page: Path) -> None:
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name)
-def test_every_link_into_a_page_leads_to_a_heading(page: Path) -> None:
+def test_every_link_into_a_page_leads_to_a_heading(page):
     text = FENCE.sub("", page.read_text(encoding="utf-8"))
     for target in LINK.findall(text):
         file, _, anchor = target.partition("#")
@@ -119,7 +117,7 @@ def test_every_link_into_a_page_leads_to_a_heading(page: Path) -> None:
             assert anchor in known
 
 
-def test_every_target_of_make_exists() -> None:
+def test_every_target_of_make_exists():
     makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
     code = ""
     for page in PAGES:
@@ -132,7 +130,7 @@ def test_every_target_of_make_exists() -> None:
         assert re.search(rf"^{target}:", makefile, re.MULTILINE), target
 
 
-def test_every_study_has_a_command() -> None:
+def test_every_study_has_a_command():
     """Each task that can publish a page is named with its command."""
     named = {word for run in RUNS for word in run}
     assert {f"task={task}" for task in TASKS if is_study(task)} <= named

@@ -8,8 +8,13 @@ from snapjump.engine import clock as c
 from snapjump.engine.status import OK
 from snapjump.scenes import runner
 
-# A width that no other test compiles for.
-TWO = pytest.param(2, marks=pytest.mark.compiles)
+
+def two(*others):
+    """A width that no other test compiles for."""
+    return pytest.param(2, *others, marks=pytest.mark.compiles)
+
+
+widths = pytest.mark.parametrize("width", [1, two()])
 
 
 @pytest.fixture(scope="session")
@@ -48,10 +53,14 @@ def test_starts_are_equilibria_of_a_stable_branch(starts):
     np.testing.assert_allclose(nodes[even], mirrored, atol=1e-9)
 
 
-@pytest.mark.parametrize("width", [TWO, 8])
-def test_outcomes_do_not_depend_on_the_lanes(starts, alone, width):
-    outcome = small_march(DESIGNS, width, starts).run()
-    assert np.array_equal(outcome, alone)
+@pytest.mark.parametrize(
+    ("width", "threads"),
+    [(8, 1), (8, 2), (1, 2), (1, 3), (1, 5), *(two(threads) for threads in (1, 2, 3, 5))],
+)
+def test_outcomes_do_not_depend_on_lanes_and_threads(starts, alone, width, threads):
+    march = small_march(DESIGNS, width, starts, threads=threads)
+    assert len(march.crew) == threads
+    assert np.array_equal(march.run(), alone)
 
 
 @pytest.mark.parametrize("seed", [0, 1])
@@ -79,29 +88,16 @@ def test_robots_without_a_start_are_skipped(starts, alone):
     assert (outcome[[0, 4, 10], c.STATUS] == 7.0).all()
 
 
-def test_starts_in_lanes_are_those_of_single_robots(starts):
-    march = small_march(DESIGNS, 8)
+@pytest.mark.parametrize(("width", "threads"), [(8, 1), (1, 3), two(3)])
+def test_lanes_and_threads_find_the_same_starts(starts, width, threads):
+    march = small_march(DESIGNS, width, threads=threads)
     march.find_starts()
     assert not march.queue.status.any()
     for found, expected in zip(march.queue[1:4], starts, strict=True):
         assert np.array_equal(found, expected)
 
 
-@pytest.mark.parametrize("threads", [2, 3, 5])
-@pytest.mark.parametrize("width", [1, TWO])
-def test_outcomes_do_not_depend_on_the_threads(starts, alone, width, threads):
-    march = small_march(DESIGNS, width, starts, threads=threads)
-    assert len(march.crew) == threads
-    assert np.array_equal(march.run(), alone)
-
-
-def test_outcomes_do_not_depend_on_the_threads_of_eight_lanes(starts, alone):
-    march = small_march(DESIGNS, 8, starts, threads=2)
-    assert len(march.crew) == 2
-    assert np.array_equal(march.run(), alone)
-
-
-@pytest.mark.parametrize("width", [1, TWO])
+@widths
 def test_workers_that_take_turns_share_one_queue(starts, alone, monkeypatch, width):
     """Slices of three workers in an order that no race decides: each gets its part."""
     monkeypatch.setattr(runner, "PASSES_PER_SLICE", 7)
@@ -124,15 +120,6 @@ def take_turns(crew, advance, report):
     while working:
         working = [worker for worker in working if not advance(worker)]
         report()
-
-
-@pytest.mark.parametrize("width", [1, TWO])
-def test_threads_find_the_same_starts(starts, width):
-    march = small_march(DESIGNS, width, threads=3)
-    march.find_starts()
-    assert not march.queue.status.any()
-    for found, expected in zip(march.queue[1:4], starts, strict=True):
-        assert np.array_equal(found, expected)
 
 
 def test_no_more_threads_than_there_is_work_for(starts):

@@ -29,19 +29,10 @@ def starts():
 
 
 def go_on(march, passes, of_a_stage=25.0, of_a_march=2e6, **stepping):
-    return loop.march(
-        march.models[0],
-        march.masses,
-        march.scheme,
-        march.stepping._replace(**stepping),
-        march.ending,
-        Limits(of_a_stage, of_a_march),
-        march.recorder,
-        march.memory,
-        march.queue,
-        (0,) * march.lanes,
-        passes,
-    )
+    parts = (march.models[0], march.masses, march.scheme, march.stepping._replace(**stepping))
+    limits, lanes = Limits(of_a_stage, of_a_march), (0,) * march.lanes
+    rest = (march.ending, limits, march.recorder, march.memory, march.queue, lanes)
+    return loop.march(*parts, *rest, passes)
 
 
 def allocations(march, passes):
@@ -69,9 +60,8 @@ def test_nothing_is_allocated_in_the_loop(starts, lanes):
 
 
 def test_slices_of_passes_are_one_march(starts):
-    whole = small_march(DESIGNS[:3], 1, [v[:3] for v in starts])
+    whole, sliced = (small_march(DESIGNS[:3], 1, [v[:3] for v in starts]) for _ in range(2))
     assert go_on(whole, 1_000_000)
-    sliced = small_march(DESIGNS[:3], 1, [v[:3] for v in starts])
     slices = 1
     while not go_on(sliced, 97):
         slices += 1
@@ -81,53 +71,53 @@ def test_slices_of_passes_are_one_march(starts):
     assert go_on(sliced, 97)
 
 
-def one(starts, **changed):
-    march = small_march(DESIGNS[1:2], 1, [v[1:2] for v in starts], **changed)
-    return march
+def ends(march, passes, **limits):
+    """What becomes of a march of one robot that ends within so many passes."""
+    assert go_on(march, passes, **limits)
+    return march.queue.outcome[0]
 
 
-def test_iteration_limit(starts):
-    march = one(starts)
-    assert go_on(march, 1000, of_a_march=20.0)
-    outcome = march.queue.outcome[0]
+@pytest.fixture
+def one(starts):
+    return lambda **changed: small_march(DESIGNS[1:2], 1, [v[1:2] for v in starts], **changed)
+
+
+def test_iteration_limit(one):
+    outcome = ends(one(), 1000, of_a_march=20.0)
     assert outcome[c.STATUS] == ITERATION_LIMIT
     assert outcome[c.ITERATIONS] == 20.0
 
 
-def test_step_underflow(starts):
-    """If one iteration is never enough, Newton's method fails however small the step."""
-    march = one(starts)
-    assert go_on(march, 1000, of_a_stage=1.0, smallest=1e-5, newton_share=1e-12)
-    outcome = march.queue.outcome[0]
+def test_step_underflow(one):
+    """If one iteration is never enough, Newton's method fails however small the step; so does the
+    estimate of the error for a tolerance that is never met."""
+    march = one()
+    outcome = ends(march, 1000, of_a_stage=1.0, smallest=1e-5, newton_share=1e-12)
     assert outcome[c.STATUS] == STEP_UNDERFLOW
     assert outcome[c.STEPS] == 0.0
     assert outcome[c.STEP] < 1e-5
     # 0.4^k of the first step: one failure each
     assert outcome[c.FAILURES] == np.ceil(np.log(1e-5 / march.stepping.first) / np.log(0.4))
-
-
-def test_step_underflow_by_the_error_estimate(starts):
-    march = one(starts)
-    assert go_on(march, 1000, tolerance=1e-16, newton_share=1e4, smallest=1e-5)
-    outcome = march.queue.outcome[0]
+    outcome = ends(one(), 1000, tolerance=1e-16, newton_share=1e4, smallest=1e-5)
     assert outcome[c.STATUS] == STEP_UNDERFLOW
     assert outcome[c.REJECTED] > 0.0
 
 
-def test_time_limit_while_the_clamps_still_turn(starts):
-    march = one(starts, duration=0.05)
-    assert go_on(march, 10_000)
-    outcome = march.queue.outcome[0]
+def test_time_limit(one):
+    """While the clamps still turn; if they have stopped before the snap, there was no jump."""
+    outcome = ends(one(duration=0.05), 10_000)
     assert outcome[c.STATUS] == TIME_LIMIT
     assert outcome[c.TIME] == pytest.approx(0.05, rel=1e-9)
     assert outcome[c.STEPS] > 3.0
-
-
-def test_a_robot_whose_clamps_have_stopped_before_the_snap_has_not_jumped(starts):
-    march = one(starts, duration=0.05)
+    march = one(duration=0.05)
     march.queue.numbers[0, number_of(march.models[0], "clamp", "end")] = march.models[0].clamp.start
-    assert go_on(march, 10_000)
-    assert march.queue.outcome[0, c.STATUS] == NO_JUMP
+    assert ends(march, 10_000)[c.STATUS] == NO_JUMP
+
+
+def test_a_state_that_is_not_finite_is_not_followed(one):
+    march = one()
+    march.queue.velocity[0, 10] = np.nan
+    assert ends(march, 100_000)[c.STATUS] not in (RUNNING, OK, NO_JUMP)
 
 
 def test_a_start_beyond_the_fold_is_refused():
@@ -136,13 +126,6 @@ def test_a_start_beyond_the_fold_is_refused():
     march.queue.numbers[0, number_of(march.models[0], "clamp", "start")] = 1.2
     march.find_starts()
     assert march.queue.status[0] == NO_EQUILIBRIUM
-
-
-def test_a_state_that_is_not_finite_is_not_followed(starts):
-    march = one(starts)
-    march.queue.velocity[0, 10] = np.nan
-    assert go_on(march, 100_000)
-    assert march.queue.outcome[0, c.STATUS] not in (RUNNING, OK, NO_JUMP)
 
 
 def test_every_status_has_a_name_and_a_reason():

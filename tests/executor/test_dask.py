@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from command_line import begun
 from small_datasets import BACKEND, OVERRIDES, generated, small
 
 from snapjump.checks import ParameterError
@@ -34,7 +35,7 @@ def start(tool: str, *arguments: str) -> "subprocess.Popen[bytes]":
 
 
 @pytest.fixture
-def cluster(tmp_path: Path) -> Iterator[tuple[str, list["subprocess.Popen[bytes]"]]]:
+def cluster(tmp_path) -> Iterator[tuple[str, list["subprocess.Popen[bytes]"]]]:
     """Address of a real scheduler, and its two worker processes."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
@@ -67,7 +68,7 @@ def wait_for_workers(address: str) -> None:
         client.wait_for_workers(2, timeout=PATIENCE_S)
 
 
-def test_a_killed_worker_costs_nothing_but_time(cluster, tmp_path: Path) -> None:
+def test_a_killed_worker_costs_nothing_but_time(cluster, tmp_path):
     address, workers = cluster
     killed: list[float] = []
 
@@ -87,7 +88,7 @@ def test_a_killed_worker_costs_nothing_but_time(cluster, tmp_path: Path) -> None
     assert not list((path / "shards").glob(".*.json.*"))
 
 
-def test_workers_started_here_by_the_command_line(process, tmp_path: Path) -> None:
+def test_workers_started_here_by_the_command_line(process, tmp_path):
     plan = ("plan=latin_hypercube", "plan.count=24", "dataset.shard_size=8")
     done = process(
         *OVERRIDES, *plan, "executor=dask", "dataset.path=d", "tracking=off", "figures=false"
@@ -95,11 +96,8 @@ def test_workers_started_here_by_the_command_line(process, tmp_path: Path) -> No
     assert done.returncode == 0, done.stderr
     assert "24 now" in done.stdout
     generated(tmp_path / "local", small())
-    assert (
-        open_dataset(tmp_path / "d")
-        .table(["index", "x_bar"])
-        .equals(open_dataset(tmp_path / "local").table(["index", "x_bar"]))
-    )
+    here, local = (open_dataset(tmp_path / n).table(["index", "x_bar"]) for n in ("d", "local"))
+    assert here.equals(local)
 
 
 def still_running(group: int) -> list[str]:
@@ -115,19 +113,10 @@ def still_running(group: int) -> list[str]:
     return found
 
 
-def test_ctrl_c_of_a_terminal_stops_all_processes_without_a_word_of_theirs(tmp_path: Path) -> None:
+def test_ctrl_c_of_a_terminal_stops_all_processes_without_a_word_of_theirs(tmp_path):
     plan = ("plan=sobol", "plan.count=20000", "dataset.shard_size=16", "executor=dask")
-    process = subprocess.Popen(
-        [sys.executable, str(ROOT / "run.py"), *OVERRIDES, *plan, "dataset.path=d", "tracking=off"],
-        cwd=tmp_path,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        start_new_session=True,
-    )
-    while len(list(tmp_path.glob("d/shards/*.json"))) < 3:
-        assert process.poll() is None
-        time.sleep(0.05)
+    run = (*OVERRIDES, *plan, "dataset.path=d", "tracking=off")
+    process = begun(tmp_path, *run, until="d/shards/shard-00002.json", start_new_session=True)
     os.killpg(process.pid, signal.SIGINT)
     out, errors = process.communicate(timeout=PATIENCE_S)
     assert process.returncode == 130
@@ -139,7 +128,7 @@ def test_ctrl_c_of_a_terminal_stops_all_processes_without_a_word_of_theirs(tmp_p
         time.sleep(0.1)
 
 
-def test_what_a_worker_raises_comes_here(cluster) -> None:
+def test_what_a_worker_raises_comes_here(cluster):
     address, _ = cluster
     with DaskExecutor(address, 1) as executor:
         assert executor.cores >= 1 and executor.threads is None
@@ -149,7 +138,7 @@ def test_what_a_worker_raises_comes_here(cluster) -> None:
             list(executor.answers(make_shard, [{"backend": BACKEND}], lambda share: None))
 
 
-def test_no_scheduler_is_bad_input() -> None:
+def test_no_scheduler_is_bad_input():
     with socket.socket() as unused:
         unused.bind(("127.0.0.1", 0))
         address = f"tcp://127.0.0.1:{unused.getsockname()[1]}"
@@ -157,13 +146,13 @@ def test_no_scheduler_is_bad_input() -> None:
             Dask(address).executor().check()
 
 
-def test_without_the_package_it_says_what_to_install(monkeypatch) -> None:
+def test_without_the_package_it_says_what_to_install(monkeypatch):
     monkeypatch.setattr("snapjump.executor.dask.find_spec", lambda name: None)
     with pytest.raises(ParameterError, match=r"snapjump\[cluster\]"):
         Dask().executor().check()
 
 
-def test_workers_here_share_the_cores() -> None:
+def test_workers_here_share_the_cores():
     cores = len(os.sched_getaffinity(0))
     assert DaskExecutor(None, 1).threads == cores
     assert DaskExecutor(None, 10 * cores).threads == 1

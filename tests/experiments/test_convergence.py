@@ -3,7 +3,6 @@
 import json
 import re
 import sqlite3
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -24,13 +23,13 @@ def base(**parts: Any) -> dict[str, Any]:
     return described(with_tier("standard", **parts))
 
 
-def test_a_description_builds_the_same_simulation() -> None:
+def test_a_description_builds_the_same_simulation():
     for tier in ("draft", "paper"):
         simulation = with_tier(tier)
         assert composed(described(simulation)) == simulation
 
 
-def test_another_member_drops_the_values_of_the_old_one() -> None:
+def test_another_member_drops_the_values_of_the_old_one():
     groups = changed(base(), {"stepping": {"name": "fixed", "step_s": 1e-6}})
     assert groups["stepping"] == {"name": "fixed", "step_s": 1e-6}
     assert changed(base(), {"contact": {"distance_m": 1.0}})["contact"]["stiffness_N_m"] == 1e4
@@ -38,9 +37,7 @@ def test_another_member_drops_the_values_of_the_old_one() -> None:
 
 @pytest.mark.parametrize("integrator", FAMILIES["integrator"])
 @pytest.mark.parametrize("stepping", ["adaptive", "fixed"])
-def test_the_reference_in_time_is_another_and_much_tighter_method(
-    integrator: str, stepping: str
-) -> None:
+def test_the_reference_in_time_is_another_and_much_tighter_method(integrator, stepping):
     groups = changed(base(), {"integrator": {"name": integrator}, "stepping": {"name": stepping}})
     groups["stepping"] |= {"tolerance": 1e-6} if stepping == "adaptive" else {"step_s": 1e-5}
     time, *others = ladders(groups, 4)
@@ -54,12 +51,12 @@ def test_the_reference_in_time_is_another_and_much_tighter_method(
             assert level["stepping"]["tolerance"] <= 1e-9
 
 
-def test_only_what_the_composition_has_is_refined() -> None:
+def test_only_what_the_composition_has_is_refined():
     names = [ladder.name for ladder in ladders(changed(base(), {"friction": {"name": "none"}}), 3)]
     assert names == ["time", "nodes", "barrier", "stiffness"]
 
 
-def test_other_scenes_are_refused() -> None:
+def test_other_scenes_are_refused():
     config = {**base(), "task": {"name": "convergence", "levels": None}, "effort": "quick"}
     with pytest.raises(ParameterError, match="sim = 'snap'"):
         Convergence().prepare({**config, "sim": {"name": "snap"}})
@@ -69,9 +66,7 @@ def test_other_scenes_are_refused() -> None:
 
 
 @pytest.mark.compiles
-def test_from_the_command_line_to_record_and_documentation(
-    command: Any, database: Path, tmp_path: Path
-) -> None:
+def test_from_the_command_line_to_record_and_documentation(command, database, tmp_path):
     (tmp_path / "docs").mkdir()
     done = command(*TINY, "publish=docs/studies")
     assert done.returncode == 0, done.stderr
@@ -98,7 +93,7 @@ def test_from_the_command_line_to_record_and_documentation(
 
 
 @pytest.mark.compiles
-def test_a_sweep_of_studies(command: Any, tmp_path: Path) -> None:
+def test_a_sweep_of_studies(command, tmp_path):
     two = command("-m", *TINY, "figures=false", "tracking=off", "integrator=tr_bdf2,sdirk2")
     assert two.returncode == 0, two.stderr
     assert len(list(tmp_path.glob("outputs/studies/convergence-*"))) == 2

@@ -1,7 +1,5 @@
 """Kills at random moments, on a dataset of a few seconds."""
 
-from pathlib import Path
-
 from small_datasets import OVERRIDES
 
 from experiments.faults import faults
@@ -9,7 +7,7 @@ from experiments.faults import faults
 SMALL = ("plan=sobol", "plan.count=192", "dataset.shard_size=8", *OVERRIDES)
 
 
-def test_killed_runs_end_in_the_same_dataset(tmp_path: Path) -> None:
+def test_killed_runs_end_in_the_same_dataset(tmp_path):
     found = faults(tmp_path, 3, SMALL, seed=1)
     assert found["manifests_identical"]
     assert found["kills"] == 3 and found["kills_before_the_end"] >= 2

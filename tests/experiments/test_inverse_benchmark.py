@@ -25,7 +25,7 @@ from snapjump.simulation import build
 
 
 @pytest.fixture(scope="module")
-def checkpoint(tmp_path_factory: Any) -> Path:
+def checkpoint(tmp_path_factory) -> Path:
     """An interpolation between 250 coarse jumps."""
     path: Path = tmp_path_factory.mktemp("coarse")
     generated(path / "jumps", small(250, 250))
@@ -62,7 +62,7 @@ def rows(*misses: float | None, **changes: Any) -> list[dict[str, Any]]:
     ]
 
 
-def test_problems_are_the_same_whichever_are_asked_for() -> None:
+def test_problems_are_the_same_whichever_are_asked_for():
     base = build(CONFIG)
     both, second = (make_problems(base, RANGES, 3, first, 2) for first in (0, 1))
     assert np.array_equal(both.hidden[1:], second.hidden)
@@ -73,9 +73,7 @@ def test_problems_are_the_same_whichever_are_asked_for() -> None:
     assert not np.array_equal(other.hidden, both.hidden[:1])
 
 
-def test_physics_hits_what_the_forward_model_misses(
-    checkpoint: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_physics_hits_what_the_forward_model_misses(checkpoint, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     study = InverseBenchmark()
     study.prepare(configured(checkpoint=str(checkpoint)))
@@ -95,9 +93,7 @@ def test_physics_hits_what_the_forward_model_misses(
     assert own["physics"] < 0.1 * own["gauss_newton"]
 
 
-def test_the_study_concludes_and_replaces_readme_s_table(
-    checkpoint: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_study_concludes_and_replaces_readme_s_table(checkpoint, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     config = configured(checkpoint=str(checkpoint), methods=["gauss_newton"], problems=1)
     outcome, folder = run_study(InverseBenchmark(), config, tmp_path / "run")
@@ -106,9 +102,7 @@ def test_the_study_concludes_and_replaces_readme_s_table(
     assert "`gauss_newton`" in (folder.path / "inverse.block.md").read_text()
 
 
-def test_the_region_is_held_against_simulation(
-    checkpoint: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_region_is_held_against_simulation(checkpoint, monkeypatch):
     monkeypatch.setattr(region, "POINTS", 9)
     inputs = {"checkpoint": str(checkpoint), "groups": COARSE, "seed": 0}
     (row,) = region.region_rows({**inputs, "first": 0, "last": 1})
@@ -120,7 +114,7 @@ def test_the_region_is_held_against_simulation(
     assert row["false_accepts"] == 100 - row["reachable"]
 
 
-def test_a_summary_is_of_the_misses_that_are_known() -> None:
+def test_a_summary_is_of_the_misses_that_are_known():
     row = summary_row("physics", rows(0.01, 0.03, None, 0.5))
     assert row["mean_mm_standard"] == pytest.approx(0.18)
     assert row["max_mm_reference"] == pytest.approx(1.0)
@@ -129,27 +123,27 @@ def test_a_summary_is_of_the_misses_that_are_known() -> None:
     assert row["simulations_mean"] == 24.0
 
 
-def test_solved_is_judged_where_the_method_finished() -> None:
+def test_solved_is_judged_where_the_method_finished():
     assert summary_row("physics", rows(0.06))["solved"] == 1
     assert summary_row("physics", rows(0.06, finished_at="reference"))["solved"] == 0
 
 
-def test_what_is_called_unreachable_is_not_solved() -> None:
+def test_what_is_called_unreachable_is_not_solved():
     row = summary_row("physics", rows(0.01, 0.02, reachable=False))
     assert (row["solved"], row["called_unreachable"]) == (0, 2)
 
 
-def test_a_method_whose_every_design_failed_has_no_mean() -> None:
+def test_a_method_whose_every_design_failed_has_no_mean():
     row = summary_row("bayesian", rows(None, None))
     assert np.isnan(row["mean_mm_standard"]) and row["failed_standard"] == 2
 
 
-def test_every_miss_of_a_method_with_a_simulator_is_listed() -> None:
+def test_every_miss_of_a_method_with_a_simulator_is_listed():
     missed = unsolved({"physics": rows(0.01, None, 0.2), "adam": rows(5.0)})
     assert [row["problem"] for row in missed] == [1, 2]
 
 
-def test_the_block_has_every_method_and_the_paper_s_numbers() -> None:
+def test_the_block_has_every_method_and_the_paper_s_numbers():
     table = [summary_row(name, rows(0.01, 0.02)) for name in METHODS]
     text = readme_block(table, 2)
     assert "`physics`, finishing at reference" in text
@@ -157,17 +151,17 @@ def test_the_block_has_every_method_and_the_paper_s_numbers() -> None:
         assert str(row["mean_mm"]) in text
 
 
-def test_every_member_is_compared() -> None:
+def test_every_member_is_compared():
     assert {group["name"] for group in METHODS.values()} == set(member_names("inverse"))
     assert chosen(None).keys() == METHODS.keys()
 
 
-def test_the_figure_is_drawn_with_misses_that_are_unknown(tmp_path: Path) -> None:
+def test_the_figure_is_drawn_with_misses_that_are_unknown(tmp_path):
     draw_benchmark({"adam": rows(1.0, None), "physics": rows(0.01, 0.02)}, tmp_path / "m.png")
     assert (tmp_path / "m.png").stat().st_size > 10_000
 
 
-def test_stretches_cover_everything_once() -> None:
+def test_stretches_cover_everything_once():
     assert stretches(25, 10) == [(0, 10), (10, 20), (20, 25)]
     assert stretches(0, 10) == []
 
@@ -183,6 +177,6 @@ def test_stretches_cover_everything_once() -> None:
         ({"checkpoint": "nowhere.safetensors"}, "checkpoint"),
     ],
 )
-def test_bad_input_is_named(changes: dict[str, Any], key: str) -> None:
+def test_bad_input_is_named(changes, key):
     with refused(key):
         InverseBenchmark().prepare(configured(**changes))

@@ -24,7 +24,7 @@ def finished(rows: list[dict[str, Any]], status: str = "ok") -> Done:
     return done("a", full, status, "why")
 
 
-def test_the_front_is_what_nothing_beats() -> None:
+def test_the_front_is_what_nothing_beats():
     costs = [1.0, 2.0, 3.0, 4.0, 5.0, math.nan]
     errors = [9.0, 10.0, 4.0, 4.0, 1.0, 0.0]
     assert pareto(costs, errors) == [0, 2, 4]
@@ -32,14 +32,14 @@ def test_the_front_is_what_nothing_beats() -> None:
     assert pareto([1.0], [math.inf]) == []
 
 
-def test_failures_are_infinite_errors() -> None:
+def test_failures_are_infinite_errors():
     errors = np.array([1.0, 2.0, 3.0, np.nan])
     assert percentile(errors, 50.0) == pytest.approx(2.5)
     assert percentile(errors, 95.0) == math.inf
     assert percentile(errors[:3], 50.0) == pytest.approx(np.percentile(errors[:3], 50.0))
 
 
-def test_errors_of_x_are_bounded_where_x_goes_through_zero() -> None:
+def test_errors_of_x_are_bounded_where_x_goes_through_zero():
     x, y = relative_errors(
         np.array([2.1, 0.1]), np.array([10.0, 5.05]), np.array([2.0, 0.0]), np.array([10.0, 5.0])
     )
@@ -47,7 +47,7 @@ def test_errors_of_x_are_bounded_where_x_goes_through_zero() -> None:
     np.testing.assert_allclose(y, [0.0, 1.0])
 
 
-def test_roughness_is_what_a_line_leaves() -> None:
+def test_roughness_is_what_a_line_leaves():
     assert roughness(np.array([1.0, 2.0, 3.0, 4.0])) == pytest.approx(0.0, abs=1e-12)
     assert roughness(np.array([0.0, 1.0, 0.0, 1.0])) == pytest.approx(np.sqrt(0.2))
     assert math.isnan(roughness(np.array([0.0, np.nan, 0.0, 1.0])))
@@ -55,7 +55,7 @@ def test_roughness_is_what_a_line_leaves() -> None:
     np.testing.assert_allclose(lags, [0.098, 0.099, 0.1, 0.101, 0.102])
 
 
-def test_a_point_compares_with_the_limit() -> None:
+def test_a_point_compares_with_the_limit():
     off = [{**row, "x_bar": row["x_bar"] + 0.05} for row in LIMIT_ROWS]
     point = make_point("a", "b", finished(off), finished(LIMIT_ROWS))
     assert point.x_median_percent == pytest.approx(0.5 * (2.5 + 10.0))
@@ -63,14 +63,14 @@ def test_a_point_compares_with_the_limit() -> None:
     assert (point.ms, point.newton_iterations, point.failed, point.jumps) == (2.0, 10.0, 0, 7)
 
 
-def test_an_absurd_result_is_a_failure_whatever_its_status() -> None:
+def test_an_absurd_result_is_a_failure_whatever_its_status():
     absurd = [{**LIMIT_ROWS[0], "y_bar": 1e6}, *LIMIT_ROWS[1:-1], {**LIMIT_ROWS[-1], "y_bar": 3.0}]
     point = make_point("a", "b", finished(absurd), finished(LIMIT_ROWS))
     assert point.failed == 2 and point.remark == "2 silently wrong"
     assert cheapest([point], 1e9) is None
 
 
-def test_a_failed_jump_and_a_refused_cell() -> None:
+def test_a_failed_jump_and_a_refused_cell():
     lost = [{**LIMIT_ROWS[0], "status": "step_underflow", "x_bar": None}, *LIMIT_ROWS[1:]]
     point = make_point("a", "b", finished(lost), finished(LIMIT_ROWS))
     assert point.failed == 1 and point.remark == "1 step_underflow"

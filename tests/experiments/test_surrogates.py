@@ -1,6 +1,5 @@
 """The study of forward models on a small smooth dataset, its floor, and where errors sit."""
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -20,7 +19,7 @@ from snapjump.simulation import build
 
 
 @pytest.fixture
-def datasets(tmp_path: Path) -> dict[str, Any]:
+def datasets(tmp_path) -> dict[str, Any]:
     """Folders of one smooth law, as the study's keys."""
     smooth_dataset(tmp_path / "standard", small(300, 300))
     smooth_dataset(tmp_path / "slopes", small(160, 160, True, friction=WIDE_STICK))
@@ -32,9 +31,7 @@ def configured(**task: Any) -> dict[str, Any]:
     return {**GIVEN, "task": {"name": "compare_surrogates", **task}}
 
 
-def test_the_study_trains_judges_and_concludes(
-    datasets: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_study_trains_judges_and_concludes(datasets, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(module, "LONGEST", 3)
     monkeypatch.setattr(module, "SIZES", ((100,), ()))
@@ -57,7 +54,7 @@ def test_the_study_trains_judges_and_concludes(
         assert (folder.path / picture).stat().st_size > 10_000
 
 
-def test_a_cubic_leaves_nothing_of_a_cubic_and_all_of_noise() -> None:
+def test_a_cubic_leaves_nothing_of_a_cubic_and_all_of_noise():
     rng = np.random.default_rng(0)
     points = rng.uniform(-1.0, 1.0, (128, 4))
     a, b, c, d = points.T
@@ -70,7 +67,7 @@ def test_a_cubic_leaves_nothing_of_a_cubic_and_all_of_noise() -> None:
     )
 
 
-def test_the_floor_is_measured_in_cells_of_the_grid() -> None:
+def test_the_floor_is_measured_in_cells_of_the_grid():
     rows = floor_rows(build(CONFIG), RANGES, 2, 0)
     low, high = np.array(RANGES).T
     corners = np.array([[row[f"{axis.column}_low"] for axis in default_axes()] for row in rows])
@@ -79,7 +76,7 @@ def test_the_floor_is_measured_in_cells_of_the_grid() -> None:
     assert all(row["jumps"] > 100 and 0.0 < row["x_bar"] < 5.0 for row in rows)
 
 
-def test_errors_are_where_they_are() -> None:
+def test_errors_are_where_they_are():
     rng = np.random.default_rng(0)
     low, high = np.array(RANGES).T
     designs = low + (high - low) * rng.random((2000, 4))
@@ -92,7 +89,7 @@ def test_errors_are_where_they_are() -> None:
     assert sum(row["designs"] for row in rows if row["input"] == "mu") == 2000
 
 
-def test_a_concentrated_error_is_said_to_be_one() -> None:
+def test_a_concentrated_error_is_said_to_be_one():
     errors = np.full((1000, 2), 0.001)
     errors[:10] = 1.0
     shares = concentration(errors)
@@ -100,7 +97,7 @@ def test_a_concentrated_error_is_said_to_be_one() -> None:
     assert concentration(np.ones((1000, 2)))["share_of_worst_10_percent"] == pytest.approx(0.1)
 
 
-def test_fewer_jumps_are_given_more_epochs_of_smaller_batches() -> None:
+def test_fewer_jumps_are_given_more_epochs_of_smaller_batches():
     standard = Training()
     assert training_of(None, 40_500) == standard
     quarter = training_of(10_125, 40_500)
@@ -121,7 +118,7 @@ def test_fewer_jumps_are_given_more_epochs_of_smaller_batches() -> None:
         ({"slopes": "standard"}, "task.slopes"),
     ],
 )
-def test_bad_input_is_named(datasets: dict[str, Any], changes: dict[str, Any], key: str) -> None:
+def test_bad_input_is_named(datasets, changes, key):
     named = {key: datasets.get(value, value) for key, value in changes.items()}
     with refused(key):
         CompareSurrogates().prepare(configured(**{**datasets, **named}))

@@ -40,7 +40,7 @@ def few_curves(base: Any, full: bool) -> list[Curve]:
 
 
 @pytest.fixture
-def coarse(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def coarse(tmp_path, monkeypatch) -> Path:
     """A folder, with one tier, few curves and few models beside a limit that is none."""
     monkeypatch.chdir(tmp_path)
     draft = {name: TIERS[name] for name in ("draft", "standard")}
@@ -64,7 +64,7 @@ def coarse(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path / "run"
 
 
-def test_tables_and_figures_of_few_compositions(coarse: Path) -> None:
+def test_tables_and_figures_of_few_compositions(coarse):
     outcome, folder = run_study(Tradeoff(), CONFIG, coarse)
     assert outcome.status == "ok", outcome.message
     assert outcome.summary["cells_refused"] == 1 and outcome.summary["compositions"] == 4
@@ -87,7 +87,7 @@ def test_tables_and_figures_of_few_compositions(coarse: Path) -> None:
     assert record["metrics"]["x_median_percent"] == float(levels[0]["x_median_percent"])
 
 
-def test_every_integrator_and_discretization_is_in_it_by_name() -> None:
+def test_every_integrator_and_discretization_is_in_it_by_name():
     base = described(with_tier("standard"))
     found = curves(base, full=False)
     assert len(found) >= 24
@@ -98,7 +98,7 @@ def test_every_integrator_and_discretization_is_in_it_by_name() -> None:
         assert f"tr_bdf2, {name}" in {curve.name for curve in found}
 
 
-def test_tolerances_follow_the_mesh_and_the_order_of_the_estimate() -> None:
+def test_tolerances_follow_the_mesh_and_the_order_of_the_estimate():
     assert tolerance(104) == pytest.approx(4.5e-8)
     assert tolerance(208) == pytest.approx(4.5e-8 / 2**4.5)
     assert estimate_order("implicit_euler") == 2.0
@@ -106,7 +106,7 @@ def test_tolerances_follow_the_mesh_and_the_order_of_the_estimate() -> None:
     assert tolerance(104, 2.0) ** (1 / 2) == pytest.approx(tolerance(104) ** (1 / 3))
 
 
-def test_models_differ_in_one_number() -> None:
+def test_models_differ_in_one_number():
     base = described(with_tier("standard"))
     found = models(base)
     assert found.pop(DEFAULT) == base
@@ -119,7 +119,7 @@ def test_models_differ_in_one_number() -> None:
         assert len(different) == 1
 
 
-def test_a_tier_leaves_the_physical_model_alone() -> None:
+def test_a_tier_leaves_the_physical_model_alone():
     model = {"friction": {"velocity_threshold_m_s": 1e-3}, "contact": {"distance_m": 1e-3}}
     base = changed(described(with_tier("draft")), model)
     groups = tiers.tier_groups(base, "reference")
@@ -130,7 +130,7 @@ def test_a_tier_leaves_the_physical_model_alone() -> None:
     assert tiers.tier_groups(base, "paper")["friction"]["name"] == "lagged"
 
 
-def test_bad_numbers_of_designs() -> None:
+def test_bad_numbers_of_designs():
     for key, value in (("designs", 1), ("tier_designs", "many"), ("designs", 2000)):
         with pytest.raises(ParameterError, match=f"task.{key} = "):
             Tradeoff().prepare({**CONFIG, "task": {**CONFIG["task"], key: value}})

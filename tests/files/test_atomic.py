@@ -7,16 +7,14 @@ import pytest
 from snapjump.files.atomic import atomic_file, write_text
 
 
-def test_a_file_appears_whole(tmp_path: Path) -> None:
+def test_a_file_appears_whole(tmp_path):
     write_text(tmp_path / "a.txt", "one\n")
     assert (tmp_path / "a.txt").read_text() == "one\n"
     assert [path.name for path in tmp_path.iterdir()] == ["a.txt"]
 
 
 @pytest.mark.parametrize("stop", [RuntimeError, KeyboardInterrupt])
-def test_an_interrupted_write_leaves_the_old_file_and_nothing_else(
-    tmp_path: Path, stop: type[BaseException]
-) -> None:
+def test_an_interrupted_write_leaves_the_old_file_and_nothing_else(tmp_path, stop):
     write_text(tmp_path / "a.txt", "old")
     with pytest.raises(stop), atomic_file(tmp_path / "a.txt") as file:
         file.write("half of the ne")
@@ -25,15 +23,15 @@ def test_an_interrupted_write_leaves_the_old_file_and_nothing_else(
     assert [path.name for path in tmp_path.iterdir()] == ["a.txt"]
 
 
-def test_a_file_is_as_readable_as_any_other(tmp_path: Path) -> None:
+def test_a_file_is_as_readable_as_any_other(tmp_path):
     (tmp_path / "plain").write_text("")
     write_text(tmp_path / "a.txt", "")
     assert (tmp_path / "a.txt").stat().st_mode == (tmp_path / "plain").stat().st_mode
 
 
 def test_contents_are_on_the_disk_before_the_name_and_the_name_before_anything_else(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+    tmp_path, monkeypatch
+):
     done: list[str] = []
     fsync, replace = os.fsync, os.replace
 

@@ -1,6 +1,5 @@
 import subprocess
 import sys
-from pathlib import Path
 
 from snapjump.files.lock import FileLock
 
@@ -15,7 +14,7 @@ sys.stdin.read()
 """
 
 
-def test_a_lock_excludes_other_processes_and_ends_with_its_own(tmp_path: Path) -> None:
+def test_a_lock_excludes_other_processes_and_ends_with_its_own(tmp_path):
     path = tmp_path / "x.lock"
     holder = subprocess.Popen(
         [sys.executable, "-c", HOLD, str(path)], stdin=subprocess.PIPE, stdout=subprocess.PIPE
@@ -30,7 +29,7 @@ def test_a_lock_excludes_other_processes_and_ends_with_its_own(tmp_path: Path) -
     lock.release()
 
 
-def test_a_shared_lock_is_shared_with_others_that_share_it(tmp_path: Path) -> None:
+def test_a_shared_lock_is_shared_with_others_that_share_it(tmp_path):
     path = tmp_path / "lock"
     first, second = FileLock(path, shared=True), FileLock(path, shared=True)
     assert first.acquire(wait=False) and second.acquire(wait=False)

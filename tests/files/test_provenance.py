@@ -3,7 +3,7 @@ import json
 from snapjump.files.provenance import now, provenance
 
 
-def test_a_result_can_be_traced(tmp_path) -> None:
+def test_a_result_can_be_traced(tmp_path):
     origin = provenance("python run.py seed=3", seed=3, started_at=now())
     assert json.loads(json.dumps(origin)) == origin
     assert origin["command"] == "python run.py seed=3"

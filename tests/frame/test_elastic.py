@@ -31,6 +31,7 @@ from snapjump.scenes.resting import resting_guess
 OPTIONS = ElasticFrame(30.0, 2.0, 6, 5, inset_m=3e-4)
 MOVING = Motion(0.2, 50.0, 50.0, 0.0)
 REST = Motion(0.0, 0.0, 0.0, 0.0)
+FLAT = ConstantRate(0.0, 1.0, 1.0, 0.0).angles(0.0)
 clamps = pytest.mark.parametrize("clamp", ["half_element", "two_nodes"])
 
 
@@ -43,12 +44,9 @@ class Case:
     """A robot of few nodes, its clamps turned, in a bent and tilted state."""
 
     def __init__(self, simulation: Simulation, **members: Any):
-        members = {
-            "clamp": ConstantRate(0.35, 1.5, 0.6, 0.1),
-            "friction": NoFriction.Law(),
-        } | members
-        members = {"damping": NoDamping.Law()} | members
-        self.model = jump_model(simulation)._replace(**members)
+        clamp = ConstantRate(0.35, 1.5, 0.6, 0.1)
+        usual = {"clamp": clamp, "friction": NoFriction.Law(), "damping": NoDamping.Law()}
+        self.model = jump_model(simulation)._replace(**(usual | members))
         self.masses = simulation.discretization.masses()
         self.mesh = simulation.frame.mesh(self.model.frame)
         self.dofs = int(self.mesh[0])
@@ -72,6 +70,10 @@ class Case:
         state = self.state(free, motion.time)
         return assembled(self.model, motion, self.masses, state, self.mesh, origin=origin)
 
+    def tangents(self, state: Any, angles: Any = FLAT) -> Any:
+        frame, load = self.model.frame, self.model.load
+        return frame.end_tangents(self.mesh, load, angles, state, STILL)
+
     def residual(self, free: Any, motion: Motion, origin: Any) -> Any:
         work = self.assembled(free, motion, origin)[1]
         return residual_of(work, self.dofs)[self.keep]
@@ -86,7 +88,7 @@ def test_residual_is_the_gradient_of_the_whole_energy(clamp, contact):
 
     def potential(z):
         state = case.state(z)
-        tangents = model.frame.end_tangents(mesh, model.load, angles, state, STILL)
+        tangents = case.tangents(state, angles)
         energy = model.discretization.internal_energy(state[dofs:], tangents)
         energy = energy + model.frame.energy(mesh, state)
         fall = model.load.acceleration
@@ -130,10 +132,7 @@ def test_mounts_turn_with_their_edges():
     vector = np.random.default_rng(1).normal(size=len(state))
 
     def directions(t):
-        moved = state + t[0] * vector
-        tangents = case.model.frame.end_tangents(
-            case.mesh, case.model.load, ConstantRate(0.0, 1.0, 1.0, 0.0).angles(0.0), moved, STILL
-        )
+        tangents = case.tangents(state + t[0] * vector)
         return np.array([tangents.left_y / tangents.left_x, tangents.right_y / tangents.right_x])
 
     slopes = complex_step(directions, [0.0]).ravel()
@@ -183,11 +182,9 @@ def test_mass_outline_and_centre_are_the_rigid_frame_s():
 
 
 def test_an_even_mesh_rounds_the_mount_to_an_edge_s_middle():
-    case = Case(small_robot(mount="edge_middle"))
+    frame = Case(small_robot(mount="edge_middle")).model.frame
     edge = 0.5 / OPTIONS.leg_elements
-    frame = case.model.frame
-    assert frame.low_length == pytest.approx(edge)
-    assert frame.high_length == pytest.approx(edge)
+    assert (frame.low_length, frame.high_length) == pytest.approx((edge, edge))
     assert frame.mount_y / edge % 1.0 == pytest.approx(0.5)
 
 
@@ -204,11 +201,7 @@ def test_a_clamp_that_does_not_follow_its_leg_turns_with_the_mounts_line():
     """Only the right tangent changes; a share of one is the mount's own edge."""
     all_of_it, none = (Case(small_robot(right_follow=share)) for share in (1.0, 0.0))
     state = all_of_it.state(all_of_it.free)
-    flat = ConstantRate(0.0, 1.0, 1.0, 0.0).angles(0.0)
-    with_leg, without = (
-        c.model.frame.end_tangents(c.mesh, c.model.load, flat, state, STILL)
-        for c in (all_of_it, none)
-    )
+    with_leg, without = (case.tangents(state) for case in (all_of_it, none))
     assert without[:3] == with_leg[:3]
     first, last = (2 * int(edge) for edge in (all_of_it.mesh[1], right_mount(all_of_it.mesh)))
     middle = [0.5 * (state[i : i + 2] + state[i + 2 : i + 4]) for i in (first, last)]
@@ -224,17 +217,15 @@ def test_the_beam_s_mass_on_top_of_the_robot_s():
     assert frames[1].mass - frames[0].mass == pytest.approx(1.0, rel=1e-12)
 
 
-def test_elements_with_rotations_are_refused_by_name():
-    others = [n for n in member_names("discretization") if n != "der"]
-    for name in others:
-        with pytest.raises(ParameterError, match="der with frame=elastic"):
-            replace(small_robot(), discretization=member_class("discretization", name)())
+@pytest.mark.parametrize("name", [n for n in member_names("discretization") if n != "der"])
+def test_elements_with_rotations_are_refused_by_name(name):
+    with pytest.raises(ParameterError, match="der with frame=elastic"):
+        replace(small_robot(), discretization=member_class("discretization", name)())
 
 
 def test_an_inset_beyond_the_beam_s_compression_is_refused():
-    simulation = small_robot(inset_m=3e-3)
     with pytest.raises(ParameterError, match=r"frame.inset_m = 0.003 .* \[0, 0.002\] m"):
-        jump_model(simulation)
+        jump_model(small_robot(inset_m=3e-3))
 
 
 def test_the_legs_open_like_beams_under_a_thrust_between_the_mounts():

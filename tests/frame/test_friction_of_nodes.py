@@ -2,31 +2,23 @@
 
 import numpy as np
 import pytest
+from bare_models import bare_model
 from plain_python import assembled, complex_step, dense, residual_of
 
-from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.contact.base import Ground
 from snapjump.contact.logbarrier import LogBarrier
-from snapjump.damping.none import NoDamping
 from snapjump.discretization.parts.loose_nodes import LooseNodes
 from snapjump.engine.assemble import Motion
-from snapjump.engine.model import Model
 from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.friction.implicit import ImplicitFriction
 from snapjump.load.gravity import Gravity
 
 MASSES = np.array([0.3, 0.5, 0.2])
 MOTION = Motion(0.0, 40.0, 40.0, 0.0)
-MODEL = Model(
-    LooseNodes(),
-    NoFrame(),
-    ConstantRate(0.0, 1.0, 1.0, 0.0),
-    LogBarrier.Law(4e3, 0.025, 0.0),
-    ImplicitFriction.Law(0.4, 0.25),
-    NoDamping.Law(),
-    Gravity(1.0, 20.0, 6.0),
-    Ground(7.0, 1.5, 0.025),
-)
+MODEL = bare_model(
+    LooseNodes(), NoFrame(), contact=LogBarrier.Law(4e3, 0.025, 0.0), load=Gravity(1.0, 20.0, 6.0),
+    friction=ImplicitFriction.Law(0.4, 0.25), ground=Ground(7.0, 1.5, 0.025),
+)  # fmt: skip
 STATE = np.array([0.0, 0.01, 0.1, 0.02, 0.2, 0.5])  # two in the barrier, one above it
 ORIGIN = STATE - np.array([1e-3, 1e-4, 0.05, 0.0, 0.1, 0.0])
 

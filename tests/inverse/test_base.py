@@ -8,7 +8,7 @@ from snapjump.checks import ParameterError
 from snapjump.inverse.base import one_percent_bar, predicted_solutions
 
 
-def test_shares_and_back() -> None:
+def test_shares_and_back():
     given = problem([5.0, 10.0])
     controls = np.array([[0.01, 0.3], [0.1, 0.2], [0.19, 0.1]])
     shares = given.scaled(controls)
@@ -16,14 +16,14 @@ def test_shares_and_back() -> None:
     np.testing.assert_allclose(given.unscaled(shares), controls, atol=1e-15)
 
 
-def test_a_grid_has_the_corners() -> None:
+def test_a_grid_has_the_corners():
     grid = problem([5.0, 10.0]).grid(3)
     assert grid.shape == (3, 3, 2)
     np.testing.assert_allclose(grid[2, 0], [0.19, 0.1])
     np.testing.assert_allclose(grid[0, 2], [0.01, 0.3])
 
 
-def test_one_percent_of_what_is_added_is_one_percent_of_it() -> None:
+def test_one_percent_of_what_is_added_is_one_percent_of_it():
     designs = np.array([[0.1, 0.2, 1.0, -0.5]])
     slopes = np.zeros((1, 2, 4))
     slopes[0, :, 0] = 3.0, 4.0
@@ -31,7 +31,7 @@ def test_one_percent_of_what_is_added_is_one_percent_of_it() -> None:
     np.testing.assert_allclose(one_percent_bar(designs, slopes), [[0.005, 0.0, 0.0, 0.01]])
 
 
-def test_solutions_are_different_and_reach_the_target() -> None:
+def test_solutions_are_different_and_reach_the_target():
     model = MadeUpModel(folded)
     target = folded(np.array([[0.06, 0.2, 1.0, 0.3]]))[0]
     found = predicted_solutions(
@@ -43,7 +43,7 @@ def test_solutions_are_different_and_reach_the_target() -> None:
     np.testing.assert_allclose([s.controls for s in found], [[0.06, 0.2], [0.14, 0.2]], atol=1e-5)
 
 
-def test_of_none_that_reaches_it_there_is_the_nearest() -> None:
+def test_of_none_that_reaches_it_there_is_the_nearest():
     model = MadeUpModel()
     (found,) = predicted_solutions(
         problem([0.0, 100.0], model), model, np.array([[0.1, 0.2], [0.1, 0.3], [0.1, 0.1]])
@@ -51,6 +51,6 @@ def test_of_none_that_reaches_it_there_is_the_nearest() -> None:
     np.testing.assert_array_equal(found.controls, [0.1, 0.3])
 
 
-def test_without_a_forward_model_a_method_that_asks_it_is_refused() -> None:
+def test_without_a_forward_model_a_method_that_asks_it_is_refused():
     with pytest.raises(ParameterError, match="inverse = 'adam'"):
         problem([5.0, 10.0]).known_forward("adam")

@@ -34,7 +34,7 @@ class Tiers(MadeUpSimulator):
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_fitted_slopes_see_over_wrinkles_and_roughness(seed: int) -> None:
+def test_fitted_slopes_see_over_wrinkles_and_roughness(seed):
     rng = np.random.default_rng(seed)
     hidden = np.array([[0.03 + 0.14 * rng.random(), 0.12 + 0.16 * rng.random(), 1.0, 0.3]])
     simulator = MadeUpSimulator(wrinkled)
@@ -47,7 +47,7 @@ def test_fitted_slopes_see_over_wrinkles_and_roughness(seed: int) -> None:
     assert simulator.simulations <= 12 * CANDIDATES
 
 
-def test_exact_slopes_reach_a_smooth_simulator_s_target_in_few_rounds() -> None:
+def test_exact_slopes_reach_a_smooth_simulator_s_target_in_few_rounds():
     simulator = MadeUpSimulator(straight, (0.05, -0.04))
     given = problem([2.0, 12.0], MadeUpModel(), simulator)
     best = PhysicsOptions(slopes="exact").solve(given)[0]
@@ -55,7 +55,7 @@ def test_exact_slopes_reach_a_smooth_simulator_s_target_in_few_rounds() -> None:
     assert simulator.simulations <= 30
 
 
-def test_the_last_steps_are_of_the_finer_tier() -> None:
+def test_the_last_steps_are_of_the_finer_tier():
     simulator = Tiers()
     given = problem([2.0, 12.0], MadeUpModel(), simulator)
     best = PhysicsOptions(finishing="reference").solve(given)[0]
@@ -65,13 +65,13 @@ def test_the_last_steps_are_of_the_finer_tier() -> None:
 
 
 @pytest.mark.parametrize("slopes", ["fitted", "exact"])
-def test_without_a_forward_model_it_begins_with_a_grid_of_simulations(slopes: str) -> None:
+def test_without_a_forward_model_it_begins_with_a_grid_of_simulations(slopes):
     given = problem([2.0, 12.0], None, MadeUpSimulator())
     best = PhysicsOptions(slopes=slopes).solve(given)[0]
     assert best.miss_bar(given.target) <= REACHED_BAR
 
 
-def test_an_unreachable_target_ends_at_the_bounds_within_its_budget() -> None:
+def test_an_unreachable_target_ends_at_the_bounds_within_its_budget():
     simulator = MadeUpSimulator()
     given = problem([2.0, 30.0], MadeUpModel(), simulator)
     options = PhysicsOptions(most_simulations=80)
@@ -83,7 +83,7 @@ def test_an_unreachable_target_ends_at_the_bounds_within_its_budget() -> None:
     assert simulator.simulations <= 80
 
 
-def test_jumps_that_fail_are_passed_over() -> None:
+def test_jumps_that_fail_are_passed_over():
     def half(designs: Any) -> Any:
         found = straight(designs)
         found[designs[:, 0] > 0.1] = np.nan
@@ -95,13 +95,13 @@ def test_jumps_that_fail_are_passed_over() -> None:
     assert PhysicsOptions().solve(given)[0].miss_bar(given.target) <= REACHED_BAR
 
 
-def test_where_nothing_jumps_the_answer_is_infinitely_far() -> None:
+def test_where_nothing_jumps_the_answer_is_infinitely_far():
     given = problem([2.0, 12.0], MadeUpModel(), MadeUpSimulator(straight, (np.nan, np.nan)))
     best = PhysicsOptions(most_simulations=16).solve(given)[0]
     assert best.miss_bar(given.target) == np.inf
 
 
-def test_a_step_stays_within_bounds_and_is_exact_inside() -> None:
+def test_a_step_stays_within_bounds_and_is_exact_inside():
     slopes = np.array([[2.0, 1.0], [-1.0, 3.0]])
     change = np.array([0.02, 0.05])
     assert slopes @ step(slopes, change, np.full(2, 0.5)) == pytest.approx(change)
@@ -109,7 +109,7 @@ def test_a_step_stays_within_bounds_and_is_exact_inside() -> None:
     assert held[1] <= 0.1 + 1e-9
 
 
-def test_a_fit_to_many_points_finds_the_slopes_and_to_one_keeps_the_given_ones() -> None:
+def test_a_fit_to_many_points_finds_the_slopes_and_to_one_keeps_the_given_ones():
     given = problem([2.0, 12.0], MadeUpModel(), MadeUpSimulator())
     search = Search(given, given.simulator)
     wrong = np.array([[1.0, 0.0], [0.0, 1.0]])

@@ -15,7 +15,7 @@ QUICK = {"epochs": 6, "patience": 6, "batch_first": 16, "batch_last": 64}
 
 
 @pytest.fixture(scope="session")
-def smooth(tmp_path_factory: Any) -> Dataset:
+def smooth(tmp_path_factory) -> Dataset:
     """400 jumps, all ok, without derivatives."""
     path: Path = tmp_path_factory.mktemp("smooth")
     smooth_dataset(path, small(400, 200))
@@ -23,7 +23,7 @@ def smooth(tmp_path_factory: Any) -> Dataset:
 
 
 @pytest.fixture
-def data(smooth: Dataset) -> Callable[..., JumpData]:
+def data(smooth) -> Callable[..., JumpData]:
     """The jumps of that dataset, split by a training with some values changed."""
 
     def of(seed: int = 0, **changes: Any) -> JumpData:

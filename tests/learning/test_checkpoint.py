@@ -16,12 +16,12 @@ from snapjump.learning.forward_model import open_forward_model
 
 
 @pytest.fixture
-def file(tmp_path: Path) -> Path:
+def file(tmp_path) -> Path:
     write_checkpoint(tmp_path / "model.safetensors", network(), about())
     return tmp_path / "model.safetensors"
 
 
-def test_what_was_kept_is_read(file: Path) -> None:
+def test_what_was_kept_is_read(file):
     found = read_checkpoint(file)
     assert found.about == json.loads(json.dumps(about()))
     with torch.no_grad():
@@ -38,18 +38,18 @@ def unusable(path: Path, why: str) -> None:
     assert why in caught.value.allowed
 
 
-def test_no_file_and_a_folder(tmp_path: Path) -> None:
+def test_no_file_and_a_folder(tmp_path):
     unusable(tmp_path / "none.safetensors", "there is no such file")
     unusable(tmp_path, "it cannot be read")
 
 
 @pytest.mark.parametrize("share", [0.0, 0.01, 0.5, 0.999])
-def test_a_file_that_was_cut_off(file: Path, share: float) -> None:
+def test_a_file_that_was_cut_off(file, share):
     os.truncate(file, int(share * file.stat().st_size))
     unusable(file, "it cannot be read")
 
 
-def test_a_changed_byte_anywhere(file: Path) -> None:
+def test_a_changed_byte_anywhere(file):
     content = file.read_bytes()
     random = np.random.default_rng(0)
     for place in [9, *random.integers(8, len(content), 100), len(content) - 1]:
@@ -59,7 +59,7 @@ def test_a_changed_byte_anywhere(file: Path) -> None:
         unusable(file, "a forward model that task=train left")
 
 
-def test_foreign_files(tmp_path: Path) -> None:
+def test_foreign_files(tmp_path):
     file = tmp_path / "foreign.safetensors"
     save_file({"weight": torch.ones(2)}, file)
     unusable(file, "its format is None")
@@ -80,13 +80,13 @@ def test_foreign_files(tmp_path: Path) -> None:
         ({"depth": 3}, "it has members that are not known here"),
     ],
 )
-def test_weights_of_another_surrogate(tmp_path: Path, change: dict, why: str) -> None:
+def test_weights_of_another_surrogate(tmp_path, change, why):
     file = tmp_path / "model.safetensors"
     write_checkpoint(file, network(), about({**RESNET, **change}))
     unusable(file, why)
 
 
-def test_nan_reaches_no_file(tmp_path: Path) -> None:
+def test_nan_reaches_no_file(tmp_path):
     broken = network()
     broken.outputs.mean[0] = torch.nan
     with pytest.raises(ValueError, match=r"outputs\.mean is not finite"):

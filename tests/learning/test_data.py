@@ -1,8 +1,5 @@
 """Which jumps are learned from, which are not, and in what order."""
 
-from collections.abc import Callable
-from pathlib import Path
-
 import numpy as np
 import pytest
 import torch
@@ -16,7 +13,7 @@ from snapjump.learning.data import Batches, JumpData, read_rows, split
 from snapjump.learning.training import Training
 
 
-def test_a_split_is_of_all_rows_and_by_the_seed() -> None:
+def test_a_split_is_of_all_rows_and_by_the_seed():
     parts = split(1000, Training(test_share=0.2, validation_share=0.1), 3)
     assert [len(part) for part in parts] == [720, 80, 200]
     assert sorted(np.concatenate(parts)) == list(range(1000))
@@ -26,7 +23,7 @@ def test_a_split_is_of_all_rows_and_by_the_seed() -> None:
     assert set(other.test) != set(parts.test)
 
 
-def test_fewer_rows_have_the_same_test_set() -> None:
+def test_fewer_rows_have_the_same_test_set():
     whole, some = split(1000, Training(), 0), split(1000, Training(rows=300), 0)
     assert np.array_equal(whole.test, some.test)
     assert [len(some.train), len(some.validation)] == [270, 30]
@@ -45,12 +42,12 @@ def test_fewer_rows_have_the_same_test_set() -> None:
         (1000, Training(rows=94), "training.rows"),
     ],
 )
-def test_splits_that_there_are_not(count: int, training: Training, key: str) -> None:
+def test_splits_that_there_are_not(count, training, key):
     with refused(key):
         split(count, training, 0)
 
 
-def test_the_rows_are_the_dataset_s(data: Callable[..., JumpData]) -> None:
+def test_the_rows_are_the_dataset_s(data):
     found = data()
     assert [len(part.designs) for part in (found.train, found.validation, found.test)] == [
         288,
@@ -63,9 +60,7 @@ def test_the_rows_are_the_dataset_s(data: Callable[..., JumpData]) -> None:
         assert torch.isnan(part.slopes).all() and part.slopes.shape == (len(apexes), 2, 4)
 
 
-def test_batches_are_all_rows_once_in_an_order_of_seed_and_epoch(
-    data: Callable[..., JumpData],
-) -> None:
+def test_batches_are_all_rows_once_in_an_order_of_seed_and_epoch(data):
     found = data()
     batches = found.train_dataloader()
     assert isinstance(batches, Batches) and len(batches) == len(list(batches)) == 18
@@ -80,7 +75,7 @@ def test_batches_are_all_rows_once_in_an_order_of_seed_and_epoch(
         assert np.allclose(rows.apexes.numpy(), apexes, rtol=1e-5, atol=1e-5)
 
 
-def test_slopes_of_a_dataset_that_has_them(tmp_path: Path) -> None:
+def test_slopes_of_a_dataset_that_has_them(tmp_path):
     smooth_dataset(tmp_path, small(60, 60, sensitivities=True, friction=WIDE_STICK))
     rows = read_rows(open_dataset(tmp_path))
     _, slopes = law(rows.designs.double().numpy())
@@ -93,13 +88,13 @@ def test_slopes_of_a_dataset_that_has_them(tmp_path: Path) -> None:
     assert 0 < grazed.sum() < 20
 
 
-def test_jumps_that_failed_are_left_out(tmp_path: Path) -> None:
+def test_jumps_that_failed_are_left_out(tmp_path):
     made_up(tmp_path, small(100, 50))
     rows = read_rows(open_dataset(tmp_path))
     assert len(rows.designs) == 90 and torch.isfinite(rows.apexes).all()
 
 
-def test_a_dataset_without_a_jump_is_refused(tmp_path: Path) -> None:
+def test_a_dataset_without_a_jump_is_refused(tmp_path):
     nan = {"x_bar": np.nan, "y_bar": np.nan}
     smooth_dataset(tmp_path, small(60, 60), status="step_underflow", **nan)
     with pytest.raises(ParameterError, match=r"dataset\.path.*status is ok"):

@@ -1,7 +1,5 @@
 """ONNX: the same numbers for any number of designs."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from forward_models import about, jumps, network
@@ -18,7 +16,7 @@ GROUPS = {
 
 
 @pytest.fixture(scope="module")
-def onnx(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
+def onnx(tmp_path_factory) -> dict[str, bytes]:
     """Exported files."""
     found = {}
     for name, group in GROUPS.items():
@@ -30,7 +28,7 @@ def onnx(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
 
 
 @pytest.mark.parametrize("name", GROUPS)
-def test_onnx_says_what_torch_says(onnx: dict[str, bytes], name: str) -> None:
+def test_onnx_says_what_torch_says(onnx, name):
     model = ForwardModel(network(GROUPS[name]), about(GROUPS[name]))
     session = one_core(onnx[name])
     for count in (1, 2, 500):
@@ -41,9 +39,7 @@ def test_onnx_says_what_torch_says(onnx: dict[str, bytes], name: str) -> None:
         assert np.allclose(apexes, expected, rtol=1e-4, atol=1e-4 * np.abs(expected).max())
 
 
-def test_a_difference_is_told_and_no_file_left(
-    onnx: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_difference_is_told_and_no_file_left(onnx, tmp_path, monkeypatch):
     group = GROUPS["resnet"]
     other = ForwardModel(network(group, seed=1), about(group))
     monkeypatch.setattr(module, "_onnx", lambda model: onnx["resnet"])
@@ -52,7 +48,7 @@ def test_a_difference_is_told_and_no_file_left(
     assert not list(tmp_path.iterdir())
 
 
-def test_what_is_no_network_is_refused() -> None:
+def test_what_is_no_network_is_refused():
     group = {"name": "rbf", "neighbours": 20, "kernel": "cubic", "smoothing": 0.0}
     with pytest.raises(ParameterError, match=r"checkpoint = 'a path'.*rbf"):
         check_exportable(ForwardModel(network(group), about(group)), "a path")

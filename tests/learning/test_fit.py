@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 import torch
@@ -11,6 +12,7 @@ from snapjump.declare.members import make_member
 from snapjump.learning import keeper
 from snapjump.learning.data import JumpData
 from snapjump.learning.fit import STATE, Fitted, descend
+from snapjump.learning.training import Training
 from snapjump.surrogate.base import Surrogate
 
 Data = Callable[..., JumpData]
@@ -22,6 +24,23 @@ class Killed(BaseException):
 
 def nothing(share: float, text: str) -> None:
     """No progress."""
+
+
+def dies_after(epochs: int, told: list[str], error: type[BaseException] = Killed) -> Any:
+    """Progress that ends after so many epochs and notes what it is told."""
+
+    def dies(share: float, text: str) -> None:
+        told.append(text)
+        if len(told) == epochs:
+            raise error
+
+    return dies
+
+
+@pytest.fixture
+def steady(monkeypatch) -> None:
+    """A learning rate of nothing, by which nothing becomes better."""
+    monkeypatch.setattr(Training, "rate", lambda training, epoch: 0.0)
 
 
 def network(data: JumpData) -> Surrogate:
@@ -43,12 +62,12 @@ def equal(one: Surrogate, other: Surrogate) -> bool:
 
 
 @pytest.fixture
-def every_epoch(monkeypatch: pytest.MonkeyPatch) -> None:
+def every_epoch(monkeypatch) -> None:
     """States are saved after each epoch."""
     monkeypatch.setattr(keeper, "SAVE_EVERY_S", 0.0)
 
 
-def test_it_learns_and_says_how_far_it_is(data: Data, tmp_path: Path) -> None:
+def test_it_learns_and_says_how_far_it_is(data, tmp_path):
     told: list[tuple[float, str]] = []
     found = data(epochs=20, patience=20, learning_rate=0.01)
     _, fit = fitted(found, tmp_path, lambda share, text: told.append((share, text)))
@@ -62,9 +81,7 @@ def test_it_learns_and_says_how_far_it_is(data: Data, tmp_path: Path) -> None:
     assert told[0][1].startswith("epoch 1, validation MAE") and fit.seconds > 0.0
 
 
-def test_what_is_kept_are_the_best_weights(
-    data: Data, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_is_kept_are_the_best_weights(data, tmp_path, monkeypatch):
     found = data(epochs=6)
     monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 1e-3 * 4.0**epoch)
     made, fit = fitted(found, tmp_path)
@@ -75,81 +92,56 @@ def test_what_is_kept_are_the_best_weights(
     assert min(errors) < 0.9 * errors[-1]  # or it would be no test
 
 
-def test_it_stops_when_nothing_becomes_better(
-    data: Data, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    found = data(epochs=50, patience=3)
-    monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 0.0)
-    _, fit = fitted(found, tmp_path)
-    assert len(fit.curves) == 4
-
-
 @pytest.mark.parametrize("after", [1, 2, 5])
-def test_a_training_that_was_killed_goes_on_to_the_same_bits(
-    data: Data, tmp_path: Path, every_epoch: None, after: int
-) -> None:
+def test_a_training_that_was_killed_goes_on_to_the_same_bits(data, tmp_path, every_epoch, after):
     whole, expected = fitted(data(), tmp_path / "whole")
     epochs: list[str] = []
-
-    def dies(share: float, text: str) -> None:
-        epochs.append(text)
-        if len(epochs) == after:
-            raise Killed
-
     with pytest.raises(Killed):
-        fitted(data(), tmp_path / "killed", dies)
+        fitted(data(), tmp_path / "killed", dies_after(after, epochs))
     resumed, fit = fitted(data(), tmp_path / "killed", lambda share, text: epochs.append(text))
     assert len(epochs) == 6  # none of them twice
     assert equal(resumed, whole)
     assert fit.curves == expected.curves
 
 
-def test_a_training_that_had_ended_is_not_gone_on_with(
-    data: Data, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_training_that_had_ended_is_not_gone_on_with(data, tmp_path):
     complete = data()
     for _ in range(2):
-        _, fit = fitted(complete, tmp_path / "complete")
+        _, fit = fitted(complete, tmp_path)
         assert len(fit.curves) == 6
-    found = data(epochs=50, patience=2)
-    monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 0.0)
-    _, first = fitted(found, tmp_path / "stopped")
-    _, again = fitted(found, tmp_path / "stopped")
+
+
+def test_it_stops_when_nothing_becomes_better(data, tmp_path, steady):
+    found = data(epochs=50, patience=3)
+    for _ in range(2):
+        _, fit = fitted(found, tmp_path)
+        assert len(fit.curves) == 4
+    _, first = fitted(data(epochs=50, patience=2), tmp_path / "sooner")
+    _, again = fitted(data(epochs=50, patience=2), tmp_path / "sooner")
     assert len(first.curves) == 3 and again == first
 
 
-def test_patience_goes_on_where_it_was(
-    data: Data, tmp_path: Path, every_epoch: None, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_patience_goes_on_where_it_was(data, tmp_path, every_epoch, steady):
     found = data(epochs=50, patience=3)
-    monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 0.0)
-
-    def dies(share: float, text: str) -> None:
-        if text.startswith("epoch 3"):
-            raise Killed
-
     with pytest.raises(Killed):
-        fitted(found, tmp_path, dies)
+        fitted(found, tmp_path, dies_after(3, []))
     _, fit = fitted(found, tmp_path)
     assert len(fit.curves) == 4
 
 
-def test_a_state_that_is_damaged_is_begun_anew(data: Data, tmp_path: Path) -> None:
+def test_ctrl_c_is_not_swallowed(data, tmp_path):
+    with pytest.raises(KeyboardInterrupt):
+        fitted(data(), tmp_path, dies_after(1, [], KeyboardInterrupt))
+
+
+def test_a_state_that_is_damaged_is_begun_anew(data, tmp_path):
     whole, _ = fitted(data(), tmp_path)
     (tmp_path / STATE).write_bytes((tmp_path / STATE).read_bytes()[:1000])
     again, fit = fitted(data(), tmp_path)
     assert equal(again, whole) and len(fit.curves) == 6
 
 
-def test_ctrl_c_is_not_swallowed(data: Data, tmp_path: Path) -> None:
-    def interrupts(share: float, text: str) -> None:
-        raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        fitted(data(), tmp_path, interrupts)
-
-
-def test_a_loss_that_is_no_number_is_told(data: Data, tmp_path: Path) -> None:
+def test_a_loss_that_is_no_number_is_told(data, tmp_path):
     found = data()
     made = network(found)
     made.loss = lambda rows: torch.nan * made(rows.designs).sum()  # type: ignore[method-assign]
@@ -157,7 +149,7 @@ def test_a_loss_that_is_no_number_is_told(data: Data, tmp_path: Path) -> None:
         descend(made, found, tmp_path, nothing)
 
 
-def test_torch_has_its_threads_back(data: Data, tmp_path: Path) -> None:
+def test_torch_has_its_threads_back(data, tmp_path):
     before = torch.get_num_threads()
     torch.set_num_threads(2)
     try:

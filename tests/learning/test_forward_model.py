@@ -23,7 +23,7 @@ def model() -> ForwardModel:
     return ForwardModel(network(), about())
 
 
-def test_it_predicts_what_the_network_does(model: ForwardModel) -> None:
+def test_it_predicts_what_the_network_does(model):
     designs = jumps(5000).designs
     found = model.predict(designs.numpy())
     assert found.shape == (5000, 2) and found.dtype == np.float64
@@ -33,7 +33,7 @@ def test_it_predicts_what_the_network_does(model: ForwardModel) -> None:
     assert model.half_widths(designs.numpy()) is None
 
 
-def test_its_slopes_are_those_of_its_values(model: ForwardModel) -> None:
+def test_its_slopes_are_those_of_its_values(model):
     model.network.double()
     designs = jumps(7).designs.double().numpy()
     step = 1e-5
@@ -47,9 +47,7 @@ def test_its_slopes_are_those_of_its_values(model: ForwardModel) -> None:
     assert np.allclose(model.jacobian(designs), expected, rtol=1e-6, atol=1e-6)
 
 
-def test_slopes_of_a_network_that_torch_cannot_differentiate(
-    model: ForwardModel, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_slopes_of_a_network_that_torch_cannot_differentiate(model, monkeypatch):
     designs = jumps(20).designs.double().numpy()
     designs[0], designs[1] = np.array(RANGES).T  # no step leads out of the box
     exact = model.jacobian(designs)
@@ -60,7 +58,7 @@ def test_slopes_of_a_network_that_torch_cannot_differentiate(
 
 @pytest.mark.parametrize("axis", range(4))
 @pytest.mark.parametrize("value", [-1e9, 1e9, np.nan, np.inf])
-def test_it_does_not_extrapolate(model: ForwardModel, axis: int, value: float) -> None:
+def test_it_does_not_extrapolate(model, axis, value):
     name = ("delta_alpha_rad", "epsilon", "mass_bar", "mu")[axis]
     designs = np.tile(np.mean(RANGES, axis=1), (3, 1))
     designs[1, axis] = value
@@ -71,19 +69,19 @@ def test_it_does_not_extrapolate(model: ForwardModel, axis: int, value: float) -
         assert f"[{low:g}, {high:g}]" in caught.value.allowed
 
 
-def test_the_ends_of_the_ranges_are_inside(model: ForwardModel) -> None:
+def test_the_ends_of_the_ranges_are_inside(model):
     assert np.array_equal(model.ranges, RANGES)
     low, high = np.array(RANGES).T
     assert np.isfinite(model.predict(np.array([low, high, high * (1.0 + 1e-12)]))).all()
 
 
-def test_designs_of_another_shape(model: ForwardModel) -> None:
+def test_designs_of_another_shape(model):
     for designs in (np.zeros(4), np.zeros((2, 3))):
         with pytest.raises(ParameterError, match="designs"):
             model.predict(designs)
 
 
-def test_the_same_physical_model_at_other_numerics(model: ForwardModel) -> None:
+def test_the_same_physical_model_at_other_numerics(model):
     same = build(CONFIG)
     model.check_model(same)
     finer = replace(same, discretization=replace(same.discretization, elements=96))
@@ -99,6 +97,6 @@ def test_the_same_physical_model_at_other_numerics(model: ForwardModel) -> None:
         ({"friction": with_tier("paper").friction}, "friction"),
     ],
 )
-def test_another_physical_model_is_refused(model: ForwardModel, part: dict, key: str) -> None:
+def test_another_physical_model_is_refused(model, part, key):
     with refused(key, "trained with"):
         model.check_model(replace(build(CONFIG), **part))

@@ -1,7 +1,6 @@
 """From a dataset to a checkpoint: what it says, and that nothing is trained twice."""
 
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -25,7 +24,7 @@ Data = Callable[..., JumpData]
 OPTIONS = make_member("surrogate", RESNET)
 
 
-def test_the_modules_that_determine_the_weights_exist() -> None:
+def test_the_modules_that_determine_the_weights_exist():
     assert set(DETERMINES) <= {source.name for source in package_files()}
 
 
@@ -37,7 +36,7 @@ def refuse(share: float, text: str) -> None:
     raise AssertionError("trained again")
 
 
-def test_what_a_checkpoint_says(data: Data, tmp_path: Path) -> None:
+def test_what_a_checkpoint_says(data, tmp_path):
     found = data()
     learned = learn(found, OPTIONS, silent, {"seed": 0}, tmp_path)
     model = open_forward_model(learned.file)
@@ -54,7 +53,7 @@ def test_what_a_checkpoint_says(data: Data, tmp_path: Path) -> None:
     assert about["measures"]["mae_bar"] == pytest.approx(off.mean(), rel=1e-4)
 
 
-def test_nothing_is_trained_twice_and_what_is_damaged_is(data: Data, tmp_path: Path) -> None:
+def test_nothing_is_trained_twice_and_what_is_damaged_is(data, tmp_path):
     first = learn(data(), OPTIONS, silent, None, tmp_path)
     again = learn(data(), OPTIONS, refuse, None, tmp_path)
     assert not first.kept and again.kept
@@ -68,7 +67,7 @@ def test_nothing_is_trained_twice_and_what_is_damaged_is(data: Data, tmp_path: P
     assert len({*files, first.file}) == 4
 
 
-def test_what_needs_no_descent(data: Data, tmp_path: Path) -> None:
+def test_what_needs_no_descent(data, tmp_path):
     learned = learn(data(), member_class("surrogate", "rbf")(), silent, None, tmp_path)
     assert learned.curves == [] and learned.about["epochs"] == 0
     model = open_forward_model(learned.file)
@@ -78,7 +77,7 @@ def test_what_needs_no_descent(data: Data, tmp_path: Path) -> None:
     assert model.jacobian(designs[:3]).shape == (3, 2, 4)
 
 
-def test_intervals_come_from_the_validation_set(data: Data, tmp_path: Path) -> None:
+def test_intervals_come_from_the_validation_set(data, tmp_path):
     options = member_class("surrogate", "ensemble")(members=3, width=8, blocks=1)
     learned = learn(data(), options, silent, None, tmp_path)
     measured = learned.about["measures"]
@@ -89,7 +88,7 @@ def test_intervals_come_from_the_validation_set(data: Data, tmp_path: Path) -> N
     )
 
 
-def test_slopes_must_be_there_for_what_needs_them(data: Data, tmp_path: Path) -> None:
+def test_slopes_must_be_there_for_what_needs_them(data, tmp_path):
     options = member_class("surrogate", "gradient_mlp")(width=8, layers=1)
     how = "dataset.sensitivities=true friction.velocity_threshold_m_s=0.01"
     with refused("dataset.path", how) as caught:
@@ -103,7 +102,7 @@ def test_slopes_must_be_there_for_what_needs_them(data: Data, tmp_path: Path) ->
 
 
 @pytest.mark.parametrize("name", member_names("surrogate"))
-def test_a_forward_model_has_the_inputs_of_its_dataset(name: str, tmp_path: Path) -> None:
+def test_a_forward_model_has_the_inputs_of_its_dataset(name, tmp_path):
     inputs = {"robot.thickness_m": None, "environment.mass_bar": None, "design.epsilon": None}
     changes: dict[str, Any] = {
         "plan": {"name": "latin_hypercube", "count": 160, "inputs": inputs},

@@ -25,7 +25,7 @@ class Off(Surrogate):
         return torch.full((len(designs), 2), 3.5) if self.known else None
 
 
-def test_measures() -> None:
+def test_measures():
     rows = jumps(100)
     assert np.allclose(errors(Off(rows, True), rows), OFF, atol=1e-5)
     found = measures(Off(rows, True), rows)
@@ -39,6 +39,6 @@ def test_measures() -> None:
         assert found[key] == pytest.approx(value, rel=1e-4), key
 
 
-def test_without_intervals_there_is_no_coverage() -> None:
+def test_without_intervals_there_is_no_coverage():
     rows = jumps(100)
     assert "coverage" not in measures(Off(rows, False), rows)

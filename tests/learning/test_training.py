@@ -10,7 +10,7 @@ from snapjump.learning.training import Training
 from snapjump.tasks.complete import whole
 
 
-def test_batches_double_in_equal_stretches() -> None:
+def test_batches_double_in_equal_stretches():
     training = Training(epochs=50, batch_first=64, batch_last=1024)
     sizes = [training.batch_size(epoch) for epoch in range(50)]
     assert sizes == [64] * 10 + [128] * 10 + [256] * 10 + [512] * 10 + [1024] * 10
@@ -19,7 +19,7 @@ def test_batches_double_in_equal_stretches() -> None:
     assert [few.batch_size(epoch) for epoch in range(2)] == [64, 256]
 
 
-def test_the_rate_rises_and_falls_to_nothing() -> None:
+def test_the_rate_rises_and_falls_to_nothing():
     training = Training(epochs=200, learning_rate=0.5)
     rates = [training.rate(epoch) for epoch in range(200)]
     assert max(rates) == pytest.approx(0.5, rel=0.01) and rates.index(max(rates)) < 10
@@ -42,14 +42,14 @@ def test_the_rate_rises_and_falls_to_nothing() -> None:
         ("threads", (0, 2000)),
     ],
 )
-def test_values_that_are_not_allowed(key: str, values: tuple) -> None:
+def test_values_that_are_not_allowed(key, values):
     for value in values:
         with refused(f"training.{key}") as caught:
             whole(Training, {**asdict(Training()), key: value})
         assert caught.value.value is value
 
 
-def test_every_key_must_be_there_and_no_other() -> None:
+def test_every_key_must_be_there_and_no_other():
     values = asdict(Training())
     assert whole(Training, values) == Training()
     with pytest.raises(ParameterError, match=r"training\.optimizer"):

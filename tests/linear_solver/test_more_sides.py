@@ -52,7 +52,7 @@ def whole(system: Any, lane: int) -> Any:
 
 
 @pytest.mark.parametrize("per_node", [2, 3])
-def test_solutions_of_the_chosen_lanes_alone(per_node: int) -> None:
+def test_solutions_of_the_chosen_lanes_alone(per_node):
     system = factors(per_node)
     size = per_node * NODES
     random = np.random.default_rng(7)

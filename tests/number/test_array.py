@@ -31,7 +31,7 @@ def add_up(thing: Any) -> float:
     return total
 
 
-def test_arrays_of_nested_tuples_are_seen_and_written_in_place() -> None:
+def test_arrays_of_nested_tuples_are_seen_and_written_in_place():
     rows = np.arange(12.0).reshape(3, 4)
     table = np.arange(6.0).reshape(3, 2)
     expected = 2.0 * (rows.sum(axis=1) * table[:, 1]).sum()
@@ -56,7 +56,7 @@ def copy_parts(thing: Any, other: Any, row: int) -> None:
         other[3, i] = column[i]
 
 
-def test_parts_are_views() -> None:
+def test_parts_are_views():
     for rows in (np.arange(12.0).reshape(3, 4), np.arange(24.0).reshape(3, 8)[:, ::2]):
         found = np.zeros((4, 4))
         copy_parts(Outer(Inner(rows, 2.0), rows[0]), found, 2)
@@ -78,12 +78,12 @@ def every_other(thing: Any) -> Any:
 
 
 @pytest.mark.parametrize("unknown", [store_a_row, every_other])
-def test_what_they_do_not_know_is_an_error(unknown: Any) -> None:
+def test_what_they_do_not_know_is_an_error(unknown):
     with pytest.raises((NotImplementedError, NumbaError)):
         unknown(np.zeros((2, 2)))
 
 
-def test_types_keep_their_class_and_layout() -> None:
+def test_types_keep_their_class_and_layout():
     given = typeof(Outer(Inner(np.zeros((2, 2)), 1.0), np.zeros((3, 2))[:, 1]))
     viewed = uncounted_type(given)
     assert viewed.instance_class is Outer

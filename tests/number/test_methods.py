@@ -81,7 +81,7 @@ def as_lanes(numbers):
 
 
 @pytest.mark.parametrize("law", [Linear(3.0), Lossy(2.0, 0.5), Nothing()])
-def test_compiled_plain_and_lanes_agree(law: Any) -> None:
+def test_compiled_plain_and_lanes_agree(law):
     gaps = np.linspace(-1.0, 1.0, 8)
     plain = [total(law, gap) for gap in gaps]
     assert [compiled_total(law, gap) for gap in gaps] == plain
@@ -91,7 +91,7 @@ def test_compiled_plain_and_lanes_agree(law: Any) -> None:
     assert found[0].tolist() == plain
 
 
-def test_what_is_missing_is_said() -> None:
+def test_what_is_missing_is_said():
     with pytest.raises(ContractError, match=r"Empty has no method force\(self, gap\)"):
 
         @Spring.member
@@ -99,7 +99,7 @@ def test_what_is_missing_is_said() -> None:
             stiffness: float
 
 
-def test_other_arguments_are_refused() -> None:
+def test_other_arguments_are_refused():
     with pytest.raises(ContractError, match=r"Odd.force takes depth: gap are what"):
 
         @Spring.member

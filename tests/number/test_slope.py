@@ -27,7 +27,7 @@ FUNCTIONS = {
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
-def test_slopes_are_those_of_complex_steps(name: str) -> None:
+def test_slopes_are_those_of_complex_steps(name):
     function = FUNCTIONS[name]
     compiled = njit(function)
 
@@ -55,7 +55,7 @@ def test_slopes_are_those_of_complex_steps(name: str) -> None:
         assert (values[0, k], slopes[0, k]) == (value, slope)
 
 
-def test_slopes_of_duals_are_second_derivatives() -> None:
+def test_slopes_of_duals_are_second_derivatives():
     @njit
     def cube(x):
         return x * x * x

@@ -1,12 +1,16 @@
 import dataclasses
-import math
 
+import numpy as np
 import pytest
+from robots import model_at, scaled_robot
 
 from snapjump import Design, Environment, ParameterError, Robot
 from snapjump.checks import check_choice, check_integer, check_number
 from snapjump.composition import with_tier
-from snapjump.engine.model import Model, numbers_of
+from snapjump.contact.logbarrier import LogBarrier
+from snapjump.damping.kelvin_voigt import KelvinVoigt
+from snapjump.engine.model import numbers_of
+from snapjump.friction.implicit import ImplicitFriction
 from snapjump.scenes.frame_body import frame_model
 from snapjump.units import Scales
 
@@ -92,64 +96,28 @@ def test_mass_is_defined_by_its_weight():
 
 def dimensionless(robot, **contact):
     """All numbers of a jump's model but its clamps' start, which statics determines."""
-
-    from snapjump.contact.logbarrier import LogBarrier
-    from snapjump.damping.kelvin_voigt import KelvinVoigt
-    from snapjump.friction.implicit import ImplicitFriction
-
-    scales = robot.scales
-    base = Robot().scales
+    scales, base = robot.scales, Robot().scales
+    stiffness = 1e4 * scales.stiffness_N_m / base.stiffness_N_m
     simulation = with_tier(
         "draft",
         robot=robot,
-        contact=LogBarrier(
-            1e4 * scales.stiffness_N_m / base.stiffness_N_m, 5e-4 * scales.length_m / base.length_m
-        ),
+        contact=LogBarrier(stiffness, 5e-4 * scales.length_m / base.length_m),
         damping=KelvinVoigt(1e-5 * scales.time_s / base.time_s),
         friction=ImplicitFriction(1e-4 * scales.velocity_m_s / base.velocity_m_s),
     )
-    from snapjump.clamp.constant_rate import ConstantRate
-    from snapjump.load.gravity import Gravity
-
-    law = simulation.contact.law(scales)
-    model = Model(
-        simulation.discretization.beam(robot),
-        frame_model(simulation, 0.08),
-        ConstantRate(0.8, 1.5, robot.rotation_rate_rad_s * scales.time_s, 0.1),
-        law,
-        simulation.friction.law(scales, 0.3),
-        simulation.damping.law(scales),
-        Gravity(robot.gravity_m_s2 / scales.acceleration_m_s2),
-        simulation.contact.ground(scales, simulation.discretization.elements),
-    )
-    return numbers_of(model)
+    return numbers_of(model_at(simulation, 0.8, 0.08))
 
 
 def test_scaling_the_robot_at_fixed_groups_changes_no_number():
     base = Robot()
-    stretch, stiffer, denser = 3.0, 0.2, 1.7
-    speed = math.sqrt(stiffer / denser)  # of waves; times grow by stretch / speed
-    scaled = dataclasses.replace(
-        base,
-        length_m=base.length_m * stretch,
-        width_m=base.width_m * stretch,
-        thickness_m=base.thickness_m * stretch,
-        frame_height_m=base.frame_height_m * stretch,
-        youngs_modulus_Pa=base.youngs_modulus_Pa * stiffer,
-        density_kg_m3=base.density_kg_m3 * denser,
-        gravity_m_s2=base.gravity_m_s2 * speed**2 / stretch,
-        rotation_rate_rad_s=base.rotation_rate_rad_s * speed / stretch,
-    )
-    np_testing = pytest.importorskip("numpy").testing
-    np_testing.assert_allclose(dimensionless(scaled), dimensionless(base), rtol=1e-12)
+    scaled = dimensionless(scaled_robot(larger=3.0, stiffer=0.2, denser=1.7))
+    np.testing.assert_allclose(scaled, dimensionless(base), rtol=1e-12)
     heavier = dataclasses.replace(base, density_kg_m3=2.0 * base.density_kg_m3)
     assert (abs(dimensionless(heavier) - dimensionless(base)) > 1e-3).any()
 
 
 def test_frame_is_leg_top_leg_with_the_clamped_ends():
     """Centre and inertia against points spread along the three bars."""
-    import numpy as np
-
     simulation = with_tier("draft", design=Design(0.2, 0.1))
     frame = frame_model(simulation, 0.09)
     robot = simulation.robot

@@ -6,18 +6,25 @@ a beam's ends are held by a frame.
 
 import numpy as np
 import pytest
+from masses import thrown
 from scipy.interpolate import CubicHermiteSpline
 
 from snapjump.contact.base import at_rest
-from snapjump.scenes.mass import march_mass, mass_model
-from snapjump.sim.bounce import BounceOutputs
+from snapjump.scenes.mass import mass_model
 from snapjump.statics.resting_gap import resting_gap
 
 STIFFNESS_N_M = 1e4
 REACH_M = 5e-4
 NAMES = {"implicit_euler": "IE", "tr_bdf2": "TRBDF2", "sdirk2": "SDIRK2"}
 STEPS = 400
+MASS_KG = 1e-3
+TIME_S = np.sqrt(MASS_KG / STIFFNESS_N_M)
 FINE = 2400  # hard impacts turn round within a few percent of the contact time
+
+
+def of_one_gram(vhat: float, tc: float) -> tuple[float, float, float]:
+    """Mass (kg), speed (m/s) and contact time (s) of a bounce that is given without dimensions."""
+    return MASS_KG, vhat * REACH_M / TIME_S, tc * TIME_S
 
 
 def flight(arrays) -> tuple[float, float]:
@@ -30,36 +37,29 @@ def flight(arrays) -> tuple[float, float]:
     return lowest, float(leaves[leaves > turns[0]].max() - time[0])
 
 
-def peak_force_N(model, scales, gap_m: float) -> float:
+def peak_force_N(simulation, gap_m: float) -> float:
+    scales = simulation.robot.scales
     gap = gap_m / scales.length_m
-    force = model.contact.force(gap, at_rest(gap))
+    force = mass_model(simulation, 0.0, 0.0).contact.force(gap, at_rest(gap))
     return float(force) * scales.force_N
 
 
-def bounce(single_mass, run, mass_kg, speed_m_s, contact_s, integrator="tr_bdf2", steps=STEPS):
+def bounce(single_mass, run, mass_kg, speed_m_s, contact_s, steps=STEPS):
     step = contact_s / steps
-    scene = {
-        "mass_kg": mass_kg,
-        "speed_m_s": speed_m_s,
-        "duration_s": 1.1 * contact_s,
-        "sample_interval_s": 0.5 * step,
-    }
-    return run(single_mass("bounce", step, integrator, **scene))
+    times = {"duration_s": 1.1 * contact_s, "sample_interval_s": 0.5 * step}
+    return run(single_mass("bounce", step, mass_kg=mass_kg, speed_m_s=speed_m_s, **times))
 
 
 @pytest.mark.parametrize("speed", [0.01, 0.1, 0.5, 1.0, 2.0, 3.0])
 def test_nondimensional(speed, single_mass, run, reference):
     """Gaps over d_hat, speeds over d_hat sqrt(K/m), times in sqrt(m/K)."""
     row = next(r for r in reference("C1_barrier_nondim") if r["vhat"] == speed)
-    mass = 1e-3
-    time = np.sqrt(mass / STIFFNESS_N_M)
     errors = []
     for steps in (STEPS, FINE):
-        contact_s = row["tc"] * time
-        result = bounce(single_mass, run, mass, speed * REACH_M / time, contact_s, steps=steps)
+        result = bounce(single_mass, run, *of_one_gram(speed, row["tc"]), steps=steps)
         lowest, contact = flight(result.arrays)
         assert lowest / REACH_M == pytest.approx(row["xmin"], abs=1e-4)
-        assert contact / time == pytest.approx(row["tc"], rel=1e-3)
+        assert contact / TIME_S == pytest.approx(row["tc"], rel=1e-3)
         assert result.min_gap_m > 0.0
         errors.append(abs(lowest / REACH_M / row["xmin"] - 1.0))
     assert errors[-1] < 1e-4
@@ -75,42 +75,27 @@ def test_dimensional(single_mass, run, reference):
         lowest, contact = flight(result.arrays)
         assert lowest == pytest.approx(row["dmin"], rel=1e-4)
         assert contact == pytest.approx(row["tc"], rel=1e-3)
-        simulation = result.simulation
-        force = peak_force_N(mass_model(simulation, 0.0, 0.0), simulation.robot.scales, lowest)
+        force = peak_force_N(result.simulation, lowest)
         assert force == pytest.approx(row["Fmax"], rel=1e-3)
 
 
 def test_with_weight(single_mass, reference):
     exact = reference("C2b_with_gravity")
     step = exact["tc"] / STEPS
-    simulation = single_mass(
-        "bounce",
-        step,
-        mass_kg=4e-3,
-        duration_s=1.1 * exact["tc"],
-        sample_interval_s=0.5 * step,
-    )
-    scales = simulation.robot.scales
-    model = mass_model(simulation, 10.0, 0.0)
-    start = (0.0, REACH_M / scales.length_m)
-    fall = (0.0, -1.0 / scales.velocity_m_s)
-    arrays = march_mass(simulation, model, start, fall, BounceOutputs, None).arrays
-    lowest, contact = flight(arrays)
+    times = {"duration_s": 1.1 * exact["tc"], "sample_interval_s": 0.5 * step}
+    simulation = single_mass("bounce", step, mass_kg=4e-3, **times)
+    lowest, contact = flight(thrown(simulation, REACH_M, 1.0, gravity_m_s2=10.0).arrays)
     assert lowest == pytest.approx(exact["dmin"], rel=1e-4)
     assert contact == pytest.approx(exact["tc"], rel=1e-3)
-    assert peak_force_N(model, scales, lowest) == pytest.approx(exact["Fmax"], rel=1e-3)
+    assert peak_force_N(simulation, lowest) == pytest.approx(exact["Fmax"], rel=1e-3)
 
 
 def test_hardest_impact_keeps_its_gap(single_mass, run, reference):
     """vhat = 5 leaves 3.7e-6 of the barrier: no fixed step resolves it, yet no gap closes."""
     row = reference("C1_barrier_nondim")[-1]
-    mass = 1e-3
-    time = np.sqrt(mass / STIFFNESS_N_M)
     for steps in (5, 40, STEPS):
-        result = bounce(
-            single_mass, run, mass, row["vhat"] * REACH_M / time, row["tc"] * time, steps=steps
-        )
-        assert result.min_gap_m > 0.0
+        impact = of_one_gram(row["vhat"], row["tc"])
+        assert bounce(single_mass, run, *impact, steps=steps).min_gap_m > 0.0
 
 
 def test_rest(single_mass, run, reference):
@@ -131,32 +116,19 @@ def test_restitution(integrator, single_mass, reference):
     rows = [r for r in reference("C8_restitution_vs_dt") if r["method"] == NAMES[integrator]]
     contacts = {r["vhat"]: r["tc"] for r in reference("C1_barrier_nondim")}
     for row in rows:
+        impact = of_one_gram(row["vhat"], contacts[row["vhat"]])
         for count, mean in zip(row["n_per_tc"], row["e_mean"], strict=True):
-            found = restitutions(single_mass, integrator, row["vhat"], contacts, count)
+            found = restitutions(single_mass, integrator, *impact, count)
             assert np.mean(found) == pytest.approx(mean, abs=1e-3), (row["vhat"], count)
 
 
-def restitutions(single_mass, integrator, vhat, contacts, count) -> list[float]:
-    mass = 1e-3
-    time = np.sqrt(mass / STIFFNESS_N_M)
-    speed, contact = vhat * REACH_M / time, contacts[vhat] * time
+def restitutions(single_mass, integrator, mass, speed, contact, count) -> list[float]:
     step = contact / count
-    simulation = single_mass(
-        "bounce",
-        step,
-        integrator,
-        mass_kg=mass,
-        duration_s=4.0 * contact + 20.0 * step,
-        sample_interval_s=contact,
-    )
-    scales = simulation.robot.scales
-    model = mass_model(simulation, 0.0, 0.0)
+    times = {"duration_s": 4.0 * contact + 20.0 * step, "sample_interval_s": contact}
+    simulation = single_mass("bounce", step, integrator, mass_kg=mass, **times)
     ratios = []
     for phase in range(8):
-        height = REACH_M + phase / 8.0 * step * speed
-        start = (0.0, height / scales.length_m)
-        fall = (0.0, -speed / scales.velocity_m_s)
-        result = march_mass(simulation, model, start, fall, BounceOutputs, None)
+        result = thrown(simulation, REACH_M + phase / 8.0 * step * speed, speed)
         assert result.min_gap_m > 0.0
         ratios.append(result.arrays["node_vy_m_s"][-1, 0] / speed)
     return ratios

@@ -25,9 +25,7 @@ RATIOS = (1e3, 1e4, 1e5)
 
 def coarse() -> Simulation:
     return with_tier(
-        "draft",
-        discretization=DiscreteElasticRod(32),
-        stepping=AdaptiveStep(1e-7, 1.0),
+        "draft", discretization=DiscreteElasticRod(32), stepping=AdaptiveStep(1e-7, 1.0)
     )
 
 

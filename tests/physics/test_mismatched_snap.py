@@ -28,11 +28,9 @@ def middle_tangent(equilibrium) -> float:
 
 
 def figures(found) -> np.ndarray:
-    states = (found.before, found.after)
-    return np.array(
-        [f(state) for state in states for f in (lambda e: e.energy, lambda e: e.midpoint)]
-        + [middle_tangent(state) for state in states]
-    )
+    before, after = found.before, found.after
+    states = [before.energy, before.midpoint, after.energy, after.midpoint]
+    return np.array([*states, middle_tangent(before), middle_tangent(after)])
 
 
 def symmetric_fold(arch, elements: int, epsilon: float, ratio: float) -> float:

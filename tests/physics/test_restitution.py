@@ -3,16 +3,18 @@
 import numpy as np
 import pytest
 from families import FAMILIES
+from masses import thrown
 from scipy.optimize import brentq
 
+from snapjump import Robot
 from snapjump.composition import Simulation
 from snapjump.declare.members import member_class
-from snapjump.scenes.mass import march_mass, mass_model
-from snapjump.sim.bounce import Bounce, BounceOutputs
+from snapjump.sim.bounce import Bounce
 
 pytestmark = pytest.mark.compiles
 CONTACT = FAMILIES["contact"]
 MASS_KG = 1e-3
+SCALES = Robot().scales
 HEIGHT_M = 2e-4  # above the reach of any law
 
 
@@ -25,15 +27,9 @@ def fall(law, speed_m_s, step_s, duration_s, integrator="tr_bdf2"):
         integrator=member_class("integrator", integrator)(),
         stepping=member_class("stepping", "fixed")(step_s=step_s),
     )
-    scales = simulation.robot.scales
-    model = mass_model(simulation, 0.0, 0.0)
-    reach = getattr(law, "distance_m", 0.0)
-    start = (0.0, (reach + HEIGHT_M) / scales.length_m)
-    velocity = (0.0, -speed_m_s / scales.velocity_m_s)
-    result = march_mass(simulation, model, start, velocity, BounceOutputs, None)
+    result = thrown(simulation, getattr(law, "distance_m", 0.0) + HEIGHT_M, speed_m_s)
     assert result.status == "ok"
-    arrays = result.arrays
-    return arrays["node_y_m"][-1, 0], arrays["node_vy_m_s"][-1, 0], result.min_gap_m
+    return *(result.arrays[n][-1, 0] for n in ("node_y_m", "node_vy_m_s")), result.min_gap_m
 
 
 def contact_time_s(stiffness_N_m):
@@ -54,7 +50,7 @@ def test_conservative_laws_give_back_all(law):
 def test_hunt_crossley_rebounds_as_told(restitution):
     """At the speed that the restitution is given for, and at others by the exact relation."""
     law = CONTACT["hunt_crossley"](restitution=restitution, impact_speed_m_s=2.0)
-    number = law.law(_scales()).damping * 2.0 / _scales().velocity_m_s
+    number = law.law(SCALES).damping * 2.0 / SCALES.velocity_m_s
     for speed in (2.0, 0.5, 4.0):
         u = number * speed / 2.0
         expected = brentq(
@@ -66,10 +62,6 @@ def test_hunt_crossley_rebounds_as_told(restitution):
         assert rebound / speed == pytest.approx(expected, abs=2e-4)
         if speed == 2.0:
             assert expected == pytest.approx(restitution, abs=1e-9)
-
-
-def _scales():
-    return Simulation().robot.scales
 
 
 @pytest.mark.parametrize("restitution", [0.0, 0.4, 1.0])

@@ -21,25 +21,20 @@ def test_mirrored_designs_start_mirrored(lag):
     assert right == pytest.approx(left, rel=1e-14)
 
 
+def critical_of(epsilon, elements):
+    mesh = replace(BASE.discretization, elements=elements)
+    return critical(replace(BASE, design=Design(epsilon=epsilon), discretization=mesh))
+
+
 @pytest.mark.parametrize(("epsilon", "elements"), [(1e-5, 56), (1e-5, 8), (1.5e-5, 104)])
 def test_what_does_not_buckle_is_refused(epsilon, elements):
-    mesh = replace(BASE.discretization, elements=elements)
     with pytest.raises(ParameterError, match=r"design\.epsilon = .*buckles"):
-        critical(replace(BASE, design=Design(epsilon=epsilon), discretization=mesh))
+        critical_of(epsilon, elements)
 
 
 @pytest.mark.parametrize("epsilon", [0.01, 0.07, 0.1, 0.4])
 def test_eight_elements_snap_where_a_mesh_so_coarse_does(epsilon):
     """Too early, by an error of second order: the coarsest mesh has its own threshold."""
-    eight, twelve, many = (
-        critical(
-            replace(
-                BASE,
-                design=Design(epsilon=epsilon),
-                discretization=replace(BASE.discretization, elements=elements),
-            )
-        ).alpha_rad
-        for elements in (8, 12, 104)
-    )
+    eight, twelve, many = (critical_of(epsilon, n).alpha_rad for n in (8, 12, 104))
     assert 0.80 * many < eight < twelve < many
     assert (many - eight) / (many - twelve) == pytest.approx((12 / 8) ** 2, rel=0.3)

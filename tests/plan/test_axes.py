@@ -1,7 +1,6 @@
 """Axes: any inputs by their paths, with declared ranges or others; what no robot has is refused."""
 
 from dataclasses import replace
-from typing import Any
 
 import pytest
 from refusals import refused
@@ -23,7 +22,7 @@ from snapjump.plan.sobol import Sobol
 BASE = with_tier("draft")
 
 
-def test_every_number_of_a_physical_part_is_an_input() -> None:
+def test_every_number_of_a_physical_part_is_an_input():
     found = inputs_of(BASE)
     assert {"robot.thickness_m", "robot.mount_height", "contact.stiffness_N_m"} <= set(found)
     assert {"damping.relaxation_time_s", "friction.velocity_threshold_m_s"} <= set(found)
@@ -35,7 +34,7 @@ def test_every_number_of_a_physical_part_is_an_input() -> None:
             assert one.plan[0] < one.plan[1] and one.kind in ("control", "environment", "property")
 
 
-def test_values_are_set_by_path() -> None:
+def test_values_are_set_by_path():
     other = with_inputs(BASE, {"robot.mount_height": 2e-3, "contact.stiffness_N_m": 2e4})
     assert value_at(other, "robot.mount_height") == 2e-3
     assert other.contact.stiffness_N_m == 2e4 and other.design == BASE.design
@@ -43,7 +42,7 @@ def test_values_are_set_by_path() -> None:
         with_inputs(BASE, {"robot.mount_height": 0.02})
 
 
-def test_the_four_by_default() -> None:
+def test_the_four_by_default():
     axes = Sobol(epsilon=[0.15, 0.2]).axes(BASE)  # type: ignore[arg-type]
     assert tuple(axis.path for axis in axes) == DEFAULT_INPUTS
     assert [axis.column for axis in axes] == ["delta_alpha_rad", "epsilon", "mass_bar", "mu"]
@@ -52,14 +51,14 @@ def test_the_four_by_default() -> None:
     assert recorded_axes(old) == axes == default_axes([axis.range for axis in axes])
 
 
-def test_any_inputs_in_the_order_given() -> None:
+def test_any_inputs_in_the_order_given():
     given = {"robot.thickness_m": None, "design.epsilon": [0.1, 0.2]}
     thickness, epsilon = Sobol(inputs=given).axes(BASE)  # type: ignore[arg-type]
     assert thickness.column == "thickness_m" and thickness.range == (3.5e-5, 7.5e-5)
     assert epsilon.range == (0.1, 0.2) and epsilon.label == "pre-compression ε"
 
 
-def test_two_of_one_name_are_called_by_their_paths() -> None:
+def test_two_of_one_name_are_called_by_their_paths():
     one, other = inputs_of(BASE)["robot.length_m"], inputs_of(BASE)["design.epsilon"]
     twin = replace(other, path="frame.length_m", column="length_m")
     assert column_names([one, twin, other]) == ["robot_length_m", "frame_length_m", "epsilon"]
@@ -82,12 +81,12 @@ def test_two_of_one_name_are_called_by_their_paths() -> None:
         ({"inputs": {"design.epsilon": None}, "epsilon": [0.1, 0.2]}, "plan.epsilon"),
     ],
 )
-def test_what_no_robot_has(options: dict[str, Any], key: str) -> None:
+def test_what_no_robot_has(options, key):
     with refused(key):
         Sobol(**options).axes(BASE)
 
 
-def test_a_range_that_is_not_declared_has_to_be_given() -> None:
+def test_a_range_that_is_not_declared_has_to_be_given():
     class Windy(Environment):
         """An environment with one number more."""
 

@@ -120,3 +120,12 @@ def jump() -> Any:
 @pytest.fixture(scope="session")
 def snap() -> Any:
     return make_snap()
+
+
+def of(result: Any, scene: str | None = None, **changes: Any) -> Any:
+    """The same result with other arrays, summary or status, perhaps of another scene."""
+    parts = {**vars(result), **changes}
+    if scene is not None:
+        simulation = {**vars(result.simulation), "sim": SimpleNamespace(name=scene)}
+        parts["simulation"] = SimpleNamespace(**simulation)
+    return SimpleNamespace(**parts)

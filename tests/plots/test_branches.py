@@ -1,17 +1,15 @@
 """Branches: solid where stable, dashed where not, parted where another begins."""
 
-import pathlib
-from types import SimpleNamespace
-from typing import Any
-
 import numpy as np
 from PIL import Image
 
 from snapjump.plots import figures
 from snapjump.plots.branches import stable_runs
 
+from .conftest import of
 
-def test_runs_part_at_another_branch_and_join_at_a_change_of_stability() -> None:
+
+def test_runs_part_at_another_branch_and_join_at_a_change_of_stability():
     number = np.array([0, 0, 0, 0, 1, 1, 1])
     negative = np.array([0, 0, 1, 1, 0, 0, 0])
     runs = [(run.start, run.stop, stable) for run, stable in stable_runs(number, negative)]
@@ -19,7 +17,7 @@ def test_runs_part_at_another_branch_and_join_at_a_change_of_stability() -> None
     assert list(stable_runs(np.array([]), np.array([]))) == []
 
 
-def test_static_and_cantilever(jump: Any, tmp_path: pathlib.Path) -> None:
+def test_static_and_cantilever(jump, tmp_path):
     alpha = np.linspace(0.0, 1.2, 60)
     arch = 0.28 - 0.05 * alpha**2
     arrays = {
@@ -33,12 +31,9 @@ def test_static_and_cantilever(jump: Any, tmp_path: pathlib.Path) -> None:
     arrays["shapes_x_bar"] = np.stack([x, x])
     arrays["shapes_y_bar"] = np.stack([0.2 * np.cos(4 * x) ** 2, -0.3 * np.cos(3.9 * x)])
     arrays["shapes_label"] = np.array(["critical, 0.9117 rad", "snapped"])
-    base = vars(jump.simulation)
     for scene, keep in (("static", ""), ("cantilever", "shapes"), ("static", "branch")):
-        simulation = type(jump.simulation)(**{**base, "sim": SimpleNamespace(name=scene)})
         kept = {name: values for name, values in arrays.items() if name.startswith(keep)}
-        summary = {"alpha_critical_rad": 0.911665}
-        result = type(jump)(status="ok", summary=summary, arrays=kept, simulation=simulation)
+        result = of(jump, scene, summary={"alpha_critical_rad": 0.911665}, arrays=kept)
         paths = figures(result, tmp_path / f"{scene}{keep}")
         assert [path.name for path in paths] == [f"{scene}.png"]
         with Image.open(paths[0]) as image:

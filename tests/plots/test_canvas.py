@@ -6,7 +6,7 @@ from snapjump.plots import palette
 from snapjump.plots.canvas import COLOURS, Canvas, film_palette
 
 
-def test_full_colours_are_exact() -> None:
+def test_full_colours_are_exact():
     for colour in COLOURS:
         canvas = Canvas(8, 6)
         canvas.rectangle((-1.0, -1.0, 9.0, 7.0), colour)
@@ -15,7 +15,7 @@ def test_full_colours_are_exact() -> None:
         assert (pixels == palette.rgb(colour)).all()
 
 
-def test_half_covered_pixels_are_the_mean() -> None:
+def test_half_covered_pixels_are_the_mean():
     canvas = Canvas(8, 6)
     canvas.rectangle((0.0, 0.0, 2.0, 6.0), palette.INK)  # covers columns 0, 1 and half of 2
     pixels = np.asarray(canvas.picture().convert("RGB")).astype(float)
@@ -24,13 +24,13 @@ def test_half_covered_pixels_are_the_mean() -> None:
     assert (pixels[:, 3] == 255.0).all()
 
 
-def test_palette_fits_in_256_entries() -> None:
+def test_palette_fits_in_256_entries():
     table, colours = film_palette()
     assert len(COLOURS) + 3 * len(COLOURS) * (len(COLOURS) - 1) // 2 <= 256
     assert table.shape == (1 << 16,) and len(colours) == 768
 
 
-def test_lines_far_outside_do_no_harm() -> None:
+def test_lines_far_outside_do_no_harm():
     canvas = Canvas(20, 20)
     canvas.line(np.array([[-1e9, 10.0], [1e9, 10.0]]), palette.BEAM, 3.0)
     canvas.arrow((5.0, 5.0), (5.0, 5.5), palette.FORCE)

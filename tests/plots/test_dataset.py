@@ -4,13 +4,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PIL import Image
-from small_datasets import made_up, made_up_rows, small
+from pictures import count, picture
+from small_datasets import made_up, small, smooth_dataset
 
-from snapjump.dataset.folder import DatasetFolder
-from snapjump.dataset.manifest import write_manifest
 from snapjump.dataset.read import Dataset, open_dataset
-from snapjump.dataset.shard import write_shard
 from snapjump.dataset.statistics import gather
 from snapjump.plots import palette
 from snapjump.plots.dataset import draw_dataset, draw_status
@@ -20,15 +17,12 @@ def drawn(dataset: Dataset, path: Path) -> dict[str, np.ndarray]:
     statistics = gather(dataset)
     draw_dataset(statistics, "title", path / "dataset.png")
     draw_status(statistics, dataset.statuses, "title", path / "status.png")
-    return {
-        name: np.asarray(Image.open(path / f"{name}.png").convert("RGB"))
-        for name in ("dataset", "status")
-    }
+    return {name: picture(path / f"{name}.png") for name in ("dataset", "status")}
 
 
-def has(picture: np.ndarray, colour: str) -> bool:
+def has(pixels: np.ndarray, colour: str) -> bool:
     """Whether enough of a colour is there for a bar or a line."""
-    return int((picture == palette.rgb(colour)).all(axis=2).sum()) > 200
+    return count(pixels, colour) > 200
 
 
 @pytest.mark.parametrize("plan", ["grid", "latin_hypercube"])
@@ -43,25 +37,19 @@ def test_both_pictures(tmp_path, plan):
         assert has(pictures["status"], colour)
 
 
-@pytest.mark.parametrize("count", [1, 7])
-def test_any_number_of_inputs(tmp_path, count):
+@pytest.mark.parametrize("inputs", [1, 7])
+def test_any_number_of_inputs(tmp_path, inputs):
     names = ("length_m", "width_m", "thickness_m", "density_kg_m3", "frame_height_m")
     paths = ["design.epsilon", "environment.mu", *(f"robot.{name}" for name in names)]
-    plan = {"name": "sobol", "count": 64, "inputs": dict.fromkeys(paths[:count])}
+    plan = {"name": "sobol", "count": 64, "inputs": dict.fromkeys(paths[:inputs])}
     made_up(tmp_path, small(shard_size=64, plan=plan))
     pictures = drawn(open_dataset(tmp_path), tmp_path)
     assert has(pictures["dataset"], palette.BEAM) and has(pictures["status"], palette.CENTRE)
 
 
 def test_a_dataset_of_nothing_but_failures(tmp_path):
-    specification = small(16, 16)
-    folder = DatasetFolder(tmp_path)
-    folder.open(specification)
-    rows = dict(made_up_rows(specification, 0))
-    rows["status"] = np.array(["step_underflow"] * 16, dtype=object)
-    rows["x_bar"] = rows["y_bar"] = np.full(16, np.nan)
-    write_shard(folder, specification, 0, rows)
-    write_manifest(folder, specification)
+    nothing = {"status": "step_underflow", "x_bar": np.nan, "y_bar": np.nan}
+    smooth_dataset(tmp_path, small(16, 16), **nothing)
     pictures = drawn(open_dataset(tmp_path), tmp_path)
     assert has(pictures["status"], palette.FORCE)
     assert not has(pictures["status"], palette.CENTRE)

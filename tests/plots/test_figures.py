@@ -4,7 +4,6 @@ import copy
 import pathlib
 import subprocess
 import sys
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -14,6 +13,8 @@ from PIL import Image
 from snapjump.plots import figures
 from snapjump.plots.film import ACTION, FLIGHT, LEAD, SIZE
 
+from .conftest import of
+
 
 def names(paths: list[pathlib.Path]) -> set[str]:
     return {path.name for path in paths}
@@ -22,12 +23,10 @@ def names(paths: list[pathlib.Path]) -> set[str]:
 def part(result: Any, keep: slice | np.ndarray) -> Any:
     """The same result with some of its samples."""
     arrays = {name: values[keep] for name, values in result.arrays.items()}
-    return SimpleNamespace(
-        status="stalled", summary={}, arrays=arrays, simulation=result.simulation
-    )
+    return of(result, status="stalled", summary={}, arrays=arrays)
 
 
-def test_jump_files_are_images_of_the_right_size(jump: Any, tmp_path: pathlib.Path) -> None:
+def test_jump_files_are_images_of_the_right_size(jump, tmp_path):
     told: list[tuple[float, str]] = []
     paths = figures(jump, tmp_path / "new", lambda done, text: told.append((done, text)))
     assert names(paths) == {"jump.png", "jump.gif", "energy.png"}
@@ -40,7 +39,7 @@ def test_jump_files_are_images_of_the_right_size(jump: Any, tmp_path: pathlib.Pa
     assert all(any(path.name in text for _, text in told) for path in paths)
 
 
-def test_film_shows_snap_strike_and_flight(jump: Any, tmp_path: pathlib.Path) -> None:
+def test_film_shows_snap_strike_and_flight(jump, tmp_path):
     figures(jump, tmp_path)
     with Image.open(tmp_path / "jump.gif") as film:
         assert film.n_frames == LEAD + ACTION + FLIGHT
@@ -51,11 +50,11 @@ def test_film_shows_snap_strike_and_flight(jump: Any, tmp_path: pathlib.Path) ->
     assert (tmp_path / "jump.gif").stat().st_size < 3_000_000
 
 
-def test_film_is_optional(jump: Any, tmp_path: pathlib.Path) -> None:
+def test_film_is_optional(jump, tmp_path):
     assert names(figures(jump, tmp_path, film=False)) == {"jump.png", "energy.png"}
 
 
-def test_snap_has_neither_ground_nor_flight(snap: Any, tmp_path: pathlib.Path) -> None:
+def test_snap_has_neither_ground_nor_flight(snap, tmp_path):
     assert names(figures(snap, tmp_path)) == {"snap.png", "snap.gif", "energy.png"}
     with Image.open(tmp_path / "snap.gif") as film:
         assert film.n_frames == LEAD + ACTION
@@ -63,14 +62,12 @@ def test_snap_has_neither_ground_nor_flight(snap: Any, tmp_path: pathlib.Path) -
 
 @pytest.mark.parametrize("count", [1, 2, 3, 7, 120, 200])
 @pytest.mark.parametrize("which", ["jump", "snap"])
-def test_truncated_runs_are_drawn(
-    which: str, count: int, request: pytest.FixtureRequest, tmp_path: pathlib.Path
-) -> None:
+def test_truncated_runs_are_drawn(which, count, request, tmp_path):
     short = part(request.getfixturevalue(which), slice(0, count))
     assert f"{which}.png" in names(figures(short, tmp_path))
 
 
-def test_samples_that_are_not_finite_are_left_out(jump: Any, tmp_path: pathlib.Path) -> None:
+def test_samples_that_are_not_finite_are_left_out(jump, tmp_path):
     broken = copy.deepcopy(jump)
     broken.arrays["node_y_m"][-3:] = np.nan
     broken.arrays["kinetic_J"][-1] = np.inf
@@ -78,34 +75,26 @@ def test_samples_that_are_not_finite_are_left_out(jump: Any, tmp_path: pathlib.P
     assert len(figures(broken, tmp_path)) == 3
 
 
-def test_arrays_without_any_finite_sample_give_no_figures(
-    jump: Any, tmp_path: pathlib.Path
-) -> None:
-    broken = copy.deepcopy(jump)
-    broken.arrays = {name: np.full_like(a, np.nan) for name, a in broken.arrays.items()}
-    assert figures(broken, tmp_path) == []
-
-
-def test_no_arrays_no_figures(jump: Any, tmp_path: pathlib.Path) -> None:
-    assert figures(part(jump, slice(0, 0)), tmp_path) == []
-    empty = SimpleNamespace(status="failed", summary={}, arrays={}, simulation=jump.simulation)
-    assert figures(empty, tmp_path) == []
+def test_no_finite_samples_no_figures(jump, tmp_path):
+    lost = {name: np.full_like(values, np.nan) for name, values in jump.arrays.items()}
+    nothing = of(jump, status="failed", summary={}, arrays={})
+    for result in (of(jump, arrays=lost), part(jump, slice(0, 0)), nothing):
+        assert figures(result, tmp_path) == []
 
 
 @pytest.mark.parametrize("scene", ["bounce", "slide"])
-def test_one_node_is_drawn_against_time(scene: str, jump: Any, tmp_path: pathlib.Path) -> None:
+def test_one_node_is_drawn_against_time(scene, jump, tmp_path):
     time = np.linspace(0.0, 1e-3, 50)
     column = np.abs(np.sin(3e3 * time))[:, None]
     arrays = {"time_s": time, "node_x_m": 0.01 * time[:, None], "node_y_m": 0.01 * column}
     arrays |= {"node_normal_N": 1.0 - column, "node_friction_N": 0.3 * column}
     arrays |= {"node_vx_m_s": 1.0 + 0.0 * column, "node_vy_m_s": column}
     arrays |= {"kinetic_J": column[:, 0], "contact_J": 1.0 - column[:, 0]}
-    simulation = SimpleNamespace(**{**vars(jump.simulation), "sim": SimpleNamespace(name=scene)})
-    result = SimpleNamespace(status="ok", summary={}, arrays=arrays, simulation=simulation)
+    result = of(jump, scene, summary={}, arrays=arrays)
     assert names(figures(result, tmp_path)) == {f"{scene}.png", "energy.png"}
 
 
-def test_pictures_are_lazy() -> None:
+def test_pictures_are_lazy():
     """matplotlib and Pillow cost most of a second: only who draws pays for them."""
     code = "import sys, snapjump.plots; print({'matplotlib', 'PIL'} & set(sys.modules))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from forward_models import about
 from made_up_maps import MadeUpModel, folded, problem
-from PIL import Image
+from pictures import count, picture
 
 from snapjump.inverse.base import Solution
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
@@ -25,22 +25,21 @@ TARGET = folded(np.array([[0.06, 0.2, 1.0, 0.3]]))[0]
 
 
 @pytest.fixture
-def flight(jump: Any) -> Any:
+def flight(jump) -> Any:
     """The made-up jump as a result."""
     return Result(jump.status, "", jump.summary, jump.arrays, jump.simulation)
 
 
 def drawn(designed: Designed, region: AchievableRegion | None, folder: Path) -> np.ndarray:
-    path = inverse_picture(designed, region, folder / "inverse.png")
-    return np.asarray(Image.open(path).convert("RGB"))
+    return picture(inverse_picture(designed, region, folder / "inverse.png"))
 
 
-def has(picture: np.ndarray, colour: str, least: int = 40) -> bool:
-    return int((picture == palette.rgb(colour)).all(axis=2).sum()) > least
+def has(pixels: np.ndarray, colour: str) -> bool:
+    return count(pixels, colour) > 40
 
 
 @pytest.mark.parametrize("target", [TARGET, TARGET + 30.0])
-def test_region_solutions_and_flight(flight: Any, tmp_path: Path, target: Any) -> None:
+def test_region_solutions_and_flight(flight, tmp_path, target):
     given = problem(target, MODEL)
     found = answer(given, GaussNewtonOptions())
     designed = Designed(given, found, found.solutions[0], np.zeros(4), flight, None, about(), "")
@@ -50,7 +49,7 @@ def test_region_solutions_and_flight(flight: Any, tmp_path: Path, target: Any) -
     assert not has(picture, palette.CLAMP)
 
 
-def test_a_robust_design_has_clouds(flight: Any, tmp_path: Path) -> None:
+def test_a_robust_design_has_clouds(flight, tmp_path):
     given = problem(TARGET, MODEL)
     found = answer(given, GaussNewtonOptions())
     robust = compare(given, MODEL, Tolerance(), found.solutions)
@@ -60,7 +59,7 @@ def test_a_robust_design_has_clouds(flight: Any, tmp_path: Path) -> None:
     assert picture.shape[0] > 1000
 
 
-def test_without_a_forward_model(flight: Any, tmp_path: Path) -> None:
+def test_without_a_forward_model(flight, tmp_path):
     found = Answer(True, [Solution(np.array([0.1, 0.2]), TARGET, True)], 1.0, 60)
     designed = Designed(
         problem(TARGET), found, found.solutions[0], np.zeros(4), flight, None, about(), ""
@@ -69,7 +68,7 @@ def test_without_a_forward_model(flight: Any, tmp_path: Path) -> None:
     assert has(picture, palette.CENTRE) and not has(picture, palette.PLUM)
 
 
-def test_holes_run_the_other_way_round() -> None:
+def test_holes_run_the_other_way_round():
     """Then they are not filled, and the areas within all rings add up to that of the geometry."""
     import shapely
 

@@ -1,8 +1,5 @@
 """Instants, interpolation and the ballistic flight that the pictures show."""
 
-import copy
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -11,8 +8,10 @@ from snapjump.plots.moments import middle_height, moments, snap_interval
 from snapjump.plots.motion import poses, read_motion
 from snapjump.plots.trajectory import flight_end
 
+from .conftest import of
 
-def test_samples_are_met_and_halfway_is_the_mean(jump: Any) -> None:
+
+def test_samples_are_met_and_halfway_is_the_mean(jump):
     motion = read_motion(jump)
     assert motion is not None
     at = poses(motion, motion.time)
@@ -23,7 +22,7 @@ def test_samples_are_met_and_halfway_is_the_mean(jump: Any) -> None:
     )
 
 
-def test_flight_ends_at_the_apex_and_keeps_shape_and_turning(jump: Any) -> None:
+def test_flight_ends_at_the_apex_and_keeps_shape_and_turning(jump):
     motion = read_motion(jump)
     assert motion is not None
     assert motion.turning == pytest.approx(-0.06, rel=1e-6)
@@ -40,7 +39,7 @@ def test_flight_ends_at_the_apex_and_keeps_shape_and_turning(jump: Any) -> None:
     assert turned == pytest.approx(round(turned), abs=1e-9)
 
 
-def test_middle_height_is_measured_in_the_frame(jump: Any) -> None:
+def test_middle_height_is_measured_in_the_frame(jump):
     """Turning and moving everything changes nothing."""
     motion = read_motion(jump)
     assert motion is not None
@@ -53,7 +52,7 @@ def test_middle_height_is_measured_in_the_frame(jump: Any) -> None:
     assert np.ptp(middle_height(both)) < 1e-12
 
 
-def test_moments_are_named_in_order_and_eight(jump: Any) -> None:
+def test_moments_are_named_in_order_and_eight(jump):
     motion = read_motion(jump)
     assert motion is not None
     snap = snap_interval(motion)
@@ -66,9 +65,8 @@ def test_moments_are_named_in_order_and_eight(jump: Any) -> None:
     assert len(moments(motion, None, wanted=3)) >= 3
 
 
-def test_only_what_jumped_flies(jump: Any) -> None:
-    fallen = copy.copy(jump)
-    fallen.status = "no_jump"
+def test_only_what_jumped_flies(jump):
+    fallen = of(jump, status="no_jump")
     motion = read_motion(fallen)
     assert motion is not None
     assert flight_end(motion, None) == motion.time[-1]

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PIL import Image
+from pictures import count, picture
 
 from snapjump.plots import palette
 from snapjump.plots.training import draw_training
@@ -18,37 +18,25 @@ CURVES = [
 ]  # fmt: skip
 
 
-def shares(picture: np.ndarray, colour: str) -> int:
-    return int((picture == palette.rgb(colour)).all(axis=2).sum())
+def drawn(path: Path, curves: list, designs: np.ndarray, error: float) -> Path:
+    """The figure of a model that is so wrong."""
+    apexes, errors = np.random.default_rng(1).normal(size=(2, len(designs), 2))
+    file = path / "training.png"
+    draw_training(curves, ["a", "b", "c", "d"], designs, apexes, error * errors, "title", file)
+    return file
 
 
 @pytest.mark.parametrize("curves", [CURVES, []])
 @pytest.mark.parametrize("points", [5, 0])
-def test_it_is_drawn(tmp_path: Path, curves: list, points: int) -> None:
-    random = np.random.default_rng(0)
-    designs = random.random((500, 4))
+def test_it_is_drawn(tmp_path, curves, points):
+    designs = np.random.default_rng(0).random((500, 4))
     if points:
         designs = np.round(designs * (points - 1)) / (points - 1)
-    apexes = random.normal(size=(500, 2))
-    errors = 0.05 * random.normal(size=(500, 2))
-    draw_training(
-        curves, ["a", "b", "c", "d"], designs, apexes, errors, "title", tmp_path / "training.png"
-    )
-    picture = np.asarray(Image.open(tmp_path / "training.png").convert("RGB"))
-    assert shares(picture, palette.BEAM) > 500 and shares(picture, palette.FORCE) > 500
-    assert (shares(picture, palette.CENTRE) > 200) == bool(curves)
+    pixels = picture(drawn(tmp_path, curves, designs, 0.05))
+    assert count(pixels, palette.BEAM) > 500 and count(pixels, palette.FORCE) > 500
+    assert (count(pixels, palette.CENTRE) > 200) == bool(curves)
 
 
-def test_a_model_without_errors_is_drawn(tmp_path: Path) -> None:
-    random = np.random.default_rng(0)
-    designs, apexes = random.random((50, 4)), random.normal(size=(50, 2))
-    draw_training(
-        [],
-        ["a", "b", "c", "d"],
-        designs,
-        apexes,
-        np.zeros((50, 2)),
-        "title",
-        tmp_path / "training.png",
-    )
-    assert (tmp_path / "training.png").stat().st_size > 10_000
+def test_a_model_without_errors_is_drawn(tmp_path):
+    designs = np.random.default_rng(0).random((50, 4))
+    assert drawn(tmp_path, [], designs, 0.0).stat().st_size > 10_000

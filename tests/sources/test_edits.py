@@ -87,18 +87,15 @@ def test_what_an_edit_changes(folder, file):
 
 
 def test_plugins_count_as_they_are_and_wherever_they_lie(folder, monkeypatch):
-    place = folder / "plugins"
-    with_them = names()
-    put_plugins(folder / "elsewhere")
-    monkeypatch.setattr(files, "PLUGINS", [folder / "elsewhere"])
+    place, elsewhere, with_them = folder / "plugins", folder / "elsewhere", names()
+    put_plugins(elsewhere)
+    monkeypatch.setattr(files, "PLUGINS", [elsewhere])
     assert names() == with_them
-    files.PLUGINS.append(place)
-    assert all(names()[key] != with_them[key] for key in ALL)
-    files.PLUGINS.clear()
-    assert all(names()[key] != with_them[key] for key in ALL)
-    files.PLUGINS.append(place)
-    (place / "contact" / "mine.py").rename(place / "contact" / "yours.py")
-    assert all(names()[key] != with_them[key] for key in ALL)
+    for plugins in ([elsewhere, place], [], [place]):
+        if plugins == [place]:
+            (place / "contact" / "mine.py").rename(place / "contact" / "yours.py")
+        monkeypatch.setattr(files, "PLUGINS", plugins)
+        assert all(names()[key] != with_them[key] for key in ALL)
 
 
 def test_a_process_stays_with_what_it_has_imported(folder):

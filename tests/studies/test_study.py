@@ -66,7 +66,7 @@ class Squares(Study):
 
 
 @pytest.fixture(autouse=True)
-def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def here(tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(module, "fingerprint", lambda config, roots: "hash")
     calls.clear()
@@ -81,7 +81,7 @@ def run(name: str, breaks: Any = None) -> tuple[Any, ResultFolder]:
     return squares.run(folder, lambda done, text: None), folder
 
 
-def test_what_it_leaves() -> None:
+def test_what_it_leaves():
     outcome, folder = run("first")
     assert outcome.status == "ok"
     assert outcome.summary["largest"] == 4 and outcome.summary["none"] is None
@@ -103,16 +103,14 @@ def test_what_it_leaves() -> None:
     assert records[2]["metrics"] == {"n": 2.0, "square": 4.0, "error": 0.5}
 
 
-def test_what_is_done_is_not_done_again() -> None:
+def test_what_is_done_is_not_done_again():
     run("first")
     outcome, _ = run("second")
     assert len(calls) == 3
     assert outcome.summary["cells_kept"] == 3 and outcome.summary["largest"] == 4
 
 
-def test_keys_that_only_choose_do_not_determine_cells(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_keys_that_only_choose_do_not_determine_cells(tmp_path, monkeypatch):
     asked: list[Any] = []
     monkeypatch.setattr(module, "fingerprint", lambda config, roots: asked.append(config) or "hash")
     monkeypatch.setattr(Squares, "choices", ("figures",))
@@ -120,7 +118,7 @@ def test_keys_that_only_choose_do_not_determine_cells(
     assert asked == [{key: value for key, value in CONFIG.items() if key != "figures"}]
 
 
-def test_ctrl_c_keeps_finished_cells() -> None:
+def test_ctrl_c_keeps_finished_cells():
     with pytest.raises(KeyboardInterrupt):
         run("first", KeyboardInterrupt)
     outcome, _ = run("second")
@@ -128,14 +126,14 @@ def test_ctrl_c_keeps_finished_cells() -> None:
     assert outcome.summary["cells_kept"] == 1
 
 
-def test_a_refused_cell_is_a_result() -> None:
+def test_a_refused_cell_is_a_result():
     outcome, _ = run("first", ParameterError("frame", "fixed", "rigid"))
     assert outcome.status == "ok" and outcome.summary["cells_refused"] == 1
     run("second")
     assert calls.count("1 squared") == 1
 
 
-def test_a_failed_cell_is_told_and_done_again() -> None:
+def test_a_failed_cell_is_told_and_done_again():
     outcome, folder = run("first", ZeroDivisionError("by nought"))
     assert outcome.status == "cells_failed" and outcome.summary["cells_failed"] == 1
     assert "ZeroDivisionError: by nought" in (folder.path / "failures.txt").read_text()
@@ -143,17 +141,17 @@ def test_a_failed_cell_is_told_and_done_again() -> None:
     assert outcome.status == "ok" and calls.count("1 squared") == 2
 
 
-def test_a_key_that_the_study_does_not_have() -> None:
+def test_a_key_that_the_study_does_not_have():
     with pytest.raises(ParameterError, match=r"task.foo = 1 .* cells"):
         Squares().prepare({**CONFIG, "task": {**CONFIG["task"], "foo": 1}})
 
 
-def test_only_one_process_at_a_time(tmp_path: Path) -> None:
+def test_only_one_process_at_a_time(tmp_path):
     with CellStore(tmp_path / "store"), pytest.raises(ParameterError, match="no other process"):
         CellStore(tmp_path / "store").__enter__()
 
 
-def test_a_cell_with_other_inputs_is_another(tmp_path: Path) -> None:
+def test_a_cell_with_other_inputs_is_another(tmp_path):
     store = CellStore(tmp_path)
     done = Done(Cell("a/b", {"n": 1}), "ok", "", [], "run", "", "")
     store.save(done)
@@ -161,7 +159,7 @@ def test_a_cell_with_other_inputs_is_another(tmp_path: Path) -> None:
     assert store.load(Cell("a/b", {"n": 2})) is None
 
 
-def test_a_killed_study_leaves_whole_cells_and_no_lock(tmp_path: Path) -> None:
+def test_a_killed_study_leaves_whole_cells_and_no_lock(tmp_path):
     script = (
         f"import os, signal, sys; sys.path[:0] = [{str(Path(__file__).parent)!r}]\n"
         "import test_study as t; from pathlib import Path\n"
@@ -183,7 +181,7 @@ def test_a_killed_study_leaves_whole_cells_and_no_lock(tmp_path: Path) -> None:
     assert calls == ["2 squared"] and outcome.summary["cells_kept"] == 2
 
 
-def test_the_folder_s_name_tells_what_determines_the_cells() -> None:
+def test_the_folder_s_name_tells_what_determines_the_cells():
     roots = ["experiments.speed"]
     name = fingerprint(CONFIG, roots)
     assert fingerprint({**CONFIG, "tracking": {"name": "off"}, "publish": "x"}, roots) == name
@@ -193,7 +191,7 @@ def test_the_folder_s_name_tells_what_determines_the_cells() -> None:
     assert names >= {"experiments.speed", "experiments.designs"}
 
 
-def test_only_what_is_between_the_markers_is_replaced() -> None:
+def test_only_what_is_between_the_markers_is_replaced():
     text = "a\n<!-- t:begin -->\nold\n<!-- t:end -->\nz\n"
     assert replaced(text, "t", "new\n") == "a\n<!-- t:begin -->\nnew\n<!-- t:end -->\nz\n"
     assert replaced(text, "other", "new") is None

@@ -1,8 +1,11 @@
 """``python run.py`` for tests: in this process, which is quicker, or in one of its own."""
 
+import json
 import os
+import signal
 import subprocess
 import sys
+import time
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
@@ -64,3 +67,34 @@ def apart(
         text=True,
         timeout=timeout_s,
     )
+
+
+def begun(folder: Path, *arguments: str, until: str, **options: Any) -> "subprocess.Popen[str]":
+    """The command in a process of its own, which has left a file of this pattern."""
+    process = subprocess.Popen(
+        [sys.executable, str(RUN), *arguments],
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        **options,
+    )
+    while not list(folder.glob(until)):
+        assert process.poll() is None
+        time.sleep(0.005)
+    return process
+
+
+def interrupted(process: "subprocess.Popen[str]") -> str:
+    """What a command prints that Ctrl-C stops in the usual way."""
+    process.send_signal(signal.SIGINT)
+    out, errors = process.communicate(timeout=300)
+    assert process.returncode == 130
+    assert "Traceback" not in errors and "interrupted" in errors
+    return out
+
+
+def result_in(folder: Path) -> tuple[Path, dict[str, Any]]:
+    """The folder and the result of the only run."""
+    (file,) = folder.glob("outputs/20*/*/result.json")
+    return file.parent, json.loads(file.read_text())

@@ -1,10 +1,12 @@
 """Small robots for tests of the engine: coarse, hence quick, but whole."""
 
+from dataclasses import replace
+from math import sqrt
 from typing import Any
 
 import numpy as np
 
-from snapjump import Design, Environment
+from snapjump import Design, Environment, Robot
 from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation, with_tier
 from snapjump.contact.logbarrier import LogBarrier
@@ -50,25 +52,39 @@ def small_simulation(epsilon: float, delta_alpha: float, mu: float, mass_bar: fl
 def small_robot(design: tuple[float, ...]) -> tuple[Model, Any]:
     """The model and a first guess of its equilibrium, without any statics."""
     simulation = small_simulation(*design)
-    robot, scales = simulation.robot, simulation.robot.scales
     angle, depth = CRITICAL[simulation.design.epsilon]
-    law = simulation.contact.law(scales)
-    model = Model(
+    model = model_at(simulation, 0.85 * angle, 1.05 * depth)
+    return model, resting_guess(simulation, model)
+
+
+def model_at(simulation: Simulation, start: float, mount_height_bar: float) -> Model:
+    """A jump's model, its clamps at an angle (rad) that is given."""
+    robot, scales = simulation.robot, simulation.robot.scales
+    rate = robot.rotation_rate_rad_s * scales.time_s
+    return Model(
         simulation.discretization.beam(robot),
-        frame_model(simulation, 1.05 * depth),
-        ConstantRate(
-            0.85 * angle,
-            robot.rotation_end_rad,
-            robot.rotation_rate_rad_s * scales.time_s,
-            simulation.design.delta_alpha,
-        ),
-        law,
+        frame_model(simulation, mount_height_bar),
+        ConstantRate(start, robot.rotation_end_rad, rate, simulation.design.delta_alpha),
+        simulation.contact.law(scales),
         simulation.friction.law(scales, simulation.environment.mu),
         simulation.damping.law(scales),
         Gravity(robot.gravity_m_s2 / scales.acceleration_m_s2),
         simulation.contact.ground(scales, simulation.discretization.elements),
     )
-    return model, resting_guess(simulation, model)
+
+
+def scaled_robot(larger: float, stiffer: float, denser: float) -> Robot:
+    """The paper's robot with all its dimensionless groups as they are."""
+    robot, time = Robot(), larger * sqrt(denser / stiffer)
+    lengths = ("length_m", "width_m", "thickness_m", "frame_height_m")
+    return replace(
+        robot,
+        **{name: getattr(robot, name) * larger for name in lengths},
+        youngs_modulus_Pa=robot.youngs_modulus_Pa * stiffer,
+        density_kg_m3=robot.density_kg_m3 * denser,
+        gravity_m_s2=robot.gravity_m_s2 * larger / time**2,
+        rotation_rate_rad_s=robot.rotation_rate_rad_s / time,
+    )
 
 
 def small_march(

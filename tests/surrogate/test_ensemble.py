@@ -14,7 +14,7 @@ def ensemble() -> Ensemble:
     return network
 
 
-def test_its_prediction_is_the_mean_of_members_that_differ() -> None:
+def test_its_prediction_is_the_mean_of_members_that_differ():
     network, designs = ensemble(), jumps(30).designs
     each = network.each(designs)
     assert each.shape == (4, 30, 2)
@@ -22,7 +22,7 @@ def test_its_prediction_is_the_mean_of_members_that_differ() -> None:
     assert (each.std(dim=0) > 0.0).all()
 
 
-def test_a_member_learns_as_if_it_were_alone() -> None:
+def test_a_member_learns_as_if_it_were_alone():
     network, rows = ensemble(), jumps(64)
     network.loss(rows).backward()
     together = network.body[0].weight.grad[1].clone()
@@ -32,7 +32,7 @@ def test_a_member_learns_as_if_it_were_alone() -> None:
     assert torch.allclose(together, network.body[0].weight.grad[1] / 4, atol=1e-7)
 
 
-def test_intervals_hold_ninety_percent_of_jumps_like_those_of_the_calibration() -> None:
+def test_intervals_hold_ninety_percent_of_jumps_like_those_of_the_calibration():
     network = ensemble()
     noise = torch.Generator().manual_seed(1)
 
@@ -48,7 +48,7 @@ def test_intervals_hold_ninety_percent_of_jumps_like_those_of_the_calibration() 
     assert ((inside.float().mean(dim=0) - 0.9).abs() < 0.02).all()
 
 
-def test_few_jumps_of_calibration_give_the_widest_intervals() -> None:
+def test_few_jumps_of_calibration_give_the_widest_intervals():
     network = ensemble()
     with torch.no_grad():
         rows = jumps(5)

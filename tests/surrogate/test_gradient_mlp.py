@@ -13,7 +13,7 @@ def network(slope_weight: float) -> GradientMlp:
     return made
 
 
-def test_its_loss_is_the_error_of_values_and_of_slopes() -> None:
+def test_its_loss_is_the_error_of_values_and_of_slopes():
     rows, made = jumps(20), network(0.5)
     designs = rows.designs.clone().requires_grad_()
     apexes = made(designs)
@@ -31,7 +31,7 @@ def rows_std(count: int) -> torch.Tensor:
     return jumps(count).apexes.std(dim=0)
 
 
-def test_slopes_that_are_not_known_do_not_count() -> None:
+def test_slopes_that_are_not_known_do_not_count():
     rows, made = jumps(20), network(0.5)
     some = rows.slopes.clone()
     some[::2] = torch.nan
@@ -47,7 +47,7 @@ def test_slopes_that_are_not_known_do_not_count() -> None:
     assert torch.allclose(made.loss(none), of_values(rows))
 
 
-def test_where_the_law_is_smooth_slopes_are_worth_many_jumps() -> None:
+def test_where_the_law_is_smooth_slopes_are_worth_many_jumps():
     rows, others = jumps(40), jumps(500, 1)
     errors = []
     for weight in (0.0, 1.0):

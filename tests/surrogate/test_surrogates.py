@@ -37,19 +37,19 @@ def descended(name: str, rows: Rows, steps: int) -> Surrogate:
     return network.requires_grad_(False)
 
 
-def test_every_member_is_tested_here() -> None:
+def test_every_member_is_tested_here():
     assert set(SMALL) == set(NAMES)
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_it_learns(name: str) -> None:
+def test_it_learns(name):
     rows, others = jumps(600), jumps(200, 1)
     error = (descended(name, rows, 150)(others.designs) - others.apexes).abs().mean(dim=0)
     assert (error < 0.15 * others.apexes.std(dim=0)).all(), error
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_designs_do_not_see_each_other(name: str) -> None:
+def test_designs_do_not_see_each_other(name):
     network = descended(name, jumps(100), 2)
     designs = jumps(7, 2).designs
     together = network(designs)
@@ -58,7 +58,7 @@ def test_designs_do_not_see_each_other(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_all_it_has_learned_is_in_its_state(name: str) -> None:
+def test_all_it_has_learned_is_in_its_state(name):
     rows = jumps(300)
     network = descended(name, rows, 3)
     network.calibrate(rows)
@@ -71,7 +71,7 @@ def test_all_it_has_learned_is_in_its_state(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", BY_DESCENT)
-def test_its_slopes_are_those_of_its_values(name: str) -> None:
+def test_its_slopes_are_those_of_its_values(name):
     network = descended(name, jumps(100), 2).double()
     designs = jumps(5).designs.double().requires_grad_()
     (slopes,) = torch.autograd.grad(network(designs).sum(), designs)
@@ -83,14 +83,14 @@ def test_its_slopes_are_those_of_its_values(name: str) -> None:
             assert torch.allclose(change, slopes[:, axis], rtol=1e-4, atol=1e-4)
 
 
-def test_the_paper_s_network_has_the_paper_s_size() -> None:
+def test_the_paper_s_network_has_the_paper_s_size():
     network = member_class("surrogate", "mlp")().network()
     # 4 -> 372 -> 372 -> 372 -> 2, weights and biases.
     expected = 4 * 372 + 372 + 2 * (372 * 372 + 372) + 2 * 372 + 2
     assert sum(values.numel() for values in network.parameters()) == expected
 
 
-def test_standardisation_and_its_inverse() -> None:
+def test_standardisation_and_its_inverse():
     values = torch.tensor([[1.0, 5.0], [3.0, 5.0], [8.0, 5.0]])
     standard = Standardisation(2)
     standard.fit(values)
@@ -99,7 +99,7 @@ def test_standardisation_and_its_inverse() -> None:
     assert torch.allclose(standard.inverse(standard(values)), values)
 
 
-def test_a_law_of_energy_over_weight_is_constant_in_the_mass() -> None:
+def test_a_law_of_energy_over_weight_is_constant_in_the_mass():
     class Constant(MassScaled):
         def forward(self, designs: torch.Tensor) -> torch.Tensor:
             return self.apexes(torch.zeros(len(designs), 2), designs)

@@ -14,7 +14,7 @@ HIGH = 0.3 * HEIGHT
 CORNER = np.array([0.19 * SLOPE * HIGH, HIGH])
 
 
-def test_a_target_that_can_be_reached() -> None:
+def test_a_target_that_can_be_reached():
     given = problem([5.0, 10.0], MadeUpModel())
     found = answer(given, GaussNewtonOptions())
     assert found.reachable and found.simulations == 0 and 0.0 < found.seconds < 1.0
@@ -22,7 +22,7 @@ def test_a_target_that_can_be_reached() -> None:
     np.testing.assert_allclose(controls, [0.5 / SLOPE, 10.0 / HEIGHT], rtol=1e-6)
 
 
-def test_a_target_that_cannot_be_reached() -> None:
+def test_a_target_that_cannot_be_reached():
     given = problem(CORNER + [1.0, 2.0], MadeUpModel())
     found = answer(given, FiniteDifferenceOptions())
     assert not found.reachable and len(found.solutions) == 1
@@ -32,7 +32,7 @@ def test_a_target_that_cannot_be_reached() -> None:
 
 
 @pytest.mark.parametrize(("beyond", "reachable"), [(0.9, True), (1.1, False)])
-def test_a_target_on_the_boundary(beyond: float, reachable: bool) -> None:
+def test_a_target_on_the_boundary(beyond, reachable):
     """The forward model's own error is not held against it."""
     given = problem([5.0, HIGH + beyond * BOUNDARY_BAR], MadeUpModel())
     found = answer(given, GaussNewtonOptions())
@@ -40,7 +40,7 @@ def test_a_target_on_the_boundary(beyond: float, reachable: bool) -> None:
     assert found.solutions[0].controls[1] == pytest.approx(0.3)
 
 
-def test_without_a_forward_model_the_miss_decides() -> None:
+def test_without_a_forward_model_the_miss_decides():
     target = straight(np.array([[0.07, 0.2, 3.0, 0.3]]))[0]
     given = problem(target, None, MadeUpSimulator(), mass_bar=3.0)
     method = FiniteDifferenceOptions()

@@ -16,13 +16,13 @@ EXPECTED = [0.01 * X, 0.01 * np.hypot(X, Y), 0.01 * np.hypot(X, Y), MU]
 SOLUTION = Solution(CONTROLS, np.array([X, Y]), False)
 
 
-def test_against_the_closed_form() -> None:
+def test_against_the_closed_form():
     given = problem([X, Y])
     # Differences over two percent are off by the square of one.
     assert one_percent_costs_bar(given, SOLUTION) == pytest.approx(EXPECTED, rel=2e-4)
     assert given.simulator.simulations == 8
 
 
-def test_what_does_not_jump_has_no_cost() -> None:
+def test_what_does_not_jump_has_no_cost():
     given = problem([X, Y], simulator=MadeUpSimulator(shift=(np.nan, 0.0)))
     assert np.isnan(one_percent_costs_bar(given, SOLUTION)).all()

@@ -23,25 +23,25 @@ def inside(targets: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("points", [2, 5, 21])
-def test_targets_within_a_trapezoid(points: int) -> None:
+def test_targets_within_a_trapezoid(points):
     targets = RANDOM.uniform([-2.0, 0.0], [16.0, 25.0], (2000, 2))
     assert 300 < inside(targets).sum() < 1700
     np.testing.assert_array_equal(region(points).contains(targets), inside(targets))
 
 
-def test_its_boundary_belongs_to_it() -> None:
+def test_its_boundary_belongs_to_it():
     found = region()
     corners = found.apexes[[0, 0, -1, -1], [0, -1, 0, -1]]
     np.testing.assert_allclose(corners[0], [LEFT * LOW, LOW])
     assert found.contains(corners).all()
 
 
-def test_its_area() -> None:
+def test_its_area():
     area = 0.5 * (RIGHT - LEFT) * (HIGH**2 - LOW**2)
     assert region().outline().area == pytest.approx(area, rel=1e-9)
 
 
-def test_the_nearest_apex_and_its_design() -> None:
+def test_the_nearest_apex_and_its_design():
     found = region()
     # Above: straight down. To the right: at a right angle to the line through the origin.
     controls, apex = found.nearest(np.array([5.0, HIGH + 3.0]))
@@ -54,14 +54,14 @@ def test_the_nearest_apex_and_its_design() -> None:
     np.testing.assert_allclose(controls, [0.19, edge[1] / HEIGHT], atol=1e-9)
 
 
-def test_a_folded_map_is_counted_once() -> None:
+def test_a_folded_map_is_counted_once():
     """Its area is that of the half beyond the fold."""
     half = 0.5 * 40.0 * 0.09**2 * (HIGH**2 - LOW**2)
     found = region(81, MadeUpModel(folded)).outline()
     assert found.area == pytest.approx(half, rel=1e-3)
 
 
-def test_a_map_onto_a_line() -> None:
+def test_a_map_onto_a_line():
     def line(designs: np.ndarray) -> np.ndarray:
         return np.stack([0.0 * designs[:, 1], HEIGHT * designs[:, 1]], axis=1)
 

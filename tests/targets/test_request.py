@@ -18,9 +18,12 @@ from snapjump.targets.robust import Tolerance
 TOLERANCE = {"delta_alpha_rad": 0.002, "epsilon": 0.001, "mass_bar": 0.01, "mu": 0.02}
 
 
-def test_targets() -> None:
+def test_what_is_asked_for_is_given():
     np.testing.assert_array_equal(checked_target([5, 14.5]), [5.0, 14.5])
     np.testing.assert_array_equal(checked_target((-1.0, 0.0)), [-1.0, 0.0])
+    assert construct("tolerance", Tolerance, TOLERANCE) == Tolerance()
+    assert checkpoint_path(None) == SHIPPED
+    assert str(checkpoint_path("a/b.safetensors")) == "a/b.safetensors"
 
 
 @pytest.mark.parametrize(
@@ -31,13 +34,9 @@ def test_targets() -> None:
         *([None, 14.0], [[5.0, 14.0], 1.0], [10**400, 1.0]),
     ],
 )
-def test_bad_targets(value: Any) -> None:
+def test_bad_targets(value):
     with refused("target"):
         checked_target(value)
-
-
-def test_tolerances() -> None:
-    assert construct("tolerance", Tolerance, TOLERANCE) == Tolerance()
 
 
 @pytest.mark.parametrize(
@@ -49,18 +48,13 @@ def test_tolerances() -> None:
         ({**TOLERANCE, "mu": -1.0}, "tolerance.mu"),
     ],
 )
-def test_bad_tolerances(group: Any, key: str) -> None:
+def test_bad_tolerances(group, key):
     with refused(key):
         construct("tolerance", Tolerance, group)
 
 
-def test_checkpoints() -> None:
-    assert checkpoint_path(None) == SHIPPED
-    assert str(checkpoint_path("a/b.safetensors")) == "a/b.safetensors"
-
-
 @pytest.mark.parametrize("value", ["", 3, False, ["a"]])
-def test_bad_checkpoints(value: Any) -> None:
+def test_bad_checkpoints(value):
     with pytest.raises(ParameterError, match="checkpoint"):
         checkpoint_path(value)
 
@@ -74,7 +68,7 @@ def test_bad_checkpoints(value: Any) -> None:
         ({"mu": 0.9, "mass_bar": 0.2}, "environment.mass_bar"),
     ],
 )
-def test_environments_outside_the_training_range(values: Any, key: str) -> None:
+def test_environments_outside_the_training_range(values, key):
     base, model = SimpleNamespace(environment=SimpleNamespace(**values)), MadeUpModel()
     for method in (GaussNewtonOptions(), BayesianOptions(robust=True)):
         with refused(key, "[0."):
@@ -84,13 +78,13 @@ def test_environments_outside_the_training_range(values: Any, key: str) -> None:
 
 
 @pytest.mark.parametrize("method", [GaussNewtonOptions(), BayesianOptions()])
-def test_environments_on_its_edge(method: Any) -> None:
+def test_environments_on_its_edge(method):
     model = MadeUpModel()
     base = SimpleNamespace(environment=SimpleNamespace(mu=0.6, mass_bar=0.3))
     assert usable_forward(base, model, method) == (model, "")
 
 
-def test_another_physical_model() -> None:
+def test_another_physical_model():
     class Other(MadeUpModel):
         def check_model(self, simulation: Any) -> None:
             raise ParameterError("damping.name", "none", "'kelvin_voigt'")

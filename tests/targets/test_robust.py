@@ -14,7 +14,7 @@ NONE = {"delta_alpha_rad": 0.0, "epsilon": 0.0, "mass_bar": 0.0, "mu": 0.0}
 CONTROLS = np.array([0.1, 0.2])
 
 
-def test_a_normal_error_along_a_line() -> None:
+def test_a_normal_error_along_a_line():
     """Both coordinates are in proportion to epsilon: the miss is a half normal one."""
     target = straight(np.array([[*CONTROLS, 1.0, 0.3]]))[0]
     model, tolerance = MadeUpModel(), Tolerance(**{**NONE, "epsilon": 0.002})
@@ -27,14 +27,14 @@ def test_a_normal_error_along_a_line() -> None:
     assert found.radius90_bar == pytest.approx(1.6449 * size, rel=1e-2)
 
 
-def test_without_tolerances_there_is_no_scatter() -> None:
+def test_without_tolerances_there_is_no_scatter():
     model = MadeUpModel()
     found = scatter(problem([8.0, 12.0], model), model, Tolerance(**NONE), CONTROLS)
     assert found.deviation.max() < 1e-9
     assert found.radius90_bar == pytest.approx(found.expected_miss_bar)
 
 
-def test_robots_stay_within_the_ranges_and_their_tolerances_normal_there() -> None:
+def test_robots_stay_within_the_ranges_and_their_tolerances_normal_there():
     low, high = np.array(RANGES).T
     tolerance = Tolerance(0.05, 0.05, 1.0, 0.3)
     model = MadeUpModel()
@@ -52,7 +52,7 @@ def far(designs: Any) -> Any:
     return np.stack([y * (2.0 - 40.0 * (designs[:, 0] - 0.1) ** 2), y], axis=1)
 
 
-def test_on_a_fold_the_robust_design_is_better() -> None:
+def test_on_a_fold_the_robust_design_is_better():
     """Every error of delta_alpha shortens the jump that goes farthest: some more compression, which
     reaches farther and higher, lessens the expected miss to first order."""
     model = MadeUpModel(far)
@@ -78,7 +78,7 @@ def expected(controls: Any, target: Any) -> float:
     return float(np.hypot(*(apexes - target).T).mean())
 
 
-def test_of_several_solutions_it_takes_the_less_sensitive_branch() -> None:
+def test_of_several_solutions_it_takes_the_less_sensitive_branch():
     """Beyond the fold the apex depends on mu as well."""
     model = MadeUpModel(folded)
     target = folded(np.array([[0.06, 0.2, 1.0, 0.3]]))[0]
@@ -90,7 +90,7 @@ def test_of_several_solutions_it_takes_the_less_sensitive_branch() -> None:
     assert found.robust_scatter.expected_miss_bar < 1e-3 < found.plain_scatter.expected_miss_bar
 
 
-def test_the_same_seed_gives_the_same_design() -> None:
+def test_the_same_seed_gives_the_same_design():
     model = MadeUpModel()
     given = problem([0.4 * 0.1 * 12.0, HEIGHT * 0.2], model)
     solutions = GaussNewtonOptions().solve(given)

@@ -1,15 +1,13 @@
 """``python run.py task=dataset``: what it leaves, continues, records, refuses and survives."""
 
 import json
-import signal
-import subprocess
-import sys
-import time
 from pathlib import Path
 from typing import Any
 
 import pyarrow.parquet as pq
 import pytest
+from command_line import begun, interrupted, result_in
+from records import only_run
 from refusals import refused
 from small_datasets import OVERRIDES
 
@@ -19,7 +17,6 @@ from snapjump.dataset.read import open_dataset
 from snapjump.files.lock import FileLock
 from snapjump.tasks.complete import whole
 
-ROOT = Path(__file__).resolve().parents[2]
 PLAN = ("plan=sobol", "plan.count=16", "dataset.shard_size=8")
 KEYS: dict[str, Any] = {
     "path": None, "sensitivities": False, "shard_size": 8, "part": 1, "parts": 1,
@@ -32,10 +29,10 @@ def results(folder: Path) -> list[dict[str, Any]]:
     return [json.loads(file.read_text()) for file in files]
 
 
-def test_a_dataset_its_record_and_its_continuation(command, database, tmp_path: Path) -> None:
+def test_a_dataset_its_record_and_its_continuation(command, database, tmp_path):
     done = command(*OVERRIDES, *PLAN)
     assert done.returncode == 0, done.stderr
-    (result,) = results(tmp_path)
+    folder, result = result_in(tmp_path)
     (path,) = tmp_path.glob("outputs/datasets/sobol-draft-*")
     dataset = open_dataset(path)
     assert result["status"] == "ok" and result["complete"]
@@ -45,7 +42,6 @@ def test_a_dataset_its_record_and_its_continuation(command, database, tmp_path: 
     assert result["jumps_per_second"] >= result["jumps_per_second_core"] > 0.0
     for word in (dataset.sha256, "16 now, 0 before", "jumps/s", "outputs/datasets/sobol-draft-"):
         assert word in done.stdout
-    (folder,) = {file.parent for file in tmp_path.glob("outputs/20*/*/result.json")}
     assert {"dataset.png", "status.png", "config.yaml"} <= {f.name for f in folder.iterdir()}
     check_record(tmp_path, dataset.sha256)
 
@@ -66,22 +62,16 @@ def test_a_dataset_its_record_and_its_continuation(command, database, tmp_path: 
 
 def check_record(folder: Path, sha256: str) -> None:
     """The run has the dataset as its input, by the hash, and the numbers of the result."""
-    from mlflow.tracking import MlflowClient
-
-    client = MlflowClient(tracking_uri=f"sqlite:///{folder / 'mlruns.db'}")
-    experiment = client.get_experiment_by_name("snapjump")
-    assert experiment is not None
-    (run,) = client.search_runs([experiment.experiment_id])
+    run, given, files = only_run(folder)
     assert run.data.tags["dataset_sha256"] == sha256
     assert run.data.metrics["rows"] == 16.0 and run.data.params["plan.count"] == "16"
-    (given,) = run.inputs.dataset_inputs
     assert given.dataset.digest == sha256[:36]
     assert json.loads(given.dataset.profile) == {"num_rows": 16, "dataset_sha256": sha256}
     assert [tag.value for tag in given.tags] == ["generated"]
-    assert {"dataset.png", "status.png"} <= {f.path for f in client.list_artifacts(run.info.run_id)}
+    assert {"dataset.png", "status.png"} <= files
 
 
-def test_parts_of_a_sweep_share_a_folder(process, tmp_path: Path) -> None:
+def test_parts_of_a_sweep_share_a_folder(process, tmp_path):
     sweep = ("-m", *OVERRIDES, *PLAN, "figures=false", "tracking=off", "dataset.path=shared")
     done = process(
         *sweep, "dataset.parts=2", "dataset.part=1,2",
@@ -91,7 +81,7 @@ def test_parts_of_a_sweep_share_a_folder(process, tmp_path: Path) -> None:
     assert open_dataset(tmp_path / "shared").rows == 16
 
 
-def test_a_folder_that_another_process_writes_to_is_refused(command, tmp_path: Path) -> None:
+def test_a_folder_that_another_process_writes_to_is_refused(command, tmp_path):
     with FileLock(tmp_path / "d" / ".lock"):
         done = command(*OVERRIDES, *PLAN, "dataset.path=d", "tracking=off")
     assert done.returncode == 2
@@ -99,25 +89,12 @@ def test_a_folder_that_another_process_writes_to_is_refused(command, tmp_path: P
     assert not [file for file in tmp_path.rglob("*") if file.is_file() and file.name != ".lock"]
 
 
-def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(tmp_path: Path) -> None:
+def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(tmp_path):
     # Enough designs that it does not end by itself.
-    overrides = ("plan=latin_hypercube", "plan.count=20000", "dataset.shard_size=16")
-    process = subprocess.Popen(
-        [sys.executable, str(ROOT / "run.py"), *OVERRIDES, *overrides]
-        + ["dataset.path=d", "tracking=off"],
-        cwd=tmp_path,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-    while not (tmp_path / "d" / "shards" / "shard-00001.json").exists():
-        assert process.poll() is None
-        time.sleep(0.02)
-    process.send_signal(signal.SIGINT)
-    out, errors = process.communicate(timeout=60)
-    assert process.returncode == 130
-    assert "Traceback" not in errors and "interrupted" in errors
-    assert "the same command continues what is in d" in out
+    many = ("plan=latin_hypercube", "plan.count=20000", "dataset.shard_size=16")
+    where = ("dataset.path=d", "tracking=off")
+    process = begun(tmp_path, *OVERRIDES, *many, *where, until="d/shards/shard-00001.json")
+    assert "the same command continues what is in d" in interrupted(process)
     (result,) = results(tmp_path)
     assert result["status"] == "interrupted"
     manifest = json.loads((tmp_path / "d" / "manifest.json").read_text())
@@ -138,12 +115,12 @@ def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(tmp_path: Path) -> None
         ({"speed": 3}, "dataset.speed"),
     ],
 )
-def test_bad_keys(change: dict[str, Any], key: str) -> None:
+def test_bad_keys(change, key):
     with refused(key):
         whole(SharedDataset, {**KEYS, **change})
 
 
 @pytest.mark.parametrize("key", KEYS)
-def test_keys_that_were_left_out(key: str) -> None:
+def test_keys_that_were_left_out(key):
     with pytest.raises(ParameterError, match=f"dataset.{key}"):
         whole(SharedDataset, {other: v for other, v in KEYS.items() if other != key})

@@ -5,6 +5,7 @@ import json
 import math
 import signal
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -43,19 +44,32 @@ class StandIn:
 
 
 @pytest.fixture(autouse=True)
-def stand_in(monkeypatch: pytest.MonkeyPatch) -> None:
+def stand_in(monkeypatch) -> None:
     monkeypatch.setitem(registry.TASKS, "stand_in", f"{__name__}:StandIn")
     monkeypatch.setattr(registry, "import_module", lambda name: __import__("sys").modules[name])
 
 
 def run(monkeypatch: pytest.MonkeyPatch, path: Path, action: Any) -> tuple[Outcome, dict[str, Any]]:
-    monkeypatch.setattr(StandIn, "run", lambda self, folder, progress: action(folder))
+    """What becomes of a task that does this with its folder and progress, and its result."""
+    monkeypatch.setattr(StandIn, "run", lambda self, *given: action(*given))
     outcome, _ = execute(CONFIG, ResultFolder(path), "python run.py", ProgressBar())
     return outcome, json.loads((path / "result.json").read_text())
 
 
-def test_a_good_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    _, result = run(monkeypatch, tmp_path, lambda f: Outcome("ok", "", {"x_bar": np.float64(5)}))
+@pytest.fixture
+def becomes(monkeypatch, tmp_path) -> Any:
+    return partial(run, monkeypatch, tmp_path)
+
+
+def raises(error: BaseException) -> Any:
+    def action(*given: Any) -> Outcome:
+        raise error
+
+    return action
+
+
+def test_a_good_end(becomes, tmp_path):
+    _, result = becomes(lambda *given: Outcome("ok", "", {"x_bar": np.float64(5)}))
     assert result.pop("wall_seconds") >= 0
     assert result == {"status": "ok", "x_bar": 5.0}
     names = [file.name for file in ResultFolder(tmp_path).files()]
@@ -63,35 +77,25 @@ def test_a_good_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert ResultFolder(tmp_path).config() == CONFIG
 
 
-def test_nan_is_null_and_no_good_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    outcome, result = run(
-        monkeypatch, tmp_path, lambda f: Outcome("ok", "", {"x_bar": math.nan, "y_bar": 1.0})
-    )
+def test_nan_is_null_and_no_good_end_but_a_failure_keeps_its_own_name(becomes):
+    outcome, result = becomes(lambda *given: Outcome("ok", "", {"x_bar": math.nan, "y_bar": 1.0}))
     assert outcome.status == result["status"] == "not_finite"
     assert result["x_bar"] is None and result["y_bar"] == 1.0
     assert "x_bar" in result["message"]
-
-
-def test_a_failure_keeps_its_own_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     failed = Outcome("not_converged", "at t = 1 ms", {"x_bar": math.nan})
-    _, result = run(monkeypatch, tmp_path, lambda f: failed)
+    _, result = becomes(lambda *given: failed)
     assert (result["status"], result["message"]) == ("not_converged", "at t = 1 ms")
     assert result["x_bar"] is None
 
 
-def test_ctrl_c_leaves_a_marked_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def stop(folder: ResultFolder) -> Outcome:
-        raise KeyboardInterrupt
-
-    assert run(monkeypatch, tmp_path, stop)[1]["status"] == "interrupted"
+def test_ctrl_c_leaves_a_marked_run(becomes):
+    assert becomes(raises(KeyboardInterrupt()))[1]["status"] == "interrupted"
 
 
-def test_ctrl_c_that_a_library_swallows_stops_at_the_next_progress(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_ctrl_c_that_a_library_swallows_stops_at_the_next_progress(becomes):
     told: list[str] = []
 
-    def swallow(self: StandIn, folder: ResultFolder, progress: Any) -> Outcome:
+    def swallow(folder: ResultFolder, progress: Any) -> Outcome:
         with contextlib.suppress(KeyboardInterrupt):
             signal.raise_signal(signal.SIGINT)
         told.append("went on")
@@ -99,19 +103,15 @@ def test_ctrl_c_that_a_library_swallows_stops_at_the_next_progress(
         told.append("and on")
         return Outcome("ok")
 
-    monkeypatch.setattr(StandIn, "run", swallow)
-    outcome, _ = execute(CONFIG, ResultFolder(tmp_path), "python run.py", ProgressBar())
+    outcome, _ = becomes(swallow)
     assert outcome.status == "interrupted" and told == ["went on"]
 
 
-def test_a_defect_leaves_its_traceback(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def break_down(folder: ResultFolder) -> Outcome:
-        raise ZeroDivisionError("by nought")
-
-    _, result = run(monkeypatch, tmp_path, break_down)
+def test_a_defect_leaves_its_traceback(becomes, tmp_path):
+    _, result = becomes(raises(ZeroDivisionError("by nought")))
     assert result["status"] == "error"
     assert "ZeroDivisionError: by nought" in result["message"]
-    assert "break_down" in (tmp_path / "traceback.txt").read_text()
+    assert "in action" in (tmp_path / "traceback.txt").read_text()
 
 
 @pytest.mark.parametrize(
@@ -129,9 +129,7 @@ def test_a_defect_leaves_its_traceback(tmp_path: Path, monkeypatch: pytest.Monke
         ({"nonsense": 1}, "nonsense"),
     ],
 )
-def test_bad_input_is_one_line_and_leaves_nothing(
-    tmp_path: Path, change: dict[str, Any], key: str
-) -> None:
+def test_bad_input_is_one_line_and_leaves_nothing(tmp_path, change, key):
     outcome, _ = execute(
         {**CONFIG, **change}, ResultFolder(tmp_path), "python run.py", ProgressBar()
     )

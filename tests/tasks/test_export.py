@@ -1,10 +1,9 @@
 """``task=export``: the file it leaves, and checkpoints that are refused."""
 
-import json
 from pathlib import Path
-from typing import Any
 
 import pytest
+from command_line import result_in
 from forward_models import about, network
 from refusals import refused
 
@@ -15,23 +14,20 @@ from snapjump.tasks.export import Export
 RBF = {"name": "rbf", "neighbours": 20, "kernel": "cubic", "smoothing": 0.0}
 
 
-def test_a_forward_model_becomes_onnx(command, tmp_path: Path) -> None:
+def test_a_forward_model_becomes_onnx(command, tmp_path):
     write_checkpoint(tmp_path / "model.safetensors", network(), about())
     done = command("task=export", "checkpoint=model.safetensors", "tracking=off")
     assert done.returncode == 0, done.stderr
     assert done.stderr == "" or "Warning" not in done.stderr
-    (file,) = tmp_path.glob("outputs/20*/*/result.json")
-    result = json.loads(file.read_text())
+    folder, result = result_in(tmp_path)
     assert 0.0 <= result["max_difference"] < 1e-5
     assert result["onnx_us"] > 0.0 and result["torch_us"] > 0.0
-    assert (file.parent / "forward_model.onnx").stat().st_size > 1000
+    assert (folder / "forward_model.onnx").stat().st_size > 1000
     assert "us with onnxruntime" in done.stdout and "forward_model.onnx" in done.stdout
 
 
 @pytest.mark.parametrize("value", ["", 3, "none.safetensors", "text.safetensors"])
-def test_checkpoints_that_are_none(
-    value: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_checkpoints_that_are_none(value, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "text.safetensors").write_text("a text")
     with refused("checkpoint") as caught:
@@ -39,7 +35,7 @@ def test_checkpoints_that_are_none(
     assert caught.value.value == value
 
 
-def test_what_is_no_network(tmp_path: Path) -> None:
+def test_what_is_no_network(tmp_path):
     path = str(tmp_path / "model.safetensors")
     write_checkpoint(Path(path), network(RBF), about(RBF))
     with pytest.raises(ParameterError, match="rbf"):

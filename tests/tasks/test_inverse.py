@@ -1,12 +1,12 @@
 """``python run.py task=inverse``: what it prints, leaves, refuses and says if out of reach."""
 
-import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from command_line import result_in
 from forward_models import about, network
 from hydra_config import hydra_config
 from refusals import refused
@@ -30,7 +30,7 @@ DESIGN = np.array([[0.1, 0.2, 0.768, 0.3]])
 
 
 @pytest.fixture(scope="module")
-def checkpoint(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def checkpoint(tmp_path_factory) -> Path:
     """A forward model that has learned nothing, of the small datasets' robot."""
     path = tmp_path_factory.mktemp("trained") / "model.safetensors"
     write_checkpoint(path, network(), about())
@@ -38,14 +38,14 @@ def checkpoint(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def target(checkpoint: Path) -> list[float]:
+def target(checkpoint) -> list[float]:
     """One that the forward model believes it can reach."""
     found: list[float] = open_forward_model(checkpoint).predict(DESIGN)[0].tolist()
     return found
 
 
 @pytest.fixture
-def run(checkpoint: Path, tmp_path: Path) -> Callable[..., tuple[Outcome, dict[str, str]]]:
+def run(checkpoint, tmp_path) -> Callable[..., tuple[Outcome, dict[str, str]]]:
     """The task in this process: its outcome and its closing block."""
 
     def do(*overrides: str) -> tuple[Outcome, dict[str, str]]:
@@ -64,26 +64,25 @@ def prepared(checkpoint: Path, *overrides: str) -> tuple[InverseDesign, Any]:
     return task, config
 
 
-def test_the_command_line(command, checkpoint: Path, target: list[float], tmp_path: Path) -> None:
+def test_the_command_line(command, checkpoint, target, tmp_path):
     done = command(
         "task=inverse", *MODEL, METHOD, f"checkpoint={checkpoint}", f"target={target}",
         "tracking=off",
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
-    (file,) = tmp_path.glob("outputs/*/*/result.json")
-    result = json.loads(file.read_text())
+    folder, result = result_in(tmp_path)
     assert result["status"] == "ok" and result["reachable"] is True
     assert all(isinstance(result[key], (int, float)) for key in KEYS)
     assert [result["predicted_x_bar"], result["predicted_y_bar"]] == pytest.approx(target, abs=1e-4)
     simulated = np.array([result["simulated_x_bar"], result["simulated_y_bar"]])
     assert result["error_bar"] == pytest.approx(np.hypot(*(simulated - target)))
     assert result["error_m"] == pytest.approx(0.02 * result["error_bar"])
-    assert (file.parent / "inverse.png").stat().st_size > 10_000
+    assert (folder / "inverse.png").stat().st_size > 10_000
     for word in ("target x", "design", "predicted", "simulated", " mm)", "1 % of", "error", "ms"):
         assert word in done.stdout
 
 
-def test_out_of_reach(run, target: list[float], tmp_path: Path) -> None:
+def test_out_of_reach(run, target, tmp_path):
     outcome, lines = run(f"target=[{target[0] + 500.0},{target[1]}]")
     assert outcome.status == "unreachable"
     assert exit_code(outcome.status) == EXIT_UNREACHABLE == 4
@@ -93,7 +92,7 @@ def test_out_of_reach(run, target: list[float], tmp_path: Path) -> None:
     assert "predicted" in lines and (tmp_path / "inverse.png").exists()
 
 
-def test_a_robust_design(run, target: list[float], tmp_path: Path) -> None:
+def test_a_robust_design(run, target, tmp_path):
     outcome, lines = run(f"target={target}", "inverse.robust=true")
     found = outcome.summary
     assert found["robust_expected_miss_bar"] <= 1.02 * found["plain_expected_miss_bar"]
@@ -101,7 +100,7 @@ def test_a_robust_design(run, target: list[float], tmp_path: Path) -> None:
     assert (tmp_path / "inverse.png").exists()
 
 
-def test_outside_of_what_was_trained_a_simulator_goes_on(run, capsys) -> None:
+def test_outside_of_what_was_trained_a_simulator_goes_on(run, capsys):
     outcome, lines = run(
         "target=[2.0,5.0]",
         "environment.mu=0.9",
@@ -141,6 +140,6 @@ def test_outside_of_what_was_trained_a_simulator_goes_on(run, capsys) -> None:
         (("target=[5,14]", "damping.relaxation_time_s=1e-6"), "damping.relaxation_time_s"),
     ],
 )
-def test_bad_input_is_one_line(checkpoint: Path, overrides: tuple[str, ...], key: str) -> None:
+def test_bad_input_is_one_line(checkpoint, overrides, key):
     with refused(key):
         prepared(checkpoint, *overrides)

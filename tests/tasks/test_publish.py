@@ -14,7 +14,7 @@ README = "before\n<!-- tiers:begin -->\nold\n<!-- tiers:end -->\nafter\n"
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> ResultFolder:
+def folder(tmp_path, monkeypatch) -> ResultFolder:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "run").mkdir()
     folder = ResultFolder(tmp_path / "run")
@@ -33,7 +33,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> ResultFolder:
     return folder
 
 
-def test_report_figures_and_section_of_the_readme(folder: ResultFolder) -> None:
+def test_report_figures_and_section_of_the_readme(folder):
     Path("README.md").write_text(README)
     publish(CONFIG, folder)
     page = Path("docs/studies/tradeoff.md").read_text()
@@ -45,25 +45,25 @@ def test_report_figures_and_section_of_the_readme(folder: ResultFolder) -> None:
     assert Path("README.md").read_text() == README.replace("old", "| new |")
 
 
-def test_sections_of_guides(folder: ResultFolder) -> None:
+def test_sections_of_guides(folder):
     Path("docs").mkdir()
     Path("docs/guide.md").write_text(README)
     assert Path("docs/guide.md") in publish(CONFIG, folder)
     assert Path("docs/guide.md").read_text() == README.replace("old", "| new |")
 
 
-def test_a_readme_without_markers_stays_as_it_is(folder: ResultFolder) -> None:
+def test_a_readme_without_markers_stays_as_it_is(folder):
     Path("README.md").write_text("nothing\n")
     assert Path("README.md") not in publish(CONFIG, folder)
     assert Path("README.md").read_text() == "nothing\n"
 
 
 @pytest.mark.parametrize("target", [3, "", "run/report.md"])
-def test_what_cannot_be_a_folder(folder: ResultFolder, target: Any) -> None:
+def test_what_cannot_be_a_folder(folder, target):
     with pytest.raises(ParameterError, match="publish = "):
         check_publish({**CONFIG, "publish": target})
 
 
-def test_one_simulation_has_no_report() -> None:
+def test_one_simulation_has_no_report():
     with pytest.raises(ParameterError, match="task=simulate, which is no study"):
         check_publish({"task": {"name": "simulate"}, "publish": "docs"})

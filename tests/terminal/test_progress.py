@@ -1,7 +1,5 @@
 import io
 
-import pytest
-
 from snapjump.terminal.progress import ProgressBar
 
 
@@ -12,7 +10,7 @@ def drawn(bar: ProgressBar, stream: io.StringIO) -> str:
     return text
 
 
-def test_it_shows_share_and_word_where_asked_to(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_it_shows_share_and_word_where_asked_to(monkeypatch):
     monkeypatch.setenv("SNAPJUMP_PROGRESS", "1")
     stream = io.StringIO()
     text = drawn(ProgressBar(stream, show_after_s=0.0), stream)
@@ -20,9 +18,7 @@ def test_it_shows_share_and_word_where_asked_to(monkeypatch: pytest.MonkeyPatch)
     assert stream.getvalue().endswith("\r")
 
 
-def test_it_is_silent_before_two_seconds_off_a_terminal_and_when_hidden(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_it_is_silent_before_two_seconds_off_a_terminal_and_when_hidden(monkeypatch):
     stream = io.StringIO()
     monkeypatch.delenv("SNAPJUMP_PROGRESS", raising=False)
     assert drawn(ProgressBar(stream, show_after_s=0.0), stream) == ""

@@ -6,16 +6,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from records import runs_in
 
 Runs = dict[str, Any]
 LAGS = ("0.02", "0.05", "0.1", "0.15")
-SWEEP = (
-    "-m",
-    "sim=jump",
-    "accuracy=draft",
-    "figures=false",
-    "design.delta_alpha=" + ",".join(LAGS),
-)
+JUMP = ("sim=jump", "accuracy=draft", "figures=false")
+SWEEP = ("-m", *JUMP, "design.delta_alpha=" + ",".join(LAGS))
 TWO_AT_A_TIME = ("hydra/launcher=joblib", "hydra.launcher.n_jobs=2")
 
 
@@ -24,21 +20,15 @@ def runs_of() -> Callable[[str], tuple[list[Any], list[Any], Any]]:
     """Parents, children and the client of the experiment in a store."""
 
     def find(uri: str) -> tuple[list[Any], list[Any], Any]:
-        from mlflow.tracking import MlflowClient
-
-        client = MlflowClient(tracking_uri=uri)
-        experiment = client.get_experiment_by_name("snapjump")
-        assert experiment is not None
-        runs = list(client.search_runs([experiment.experiment_id]))
+        runs, client = runs_in(uri)
         parents = [run for run in runs if "mlflow.parentRunId" not in run.data.tags]
-        children = [run for run in runs if run not in parents]
-        return parents, children, client
+        return parents, [run for run in runs if run not in parents], client
 
     return find
 
 
 @pytest.fixture
-def check_sweep(runs_of: Any) -> Callable[[str, Path], None]:
+def check_sweep(runs_of) -> Callable[[str, Path], None]:
     """Asserts that a store holds one parent and a complete child for each of the four jumps."""
 
     def check(uri: str, folder: Path) -> None:

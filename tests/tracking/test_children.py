@@ -39,7 +39,7 @@ def job(path: Path) -> ResultFolder:
     return folder
 
 
-def test_children_are_recorded_below_their_job_and_once(tmp_path: Path) -> None:
+def test_children_are_recorded_below_their_job_and_once(tmp_path):
     store, folder = Memory(), job(tmp_path)
     for time in ("1", "1", "2"):
         folder.write_provenance({"finished_at": f"2026-01-01T00:00:0{time}+00:00"})
@@ -52,12 +52,12 @@ def test_children_are_recorded_below_their_job_and_once(tmp_path: Path) -> None:
     assert dataclasses.asdict(first)["ended_ms"] - first.started_ms == 1000
 
 
-def test_without_tracking_nothing_is_recorded(tmp_path: Path) -> None:
+def test_without_tracking_nothing_is_recorded(tmp_path):
     assert record_folder(Off(), job(tmp_path), "study", None) == ""
     assert not (tmp_path / "tracking.json").exists()
 
 
-def test_curves_are_recorded_against_their_steps(tmp_path: Path) -> None:
+def test_curves_are_recorded_against_their_steps(tmp_path):
     store, folder = Memory(), job(tmp_path)
     rows = [{"epoch": 1, "loss": 0.5, "rate": 1e-3}, {"epoch": 2, "loss": math.nan, "rate": 1e-4}]
     write_curves(folder, rows)
@@ -69,7 +69,7 @@ def test_curves_are_recorded_against_their_steps(tmp_path: Path) -> None:
     assert "nan" not in (tmp_path / "curves.csv").read_text()
 
 
-def test_without_curves_there_is_no_file(tmp_path: Path) -> None:
+def test_without_curves_there_is_no_file(tmp_path):
     folder = job(tmp_path)
     write_curves(folder, [])
     assert not (tmp_path / "curves.csv").exists() and read_curves(folder) == {}

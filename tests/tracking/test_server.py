@@ -18,7 +18,7 @@ START_TIMEOUT_S = 120.0
 
 
 @pytest.fixture
-def server(tables: Path, tmp_path: Path) -> Iterator[str]:
+def server(tables, tmp_path) -> Iterator[str]:
     """The address of an ``mlflow server`` without records on loopback."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
@@ -59,7 +59,7 @@ def wait_until_it_answers(process: "subprocess.Popen[bytes]", uri: str, log: Pat
     raise AssertionError(f"no answer from {uri}: {log.read_text()}")
 
 
-def test_a_sweep_on_a_server(process, server: str, check_sweep, tmp_path: Path) -> None:
+def test_a_sweep_on_a_server(process, server, check_sweep, tmp_path):
     done = process(*SWEEP, *TWO_AT_A_TIME, "tracking=server", f"tracking.uri={server}")
     assert done.returncode == 0, done.stderr + done.stdout
     assert "4 cells: 4 ok" in done.stdout
@@ -67,7 +67,7 @@ def test_a_sweep_on_a_server(process, server: str, check_sweep, tmp_path: Path) 
     assert not (tmp_path / "mlruns.db").exists() and not (tmp_path / "mlruns").exists()
 
 
-def test_a_server_that_is_not_there_is_bad_input(command) -> None:
+def test_a_server_that_is_not_there_is_bad_input(command):
     with socket.socket() as unused:
         unused.bind(("127.0.0.1", 0))
         uri = f"http://127.0.0.1:{unused.getsockname()[1]}"

@@ -1,7 +1,6 @@
 """The law of saturation on made-up rows, a small sweep, and verdicts that come out each way."""
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -43,7 +42,7 @@ def made_up(slope: float, threshold: float, rest: float = 0.0) -> list[dict[str,
     ]
 
 
-def test_the_law_is_found_again() -> None:
+def test_the_law_is_found_again():
     one = saturation(made_up(600.0, 1e-3), 0.2)
     assert one.slope == pytest.approx(600.0) and one.threshold_rad == pytest.approx(1e-3)
     assert one.level_rad == pytest.approx(0.6) and one.misfit < 1e-6
@@ -54,13 +53,13 @@ def test_the_law_is_found_again() -> None:
     assert 0.0 < one.rise < 0.01
 
 
-def test_a_tilt_at_rest_is_told_apart() -> None:
+def test_a_tilt_at_rest_is_told_apart():
     one = saturation(made_up(600.0, 1e-3, rest=0.5), 0.2)
     assert one.rise == pytest.approx(0.5 * 0.19 / 0.6, rel=0.05)
     assert one.rise_untilted < 0.01
 
 
-def test_what_does_not_saturate_is_misfitted() -> None:
+def test_what_does_not_saturate_is_misfitted():
     rows = [
         {**row, "theta_max_rad": 10.0 * row["delta_alpha_rad"] ** 0.5}
         for row in made_up(600.0, 1e-3)
@@ -71,7 +70,7 @@ def test_what_does_not_saturate_is_misfitted() -> None:
     assert saturation_verdict({0.1: one}) == NOT_CONFIRMED
 
 
-def test_the_verdicts_can_come_out_each_way() -> None:
+def test_the_verdicts_can_come_out_each_way():
     far = replace(GOOD, linear_until_rad=0.02)
     assert linear_verdict({0.1: far}, 1e-6) == CONFIRMED
     assert linear_verdict({0.1: far, 0.2: GOOD}, 1e-6) == LIMITED
@@ -80,7 +79,7 @@ def test_the_verdicts_can_come_out_each_way() -> None:
     assert {r: saturation_verdict({0.1: replace(GOOD, rise=r)}) for r in rises} == rises
 
 
-def test_statements_and_section() -> None:
+def test_statements_and_section():
     found = {setting: dict.fromkeys(EPSILONS, GOOD) for setting in SWEEPS}
     linear = linear_statement(found, 1e-6, "somehow")
     assert linear.verdict == LIMITED and "600, 600, 600" in linear.found
@@ -92,19 +91,19 @@ def test_statements_and_section() -> None:
     assert any("by a factor of 10 at least" in text for text in section.paragraphs)
 
 
-def test_differences_are_of_the_same_mismatch() -> None:
+def test_differences_are_of_the_same_mismatch():
     rows = made_up(600.0, 1e-3)
     truth = [{**row, "theta_max_rad": 1.02 * row["theta_max_rad"]} for row in rows[::5]]
     assert largest_difference(rows, truth) == pytest.approx(1.0 - 1.0 / 1.02)
 
 
-def test_mismatches_are_shared_among_settings() -> None:
+def test_mismatches_are_shared_among_settings():
     for setting in SWEEPS:
         assert len({*mismatches(setting)} & {*mismatches("standard")}) >= 9
     assert len(Asymmetry().plan(STANDARD, 0)) == len(SWEEPS) * len(EPSILONS)
 
 
-def test_a_sweep_saturates() -> None:
+def test_a_sweep_saturates():
     lags = [1e-5, 1e-2, 0.1]
     groups = snap_groups(STANDARD, "standard")
     rows = sweep_rows({"groups": groups, "epsilon": 0.3, "mismatches_rad": lags})
@@ -112,7 +111,7 @@ def test_a_sweep_saturates() -> None:
     assert angles[0] < 0.02 and angles[2] < 1.2 * angles[1]
 
 
-def test_the_figure(tmp_path: Path) -> None:
+def test_the_figure(tmp_path):
     sweeps = {setting: dict.fromkeys(EPSILONS, made_up(600.0, 1e-3)) for setting in SWEEPS}
     draw_asymmetry(sweeps, dict.fromkeys(EPSILONS, GOOD), tmp_path / "asymmetry.png")
     assert (tmp_path / "asymmetry.png").stat().st_size > 10_000

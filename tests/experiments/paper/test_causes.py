@@ -1,7 +1,6 @@
 """Choices that lead from one end to the other, and the verdicts on made-up shifts."""
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -38,7 +37,7 @@ def rows(*apexes: tuple[float, float], status: str = "ok", gap: float = 1e-4) ->
     return [{"status": status, "x_bar": x, "y_bar": y, "min_gap_m": gap} for x, y in apexes]
 
 
-def test_all_choices_lead_from_one_end_to_the_other() -> None:
+def test_all_choices_lead_from_one_end_to_the_other():
     at = {end: groups_at(STANDARD, end) for end in ENDS}
     there, back = dict(at[PAPER]), dict(at[REFERENCE])
     for title, (converged, papers) in choices(at).items():
@@ -52,7 +51,7 @@ def test_all_choices_lead_from_one_end_to_the_other() -> None:
     assert back | apart == at[PAPER] | apart
 
 
-def test_exchanges_can_be_composed_and_differ_from_their_ends() -> None:
+def test_exchanges_can_be_composed_and_differ_from_their_ends():
     at = {end: groups_at(STANDARD, end) for end in ENDS}
     made = variants(at)
     assert {end for end, _ in made} == set(ENDS)
@@ -63,7 +62,7 @@ def test_exchanges_can_be_composed_and_differ_from_their_ends() -> None:
     assert len(set(names)) == len(names)
 
 
-def test_shift() -> None:
+def test_shift():
     base = rows((1.0, 10.0), (2.0, 10.0), (0.0, 10.0))
     found = shift(rows((1.1, 11.0), (2.2, 11.0), (0.1, 11.0)), base)
     # The last x is compared with a tenth of the height.
@@ -71,7 +70,7 @@ def test_shift() -> None:
     assert shift(rows((1.0, 10.0), (2.0, 10.0), (np.nan, np.nan)), base).x_p95 == np.inf
 
 
-def test_verdicts() -> None:
+def test_verdicts():
     assert judge.matters(shifted(0.1, 0.1, 5.0)) == CONFIRMED
     assert judge.matters(shifted(2.0, 0.1, 5.0)) == LIMITED
     assert judge.matters(shifted(0.1, 6.0)) == NOT_CONFIRMED
@@ -81,7 +80,7 @@ def test_verdicts() -> None:
     assert judge.stable(rows((1.0, 2.0), status="not_finite")) == NOT_CONFIRMED
 
 
-def test_failures_in_a_frame_are_told() -> None:
+def test_failures_in_a_frame_are_told():
     ladder = {1e3: shifted(2.0, 1.0), 1e4: shifted(0.2, 0.1)}
 
     def found(lost: int) -> str:
@@ -92,14 +91,14 @@ def test_failures_in_a_frame_are_told() -> None:
     assert "0 of 32 jumps fail." in found(0)
 
 
-def test_steps_that_do_not_help_are_told() -> None:
+def test_steps_that_do_not_help_are_told():
     slow = judge.step_statement({1e-5: shifted(6.0, 2.0), 1e-6: shifted(4.0, 1.0)}, 1e-7, "")
     fast = judge.step_statement({1e-5: shifted(6.0, 2.0), 1e-6: shifted(0.6, 0.2)}, 1e-7, "")
     assert "agree: to 4 % in x_c and 1 % in y_c" in slow.found
     assert "slowly" in slow.found and "slowly" not in fast.found
 
 
-def test_noise_names_what_matters_in_the_papers_settings_alone() -> None:
+def test_noise_names_what_matters_in_the_papers_settings_alone():
     at = {end: groups_at(STANDARD, end) for end in ENDS}
     moved = {(end, title): shifted(3.0, 1.0) for end in ENDS for title in choices(at)}
     assert "No other choice" in noise(moved)
@@ -107,12 +106,12 @@ def test_noise_names_what_matters_in_the_papers_settings_alone() -> None:
     assert "So do lagged friction: they seem" in noise(moved)
 
 
-def test_starts_of_a_rigid_frame_keep_their_compression() -> None:
+def test_starts_of_a_rigid_frame_keep_their_compression():
     row = rows_of({"groups": COARSE, "designs": [BASELINE], "kind": "starts"})[0]
     assert row["epsilon_left"] == pytest.approx(BASELINE[1], abs=1e-9)
 
 
-def test_report(tmp_path: Path) -> None:
+def test_report(tmp_path):
     """The whole part from jumps that are made up, and without one of its cells."""
     rng = np.random.default_rng(0)
     part = Causes()

@@ -47,7 +47,7 @@ def verdict(*misses: float | None) -> str:
     return judge.millimetres(dict.fromkeys(METHODS, rows)).verdict
 
 
-def test_millimetres_or_not() -> None:
+def test_millimetres_or_not():
     assert verdict(0.1, 0.2, 4.6) == CONFIRMED
     assert verdict(0.1, 0.2, 0.1, 0.1, 0.1, 12.0) == LIMITED
     assert verdict(0.1, 0.2, None) == LIMITED
@@ -55,7 +55,7 @@ def test_millimetres_or_not() -> None:
     assert verdict(None, 6.0) == NOT_CONFIRMED
 
 
-def test_each_method_has_to_hold() -> None:
+def test_each_method_has_to_hold():
     good = [row(0.1)] * 3
     wide = [row(5.0)] * 3  # together with good ones 2.6 mm in the mean
 
@@ -68,19 +68,19 @@ def test_each_method_has_to_hold() -> None:
     assert of(good, [*good, row(None)]) == LIMITED
 
 
-def test_the_accuracy_is_how_far_the_tiers_are_apart() -> None:
+def test_the_accuracy_is_how_far_the_tiers_are_apart():
     rows = [{**row(0.5), "miss_reference_mm": 0.8, "miss_paper_mm": 7.5}, row(0.2), row(None)]
     told = judge.millimetres(dict.fromkeys(METHODS, rows)).accuracy
     assert "at `reference` differ by up to 0.3 mm" in told and "at `paper` by up to 7 mm" in told
 
 
-def test_two_robots_share_a_target() -> None:
+def test_two_robots_share_a_target():
     targets = [(case.x_bar, case.y_bar) for case in MANY_ROBOTS]
     assert len(targets) - len(set(targets)) == 1
     assert len({(case.mass_bar, case.mu) for case in MANY_ROBOTS}) == len(MANY_ROBOTS)
 
 
-def test_a_flight_ends_at_the_apex_and_begins_at_lift_off() -> None:
+def test_a_flight_ends_at_the_apex_and_begins_at_lift_off():
     rise, fall = flight(row(0.1))
     case = MANY_ROBOTS[0]
     assert rise[:, -1] == pytest.approx([case.x_bar, case.y_bar])
@@ -93,7 +93,7 @@ def test_a_flight_ends_at_the_apex_and_begins_at_lift_off() -> None:
     assert np.gradient(slope, rise[0])[5:-5] == pytest.approx(-second, rel=1e-3)
 
 
-def test_a_cell_at_draft_reaches_what_it_is_to() -> None:
+def test_a_cell_at_draft_reaches_what_it_is_to():
     planned = Designs().plan(STANDARD, 0)[0]
     target = [["A", 0.768, 0.3, 3.5, 16.0]]
     found = {}
@@ -111,7 +111,7 @@ def test_a_cell_at_draft_reaches_what_it_is_to() -> None:
     assert 0.0 < learned["liftoff_y_bar"] < 2.0 < learned["draft_y_bar"]
 
 
-def test_conclusion_and_figures(tmp_path: Any) -> None:
+def test_conclusion_and_figures(tmp_path):
     def rows_of(cell: Cell) -> Any:
         return [row(0.3, case) for case in GROUPS[cell.inputs["group"]]]
 

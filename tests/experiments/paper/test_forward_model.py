@@ -1,9 +1,7 @@
 """Verdicts on dataset, forward model and inverse design; a small dataset by a cell of the study."""
 
-from pathlib import Path
 from typing import Any
 
-import pytest
 from cells import STANDARD
 
 from experiments.compositions import described
@@ -32,7 +30,7 @@ def methods(mean: float = 1.0, search: float = 1000.0) -> dict[str, dict[str, An
     return found | {name: method(search) for name in ("bayesian", "finite_difference")}
 
 
-def test_the_dataset_s_cost() -> None:
+def test_the_dataset_s_cost():
     told = judge.dataset_statement(made())
     assert told.verdict == CONFIRMED and "480 times fewer" in told.found
     assert "300 s by the clock on 2 cores" in told.found
@@ -42,7 +40,7 @@ def test_the_dataset_s_cost() -> None:
     assert "clock" not in judge.dataset_statement(made(wall_seconds=None)).found
 
 
-def test_the_forward_model_s_error() -> None:
+def test_the_forward_model_s_error():
     def verdict(mae: float) -> str:
         row = {"mae_bar": mae, "rows_train": 36450, "rows_test": 10125}
         return judge.error_statement(row).verdict
@@ -50,7 +48,7 @@ def test_the_forward_model_s_error() -> None:
     assert [verdict(mae) for mae in (0.03, 0.1, 0.2)] == [CONFIRMED, LIMITED, NOT_CONFIRMED]
 
 
-def test_the_misses_and_the_times_of_designs() -> None:
+def test_the_misses_and_the_times_of_designs():
     assert judge.accuracy_statement(methods(2.0)).verdict == CONFIRMED
     assert judge.accuracy_statement(methods(4.0)).verdict == LIMITED
     assert judge.accuracy_statement(methods(9.0)).verdict == NOT_CONFIRMED
@@ -61,7 +59,7 @@ def test_the_misses_and_the_times_of_designs() -> None:
     assert "1,555 times as long" in told.says and "optimisation 10 times as long" in told.found
 
 
-def test_the_plan_has_the_paper_s_size() -> None:
+def test_the_plan_has_the_paper_s_size():
     cells = ForwardModels().plan(STANDARD, 0)
     assert cells[0].inputs["plan"]["points"] ** 4 == 50_625
     assert cells[1].inputs["surrogate"]["name"] == "mlp"
@@ -69,7 +67,7 @@ def test_the_plan_has_the_paper_s_size() -> None:
     assert snake_case(DATA_DRIVEN) == "adam_the_paper_s_network"
 
 
-def test_a_dataset_is_made_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_dataset_is_made_once(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     plan = {"name": "sobol", "count": 16}
     groups = described(build({"accuracy": {"name": "draft"}}))
@@ -79,7 +77,7 @@ def test_a_dataset_is_made_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     assert second["wall_seconds"] is None and second["dataset_sha256"] == first["dataset_sha256"]
 
 
-def test_the_figure(tmp_path: Path) -> None:
+def test_the_figure(tmp_path):
     predictions = [
         {"x_bar": x, "y_bar": 10.0, "predicted_x_bar": x, "predicted_y_bar": 9.9}
         for x in (1.0, 2.0)

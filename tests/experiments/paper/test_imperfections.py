@@ -49,7 +49,7 @@ def verdict(power: float, change: float) -> str:
     return judge.robust(tiers, others(change)).verdict
 
 
-def test_in_proportion_or_not() -> None:
+def test_in_proportion_or_not():
     assert verdict(0.5, 0.1) == CONFIRMED
     assert verdict(1.0, 0.1) == CONFIRMED
     assert verdict(-1.0, 0.1) == LIMITED  # 25 % by 20 % less
@@ -58,7 +58,7 @@ def test_in_proportion_or_not() -> None:
     assert verdict(2.0, 0.1) == NOT_CONFIRMED
 
 
-def test_straight_lines() -> None:
+def test_straight_lines():
     square = curve(2.0)
     assert square.secants == pytest.approx(np.full((4, 2), 2.0))
     assert square.trends == pytest.approx(np.full((4, 2), 2.0))
@@ -68,7 +68,7 @@ def test_straight_lines() -> None:
     assert square.largest.max() == pytest.approx(0.44)
 
 
-def test_what_does_not_jump_elsewhere_is_no_small_change() -> None:
+def test_what_does_not_jump_elsewhere_is_no_small_change():
     rows = others(0.1)
     rows[0]["x_change"] = None
     found = largest_elsewhere(rows, "x_change", 0.2)
@@ -76,7 +76,7 @@ def test_what_does_not_jump_elsewhere_is_no_small_change() -> None:
     assert found[0, 0] == np.inf and found[1:].max() == pytest.approx(0.1)
 
 
-def test_cells_at_draft() -> None:
+def test_cells_at_draft():
     draft = described(with_tier("draft"))
     part = Imperfections()
     inputs: dict[str, Any] = {"kind": "curves", "groups": draft, "factors": [0.9, 1.0, 1.1]}
@@ -97,7 +97,7 @@ def test_cells_at_draft() -> None:
         assert 0.0 < elsewhere[0][name] < 10.0 * middle
 
 
-def test_exact_slopes_agree_with_secants_where_steps_are_fine() -> None:
+def test_exact_slopes_agree_with_secants_where_steps_are_fine():
     part, groups = Imperfections(), described(with_tier("reference"))
     inputs: dict[str, Any] = {"kind": "curves", "groups": groups, "factors": [0.98, 1.0, 1.02]}
     rows = part.compute(inputs)
@@ -108,7 +108,7 @@ def test_exact_slopes_agree_with_secants_where_steps_are_fine() -> None:
     assert np.abs(exact - curve.secants).max() < 0.1  # of up to 1.3
 
 
-def test_plan_conclusion_and_figures(tmp_path: Any) -> None:
+def test_plan_conclusion_and_figures(tmp_path):
     part = Imperfections()
 
     def rows_of(cell: Cell) -> list[Row]:

@@ -1,7 +1,6 @@
 """Sweeps of coarse jumps, and the verdicts on curves that are made up."""
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -43,14 +42,14 @@ def ramp(last: float) -> Any:
     return np.clip((last - HEIGHTS) / (last - H1), 0.0, 1.0)
 
 
-def test_height_as_the_paper_says() -> None:
+def test_height_as_the_paper_says():
     found = height(heights(5.0 * ramp(H2), 14.0 * ramp(H2) + 0.4), H1, H2)
     assert plateau_verdict(found) == decline_verdict(found) == CONFIRMED
     assert stop_verdict(found, H2) == CONFIRMED
     assert found.close_from == HEIGHTS[0]
 
 
-def test_height_otherwise() -> None:
+def test_height_otherwise():
     waves = 1.0 + np.where(HEIGHTS < H1, 0.04, 0.1) * np.sin(200.0 * (HEIGHTS - H1))
     found = height(heights(5.0 * ramp(0.29) * waves, 14.0 * ramp(0.29) * waves + 0.4), H1, H2)
     assert plateau_verdict(found) == decline_verdict(found) == LIMITED
@@ -61,7 +60,7 @@ def test_height_otherwise() -> None:
     assert stop_verdict(found, H2) == NOT_CONFIRMED
 
 
-def test_limits_of_the_plateau_are_told() -> None:
+def test_limits_of_the_plateau_are_told():
     rising = np.where(HEIGHTS < H1, 0.5 + 0.5 * HEIGHTS / H1, 1.0) * ramp(H2)
     found = height(heights(5.0 * rising, 14.0 * ramp(H2) + 0.4), H1, H2)
     assert plateau_verdict(found) == LIMITED
@@ -70,12 +69,12 @@ def test_limits_of_the_plateau_are_told() -> None:
     assert plateau_limit(same) == kept(same) == ""
 
 
-def test_robots_that_never_jump_confirm_nothing() -> None:
+def test_robots_that_never_jump_confirm_nothing():
     found = height(heights(0.0 * HEIGHTS + 1.0, 0.0 * HEIGHTS + 0.4), H1, H2)
     assert np.isnan(found.last_jump) and stop_verdict(found, H2) == NOT_CONFIRMED
 
 
-def test_rules() -> None:
+def test_rules():
     assert rules.one_way((0.0, 0.01)) == CONFIRMED
     assert rules.one_way((0.0, 0.05)) == LIMITED
     assert rules.one_way((0.2, 0.0)) == NOT_CONFIRMED
@@ -97,14 +96,14 @@ def test_rules() -> None:
     assert rules.power(v[1:], 3.0 * v[1:] ** -0.7) == pytest.approx(-0.7)
 
 
-def test_contact_that_sticks_is_said_to() -> None:
+def test_contact_that_sticks_is_said_to():
     row = {"braking_share": 0.1, "sticking_share": 0.001, "friction_over_normal": 0.2}
     assert "Not because the contact sticks" in why([{"mu": 0.1, **row}, {"mu": 0.4, **row}], 0.2)
     stuck = {**row, "sticking_share": 0.6, "mu": 0.4}
     assert why([stuck], 0.2).startswith("The contact sticks under up to 60 %")
 
 
-def test_friction_verdicts() -> None:
+def test_friction_verdicts():
     mus = np.linspace(0.0, 0.6, 61)
     row = {"braking_share": 0.1, "sticking_share": 0.0, "friction_over_normal": 0.2}
     sliding = [{"mu": 0.1, **row}, {"mu": 0.5, **row}]
@@ -118,7 +117,7 @@ def test_friction_verdicts() -> None:
     assert verdicts(mus, 14.0 + 10.0 * mus) == [NOT_CONFIRMED, NOT_CONFIRMED]
 
 
-def test_sweeps_are_of_the_jumps_they_name() -> None:
+def test_sweeps_are_of_the_jumps_they_name():
     row = rows_of({"groups": COARSE, "kind": "mu", "values": [0.25]})[0]
     design = (*BASELINE[:3], 0.25)
     assert row["x_bar"] == jump_rows(build(COARSE), [design])[0]["x_bar"]
@@ -127,7 +126,7 @@ def test_sweeps_are_of_the_jumps_they_name() -> None:
     assert furthest([row], [{**row, "x_bar": row["x_bar"] + 0.5}], "x_bar", "mu") == 0.5
 
 
-def test_energies_are_those_of_the_jump_they_name() -> None:
+def test_energies_are_those_of_the_jump_they_name():
     row = rows_of({"groups": COARSE, "kind": "energies", "values": [1.0]})[0]
     jump = rows_of({"groups": COARSE, "kind": "mass_bar", "values": [1.0]})[0]
     standing = rows_of({"groups": COARSE, "kind": MOUNT_HEIGHT, "values": [0.4]})[0]["y_bar"]
@@ -138,7 +137,7 @@ def test_energies_are_those_of_the_jump_they_name() -> None:
     assert 0.9 < told < 1.15
 
 
-def test_report(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_report(monkeypatch, tmp_path):
     """The whole part, every tier coarse and few values of each parameter."""
     few = {kind: replace(sweep, count=17) for kind, sweep in SWEEPS.items()}
     monkeypatch.setattr(module, "SWEEPS", few)

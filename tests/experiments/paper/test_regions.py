@@ -35,7 +35,7 @@ def cells() -> list[Cell]:
     return list(Regions().plan(STANDARD, 0))
 
 
-def test_the_area_of_a_rectangle() -> None:
+def test_the_area_of_a_rectangle():
     region = rectangle(3.0, 2.0, 6.0)
     assert region.outline.area == pytest.approx(12.0)
     assert region.coarser.area == pytest.approx(12.0)
@@ -44,13 +44,13 @@ def test_the_area_of_a_rectangle() -> None:
     assert region.cone_share == pytest.approx(3.0 / (2 * 0.3 * 2.0))
 
 
-def test_an_apex_that_is_missing_leaves_a_hole_at_the_edge() -> None:
+def test_an_apex_that_is_missing_leaves_a_hole_at_the_edge():
     apexes = rectangle(4.0, 0.0, 4.0).apexes.copy()
     apexes[0, 0] = np.nan
     assert outline_of(apexes).area == pytest.approx(15.5)  # of 16 that triangle's half
 
 
-def test_a_cell_at_draft_is_the_region_that_inverse_design_knows(cells: list[Cell]) -> None:
+def test_a_cell_at_draft_is_the_region_that_inverse_design_knows(cells):
     draft = described(with_tier("draft"))
     inputs = {**cells[0].inputs, "groups": draft, "points": 3}
     rows = Regions().compute(inputs)
@@ -66,12 +66,12 @@ def test_a_cell_at_draft_is_the_region_that_inverse_design_knows(cells: list[Cel
     assert known.apexes == pytest.approx(region.predicted, rel=1e-9)
 
 
-def test_the_forward_model_must_be_that_of_the_physical_model() -> None:
+def test_the_forward_model_must_be_that_of_the_physical_model():
     with pytest.raises(ParameterError, match="trained with"):
         shipped_inputs(described(with_tier("paper")))
 
 
-def test_cells_of_all_tiers(cells: list[Cell]) -> None:
+def test_cells_of_all_tiers(cells):
     tiers = [cell.inputs["tier"] for cell in cells]
     assert {tier: tiers.count(tier) for tier in POINTS} == {
         "standard": 9,
@@ -81,7 +81,7 @@ def test_cells_of_all_tiers(cells: list[Cell]) -> None:
     assert len({cell.name for cell in cells}) == len(cells)
 
 
-def test_heavier_robots_have_smaller_regions_or_not() -> None:
+def test_heavier_robots_have_smaller_regions_or_not():
     shrinking = [rectangle(6.0 / m, 2.0 / m, 20.0 / m, mass_bar=m) for m in (0.5, 1.0, 2.0)]
     found = judge.shrinks(shrinking, shrinking, "")
     assert found.verdict == CONFIRMED
@@ -93,7 +93,7 @@ def test_heavier_robots_have_smaller_regions_or_not() -> None:
     assert judge.shrinks(narrow_then_low, narrow_then_low, "").verdict == LIMITED
 
 
-def test_friction_widens_regions_or_not() -> None:
+def test_friction_widens_regions_or_not():
     frictions = (0.1, 0.3, 0.6)
 
     def regions(widths: Any, highs: Any) -> list[Region]:
@@ -115,7 +115,7 @@ def test_friction_widens_regions_or_not() -> None:
     assert verdict((9.0, 5.0, 4.0), same) == NOT_CONFIRMED  # narrower
 
 
-def test_conclusion_and_figures_of_made_up_regions(tmp_path: Any) -> None:
+def test_conclusion_and_figures_of_made_up_regions(tmp_path):
     def rows_of(cell: Cell) -> Any:
         m, mu, points = (cell.inputs[key] for key in ("mass_bar", "mu", "points"))
         off = 0.98 if cell.inputs["tier"] == "reference" else 1.0

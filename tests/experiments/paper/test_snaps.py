@@ -1,7 +1,6 @@
 """The snaps: cells against the library's scene and an independent solution; verdicts both ways."""
 
 import math
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -33,7 +32,7 @@ def undamped() -> list[dict[str, Any]]:
     return motion_rows({**inputs, "delta_alpha_rad": [0.0, 0.1]})
 
 
-def test_snaps_are_those_of_the_independent_solution(undamped: list[dict[str, Any]]) -> None:
+def test_snaps_are_those_of_the_independent_solution(undamped):
     numbers = [row for row in undamped if row["kind"] == "outcome"]
     table = agreement({"undamped": numbers}, exact_snaps())
     assert len(table) == 6 + 8  # no tangents with equal clamps
@@ -41,7 +40,7 @@ def test_snaps_are_those_of_the_independent_solution(undamped: list[dict[str, An
     assert largest_percent(table, "undamped") < 0.5
 
 
-def test_agreement_sees_a_difference() -> None:
+def test_agreement_sees_a_difference():
     exact = exact_snaps()
     wrong = [{**row, "crossing_T": 1.1 * row["crossing_T"]} for row in exact if row["terms"] >= 12]
     wrong = [row for row in wrong if row["terms"] != 20]
@@ -49,7 +48,7 @@ def test_agreement_sees_a_difference() -> None:
     assert largest_percent(table, "wrong") == pytest.approx(10.0)
 
 
-def test_a_swing_is_the_snap_of_the_library() -> None:
+def test_a_swing_is_the_snap_of_the_library():
     simulation = snap_of(snap_groups(STANDARD, "standard"), 0.2, 0.1)
     own, library = outcome(follow(simulation)), simulate(simulation)
     assert own["alpha_snap_rad"] == pytest.approx(library.alpha_snap_rad, abs=1e-4)
@@ -58,14 +57,14 @@ def test_a_swing_is_the_snap_of_the_library() -> None:
     assert own["theta_max_rad"] == own["theta_later_rad"]
 
 
-def test_a_beam_that_does_not_snap_has_no_numbers() -> None:
+def test_a_beam_that_does_not_snap_has_no_numbers():
     groups = snap_groups(STANDARD, "standard")
     groups["robot"] = {**groups["robot"], "rotation_end_rad": 0.3}
     row = outcome(follow(snap_of(groups, 0.1, 0.1)))
     assert row["status"] == "ok" and row["theta_max_rad"] is None
 
 
-def test_a_tiny_mismatch_is_amplified_in_proportion() -> None:
+def test_a_tiny_mismatch_is_amplified_in_proportion():
     inputs = {"groups": snap_groups(STANDARD, "standard"), "epsilon": 0.1, "rate_rad_s": 20.0}
     rows = imperfection_rows({**inputs, "imperfections_rad": [1e-6, 1e-5]})
     tilts = [row["theta_max_rad"] for row in rows]
@@ -77,7 +76,7 @@ def tilts(*pairs: tuple[float, float | None]) -> list[dict[str, Any]]:
     return [{"delta_alpha_rad": lag, "theta_max_rad": angle} for lag, angle in pairs]
 
 
-def test_the_mismatch_that_is_seen() -> None:
+def test_the_mismatch_that_is_seen():
     degree = math.radians(1.0)
     proportional = tilts((0.0, 1e-14), (1e-6, 1e-4), (1e-4, 1e-2), (1e-2, 1.0))
     assert symmetric_until(proportional) == pytest.approx(degree * 1e-2)
@@ -88,14 +87,14 @@ def test_the_mismatch_that_is_seen() -> None:
     assert "more than was tried" in limit_in_words(20.0, math.inf, [])
 
 
-def test_the_verdict_can_come_out_each_way() -> None:
+def test_the_verdict_can_come_out_each_way():
     assert symmetry_verdict(1e-12, 0.6, [5e-3, math.inf]) == CONFIRMED
     assert symmetry_verdict(1e-12, 0.6, [5e-3, 1e-5]) == LIMITED
     assert symmetry_verdict(0.1, 0.6, [5e-3]) == NOT_CONFIRMED
     assert symmetry_verdict(1e-14, 1e-3, [5e-3]) == NOT_CONFIRMED
 
 
-def test_the_statement_tells_the_limit(undamped: list[dict[str, Any]]) -> None:
+def test_the_statement_tells_the_limit(undamped):
     numbers = dict.fromkeys(SETTINGS, [row for row in undamped if row["kind"] == "outcome"])
     rates = {20.0: tilts((0.0, 1e-13), (1e-5, 6e-3), (1e-4, 6e-2)), 0.2: tilts((0.0, 0.59))}
     told = symmetry_statement(numbers, rates, 0.1)
@@ -103,7 +102,7 @@ def test_the_statement_tells_the_limit(undamped: list[dict[str, Any]]) -> None:
     assert "0.2 rad/s (0.59 rad from rounding)" in told.found and "2.9e-05 rad at 20" in told.found
 
 
-def test_the_plan() -> None:
+def test_the_plan():
     cells = Snaps().plan(STANDARD, 0)
     assert len(cells) == len(SETTINGS) + len(TINY)
     assert cells[1].inputs["groups"]["discretization"]["elements"] == 99
@@ -111,7 +110,7 @@ def test_the_plan() -> None:
     assert set(STYLES) == set(TINY)
 
 
-def test_the_figures(undamped: list[dict[str, Any]], tmp_path: Path) -> None:
+def test_the_figures(undamped, tmp_path):
     motions = dict.fromkeys(("standard", "undamped", "paper"), undamped)
     draw_snaps(motions, exact_snaps(), tmp_path / "snaps.png")
     rows = tilts((0.0, 0.0), *((float(lag), float(lag)) for lag in np.logspace(-8, -1, 8)))

@@ -13,7 +13,7 @@ from experiments.paper.statement import (
 from experiments.paper.study import readme_block, tally
 
 
-def test_a_verdict_follows_from_what_holds() -> None:
+def test_a_verdict_follows_from_what_holds():
     assert verdict(True) == verdict(True, True) == CONFIRMED
     assert verdict(False, True) == LIMITED
     assert verdict(False) == NOT_CONFIRMED
@@ -21,7 +21,7 @@ def test_a_verdict_follows_from_what_holds() -> None:
         Statement("It jumps", "perhaps", "It does", "`standard`")
 
 
-def test_tables_number_the_statements() -> None:
+def test_tables_number_the_statements():
     statements = [
         Statement("It jumps", CONFIRMED, "15 L", "`standard`"),
         Statement("It flies", NOT_CONFIRMED, "It falls", "`reference`", "task=paper figure=x"),

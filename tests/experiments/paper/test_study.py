@@ -48,7 +48,7 @@ class Others(Letters):
 
 
 @pytest.fixture(autouse=True)
-def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def here(tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(module, "PARTS", {"letters": Letters, "others": Others})
     Letters.computed.clear()
@@ -58,7 +58,7 @@ def run(figure: str, name: str) -> tuple[Any, ResultFolder]:
     return run_study(Paper(), configured(figure), Path(name))
 
 
-def test_one_part_and_then_all_of_them() -> None:
+def test_one_part_and_then_all_of_them():
     outcome, folder = run("letters", "one")
     assert outcome.summary["letters"] == 2 and outcome.summary["statements_confirmed"] == 1
     assert Letters.computed == ["a", "b"]
@@ -72,7 +72,7 @@ def test_one_part_and_then_all_of_them() -> None:
     assert (folder.path / "paper.block.md").exists()
 
 
-def test_the_parts_there_are() -> None:
+def test_the_parts_there_are():
     Paper().prepare({**configured("all"), "backend": {"name": "lanes"}})  # which is free
     with pytest.raises(ParameterError, match="figure = 'trees' .* one of all, letters, others"):
         Paper().prepare(configured("trees"))
@@ -89,12 +89,12 @@ def test_the_parts_there_are() -> None:
         ({"damping": {"name": "none"}}, "damping.name = 'none' .* kelvin_voigt with task=paper"),
     ],
 )
-def test_settings_that_the_figures_have_of_their_own(changes: Any, told: str) -> None:
+def test_settings_that_the_figures_have_of_their_own(changes, told):
     with pytest.raises(ParameterError, match=told):
         Paper().prepare({**configured("all"), **changes})
 
 
-def test_no_block_for_the_readme_if_a_cell_failed(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_block_for_the_readme_if_a_cell_failed(monkeypatch):
     def compute(part: Part, inputs: Mapping[str, Any]) -> Any:
         raise ZeroDivisionError(inputs["letter"])
 
@@ -104,7 +104,7 @@ def test_no_block_for_the_readme_if_a_cell_failed(monkeypatch: pytest.MonkeyPatc
 
 
 @pytest.mark.parametrize("name", list(PARTS))
-def test_every_part_is_whole(name: str) -> None:
+def test_every_part_is_whole(name):
     part = PARTS[name]()
     assert part.name == name
     cells = part.plan(STANDARD, 0)

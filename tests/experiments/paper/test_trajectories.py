@@ -1,7 +1,6 @@
 """Trajectories of coarse jumps, and the verdict on how the mismatch tunes them."""
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -29,7 +28,7 @@ def sweep(ratios: list[float], lean: float) -> list[dict[str, Any]]:
     ]  # fmt: skip
 
 
-def test_verdicts() -> None:
+def test_verdicts():
     growing = slant(sweep([0.0, 0.2, 0.4, 0.6], 20.0))
     assert np.isnan(growing.grows_until_rad) and growing.lean_deg == pytest.approx(20.0)
     assert tuned(growing, 60.0) == CONFIRMED
@@ -44,7 +43,7 @@ def test_verdicts() -> None:
     assert tuned(slant(sweep([0.0, 0.01, 0.02, 0.03], 2.0)), 2.0) == NOT_CONFIRMED
 
 
-def test_paths_end_where_flights_begin() -> None:
+def test_paths_end_where_flights_begin():
     design = varied("delta_alpha_rad", [0.05])[0]
     path = rows_of({"groups": COARSE, "followed": design})
     jump = rows_of({"groups": COARSE, "designs": [design]})[0]
@@ -55,7 +54,7 @@ def test_paths_end_where_flights_begin() -> None:
     assert path[last]["y_bar"] == pytest.approx(y[0], abs=0.02)
 
 
-def test_report(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_report(monkeypatch, tmp_path):
     """The whole part with every tier coarse."""
     monkeypatch.setattr(module, "groups_at", lambda groups, tier: COARSE)
     monkeypatch.setattr(module, "DESIGNS", 8)

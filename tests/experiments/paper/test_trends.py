@@ -6,14 +6,14 @@ import pytest
 from experiments.trends import counter_step, plateau
 
 
-def test_counter_step() -> None:
+def test_counter_step():
     assert counter_step(np.array([0.0, 1.0, 2.0]), rising=True) == 0.0
     assert counter_step(np.array([0.0, 3.0, 2.0, 4.0]), rising=True) == pytest.approx(0.25)
     assert counter_step(np.array([4.0, 1.0, 2.0, 0.0]), rising=False) == pytest.approx(0.25)
     assert counter_step(np.array([2.0, 1.0]), rising=True) == np.inf
 
 
-def test_plateau() -> None:
+def test_plateau():
     places = np.linspace(0.0, 1.0, 51)
     found = plateau(places, 3.0 * np.minimum(places, 0.4) + 2.0)
     assert found.threshold == pytest.approx(0.4)

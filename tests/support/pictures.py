@@ -1,0 +1,17 @@
+"""Pictures, and how much of a colour is in them."""
+
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from snapjump.plots import palette
+
+
+def picture(path: Path) -> np.ndarray:
+    return np.asarray(Image.open(path).convert("RGB"))
+
+
+def count(pixels: np.ndarray, colour: str) -> int:
+    """Of the pixels of exactly this colour."""
+    return int((pixels == palette.rgb(colour)).all(axis=2).sum())
