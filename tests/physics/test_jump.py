@@ -146,7 +146,7 @@ def test_mirrored_mismatch_and_slope_mirror_the_jump(slope, jump):
     left = jump(
         design=Design(0.2, -lag),
         environment=downhill,
-        robot=dataclasses.replace(robot, rotation_end_rad=robot.rotation_end_rad - lag),
+        robot=replace(robot, rotation_end_rad=robot.rotation_end_rad - lag),
         stepping=tight,
     )
     assert left.x_bar == pytest.approx(-right.x_bar, rel=1e-3)
