@@ -6,6 +6,7 @@ import pytest
 from snapjump.ending.timed import TimedEnding
 from snapjump.engine import clock as c
 from snapjump.engine.status import NO_JUMP, OK
+from snapjump.load.gravity import Gravity
 from snapjump.recorder.trajectory import make_recorder
 from snapjump.scenes.flight import flight
 from snapjump.scenes.mass import mass_model
@@ -20,7 +21,7 @@ def test_apex(reference):
     outcome = np.zeros(c.ROWS)
     outcome[c.STATUS] = OK
     outcome[c.COM_Y], outcome[c.COM_VX], outcome[c.COM_VY] = START, VX, VY
-    found = flight(2.0, G, outcome)
+    found = flight(2.0, Gravity(G), outcome)
     assert found.apex_x == pytest.approx(exact["xc_minus_x"], rel=1e-12)
     assert found.apex_y == pytest.approx(exact["yc"], rel=1e-12)
     assert found.apex_time == pytest.approx(2.0 + VY / G, rel=1e-12)
@@ -37,7 +38,7 @@ def test_liftoff():
     outcome[:, c.COM_X] = 0.2 + VX * later
     outcome[:, c.COM_Y] = 0.1 + VY * later - 0.5 * G * later**2
     outcome[:, c.COM_VX], outcome[:, c.COM_VY] = VX, VY - G * later
-    found = flight(np.array([1.0, 2.0]), np.array([G, G]), outcome)
+    found = flight(np.array([1.0, 2.0]), Gravity(np.array([G, G])), outcome)
     thrown = [values[0] for values in found]
     reached = [0.2 + VX * VY / G, 0.1 + 0.5 * VY**2 / G, 1.5 + VY / G]
     assert thrown == pytest.approx([*reached, 0.2, 0.1, VX, VY, 1.5], rel=1e-12)

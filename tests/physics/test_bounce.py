@@ -103,7 +103,7 @@ def test_rest(single_mass, run, reference):
         simulation = single_mass("slide", 1e-5, mass_kg=row["m"], speed_m_s=0.0, duration_s=1e-3)
         scales = simulation.robot.scales
         model = mass_model(simulation, row["g"], 0.0)
-        weight = row["m"] / scales.mass_kg * model.load.normal
+        weight = row["m"] / scales.mass_kg * model.load.gravity()
         gap = resting_gap(model.contact, weight, 1.0) * scales.length_m
         assert gap == pytest.approx(row["gap"], rel=1e-8)
         heights = run(simulation).arrays["node_y_m"]
