@@ -18,6 +18,7 @@ Place = tuple[float, float, float, float]  # left, bottom, width, height: shares
 WIDTH = 14.0  # inches of all pages
 MAPS_IN_A_ROW, MAP_ROW = 6, 2.835  # how many have room, and the inches of a row
 MEANS, MARKED = "viridis", "Oranges"  # maps of colours
+SHORT_NUMBERS = (-3, 4)  # powers of ten between which an axis writes its numbers out
 EMPTY = palette.PALE  # a bin without a jump
 
 
@@ -143,6 +144,8 @@ def _spread(axes: Any, statistics: Statistics, outcome: int, axis: int) -> None:
     axes.fill_between(middles, low, high, color=colour, alpha=0.3, lw=0)
     axes.plot(middles, median, "o-", color=colour, lw=2.0, ms=3.5)
     axes.set_xlim(edges[0], edges[-1])
+    axes.locator_params(axis="x", nbins=4)
+    axes.ticklabel_format(axis="x", scilimits=SHORT_NUMBERS)
     axes.set_ylim(*_shown(statistics, outcome))
     axes.grid(True)
 
@@ -199,5 +202,6 @@ def _maps(
         axes.set_xlabel(statistics.axes[i].short, labelpad=1)
         axes.set_ylabel(statistics.axes[j].short, labelpad=1)
         axes.locator_params(nbins=3)
+        axes.ticklabel_format(scilimits=SHORT_NUMBERS)
     bar = figure.add_axes(places[-1])
     figure.colorbar(mesh, cax=bar).set_label(scale[0])

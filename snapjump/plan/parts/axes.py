@@ -22,6 +22,7 @@ from snapjump.parameters.environment import Environment
 
 Array = NDArray[np.float64]
 Range = tuple[float, float]
+LABELS_IN_A_ROW = 140  # characters of labels of one length that have room side by side
 
 
 @dataclass(frozen=True)
@@ -58,7 +59,9 @@ class Axis:
 
 def labels_of(axes: Sequence[Axis]) -> list[str]:
     """Labels of pictures side by side, one an axis: without meanings where these have no room."""
-    return [axis.label if len(axes) <= len(DEFAULT_INPUTS) else axis.short for axis in axes]
+    labels = [axis.label for axis in axes]
+    roomy = max(map(len, labels)) * len(labels) <= LABELS_IN_A_ROW
+    return labels if roomy else [axis.short for axis in axes]
 
 
 def axes_of(inputs: Sequence[Input], ranges: Sequence[Range]) -> tuple[Axis, ...]:
