@@ -167,6 +167,7 @@ import pickle, sys
 import snapjump
 from pathlib import Path
 from snapjump.composition import with_tier
+from snapjump.stepping.fixed import FixedStep
 snapjump.load_plugins(sys.argv[1])
 Path("simulation").write_bytes(pickle.dumps(with_tier("draft", contact="cone", friction="tanh")))
 """
@@ -272,6 +273,7 @@ import numpy as np
 import snapjump
 from snapjump.batch import simulate_batch, simulate_designs, variants
 from snapjump.composition import with_tier
+from snapjump.stepping.fixed import FixedStep
 snapjump.load_plugins(sys.argv[1])
 base = with_tier("draft", contact="cone", friction="tanh")
 designs = np.array([[0.1, 0.2, 0.768, 0.3], [0.05, 0.25, 1.2, 0.4], [0.15, 0.15, 0.6, 0.2]])
@@ -279,17 +281,18 @@ beside = simulate_batch(variants(base, designs), lanes=8)
 alone = snapjump.simulate_jump(accuracy="draft", contact="cone", friction="tanh")
 assert beside.status == ["ok"] * 3 and alone.status == "ok"
 assert (alone.x_bar, alone.y_bar) == (beside.x_bar[0], beside.y_bar[0])
-# A number of the law is an input as any other, and so are derivatives by it.
-base = with_tier("reference", contact="cone", friction="tanh")
+# A number of the law is an input as any other, and so are derivatives by it: those of the steps
+# that are taken, so that differences are of the same steps, which resolve the strike.
+base = with_tier("draft", contact="cone", friction="tanh", stepping=FixedStep(step_s=2e-6))
 inputs = ("design.delta_alpha", "environment.mass_bar", "contact.modulus_Pa")
 designs = np.array([[0.1, 0.768, 2e6], [0.05, 1.2, 5e6], [0.15, 0.6, 1e6]])
 found = simulate_designs(base, designs, inputs=inputs, sensitivities=True, threads=1)
 for column in (1, 2):
-    step = 0.01 * designs * np.eye(3)[column]
+    step = 1e-5 * designs * np.eye(3)[column]
     ends = (designs + step, designs - step)
     more, less = (simulate_designs(base, end, inputs=inputs, threads=1) for end in ends)
     slope = (more.y_bar - less.y_bar) / (2.0 * step[:, column])
-    np.testing.assert_allclose(found.sensitivities.dy_bar[:, column], slope, rtol=0.05)
+    np.testing.assert_allclose(found.sensitivities.dy_bar[:, column], slope, rtol=0.02)
 """
 
 
