@@ -4,6 +4,6 @@ import sys
 from pathlib import Path
 
 if __name__ == "__main__":
-    from snapjump.tasks.command_line import main
+    from snapjump.run.tasks.command_line import main
 
     sys.exit(main(Path(__file__).resolve().parent / "conf"))

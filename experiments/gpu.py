@@ -24,8 +24,8 @@ from snapjump.backend.lanes import LanesBackend
 from snapjump.batch import prepare_designs, variant
 from snapjump.batch.simulate import marches
 from snapjump.composition import Simulation, with_tier
-from snapjump.cuda.availability import check_card
 from snapjump.engine import clock as c
+from snapjump.engine.cuda.availability import check_card
 from snapjump.engine.status import NAMES
 from snapjump.scenes.card_march import CardMarch
 from snapjump.scenes.flight import flight
@@ -118,7 +118,7 @@ def occupancy(march: CardMarch) -> dict[str, Any]:
     """Registers, local memory and resident blocks of the marching kernel."""
     from numba import cuda
 
-    from snapjump.cuda import kernels
+    from snapjump.engine.cuda import kernels
 
     program = next(iter(kernels.march.overloads.values()))
     block = march.plan.threads_per_block
@@ -188,7 +188,7 @@ def tuning(tier: str, designs: Sequence[tuple[float, ...]]) -> list[dict[str, An
     """Seconds of the marches for other blocks and registers."""
     from numba import cuda
 
-    from snapjump.cuda import kernels
+    from snapjump.engine.cuda import kernels
 
     source = kernels.march.py_func
     base = with_tier(tier, backend=CudaBackend())

@@ -19,8 +19,8 @@ from snapjump.engine import clock as c
 from snapjump.engine import march as engine
 from snapjump.engine.march import Limits
 from snapjump.engine.model import Model
+from snapjump.engine.recorder.none import NoRecorder
 from snapjump.engine.work import System, Work
-from snapjump.recorder.none import NoRecorder
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
 

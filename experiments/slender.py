@@ -17,7 +17,7 @@ from experiments.command import measured
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.discretization.geometrically_exact import GeometricallyExact
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.critical import find_snap
 from snapjump.statics.rounding import LostToRoundingError

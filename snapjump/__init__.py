@@ -13,18 +13,18 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from snapjump.checks import ParameterError
     from snapjump.declare.plugins import load_plugins
-    from snapjump.parameters.design import Design
-    from snapjump.parameters.environment import Environment
-    from snapjump.parameters.robot import Robot
     from snapjump.results import Result
+    from snapjump.robot.design import Design
+    from snapjump.robot.environment import Environment
+    from snapjump.robot.robot import Robot
     from snapjump.simulation import simulate_jump
 
 _HOMES = {
-    "Design": "snapjump.parameters.design",
-    "Environment": "snapjump.parameters.environment",
+    "Design": "snapjump.robot.design",
+    "Environment": "snapjump.robot.environment",
     "ParameterError": "snapjump.checks",
     "Result": "snapjump.results",
-    "Robot": "snapjump.parameters.robot",
+    "Robot": "snapjump.robot.robot",
     "load_plugins": "snapjump.declare.plugins",
     "simulate_jump": "snapjump.simulation",
 }

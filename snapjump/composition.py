@@ -13,9 +13,9 @@ from snapjump.discretization.base import DiscretizationOptions
 from snapjump.frame.base import FrameOptions
 from snapjump.friction.base import FrictionOptions
 from snapjump.integrator.base import IntegratorOptions
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
-from snapjump.parameters.robot import Robot
+from snapjump.robot.design import Design
+from snapjump.robot.environment import Environment
+from snapjump.robot.robot import Robot
 from snapjump.stepping.base import SteppingOptions
 from snapjump.tiers import TIERS
 

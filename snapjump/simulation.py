@@ -8,10 +8,10 @@ from snapjump.composition import Simulation, with_tier
 from snapjump.declare.fields import construct
 from snapjump.declare.former_options import with_present_options
 from snapjump.declare.members import FAMILIES, make_member
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
-from snapjump.parameters.robot import Robot
 from snapjump.results import Result
+from snapjump.robot.design import Design
+from snapjump.robot.environment import Environment
+from snapjump.robot.robot import Robot
 from snapjump.tiers import TIERS
 
 Progress = Callable[[float, str], None]

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from command_line import begun, interrupted, result_in
 
-from snapjump.tasks.command_line import main
+from snapjump.run.tasks.command_line import main
 
 CONF = Path(__file__).resolve().parents[1] / "conf"
 RUN = CONF.parent / "run.py"

@@ -12,10 +12,10 @@ from hydra_config import CONF, hydra_config
 from snapjump import Design, Environment, Robot
 from snapjump.declare.fields import settings
 from snapjump.declare.members import files_of, make_member, member_names
+from snapjump.run.tasks.names import register_resolvers
+from snapjump.run.tasks.registry import TASKS
+from snapjump.show.terminal.help_page import TABLEAUX, describe
 from snapjump.simulation import build
-from snapjump.tasks.names import register_resolvers
-from snapjump.tasks.registry import TASKS
-from snapjump.terminal.help_page import TABLEAUX, describe
 from snapjump.tiers import TIERS
 
 FOLDERS = (CONF, TABLEAUX)

@@ -11,7 +11,7 @@ from snapjump.composition import with_tier
 from snapjump.declare.members import member_class
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.error_estimate import FACTORS, LEVEL, error_estimate, mesh_percent, steps_factor
-from snapjump.terminal.scene_report import scene_report
+from snapjump.show.terminal.scene_report import scene_report
 from snapjump.tiers import TIERS
 
 STANDARD = with_tier("standard")

@@ -18,8 +18,8 @@ PACKAGE = Path(snapjump.__file__).parent
 
 def contracts():
     """(folder, contract) of every family of kernels."""
-    for base in sorted(PACKAGE.glob("*/base.py")):
-        folder = base.parent.name
+    for base in sorted(PACKAGE.glob("**/base.py")):
+        folder = ".".join(base.parent.relative_to(PACKAGE).parts)
         package = importlib.import_module(f"snapjump.{folder}")
         for info in pkgutil.iter_modules(package.__path__):
             importlib.import_module(f"snapjump.{folder}.{info.name}")
@@ -59,8 +59,8 @@ def test_a_file_has_one_member(folder):
 def test_sources_of_all_kernels_name_the_folder_of_the_compiled_ones():
     """A package whose kernels are not hashed would be served stale from the disk cache."""
     with_kernels = {
-        path.parent.name
-        for path in PACKAGE.glob("*/*.py")
+        path.relative_to(PACKAGE).parts[0]
+        for path in PACKAGE.glob("*/**/*.py")
         if any(
             word in path.read_text()
             for word in ("number.dispatch import", "number.methods import", "import njit")

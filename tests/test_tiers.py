@@ -11,9 +11,9 @@ from omegaconf import OmegaConf
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
 from snapjump.declare.members import member_class
+from snapjump.run.tasks.names import register_resolvers
 from snapjump.simulation import build
 from snapjump.stepping.adaptive import AdaptiveStep
-from snapjump.tasks.names import register_resolvers
 from snapjump.tiers import TIERS
 
 CONF = Path(__file__).resolve().parents[1] / "conf"

@@ -8,8 +8,8 @@ import numpy as np
 
 from experiments.convergence.ladders import Ladder
 from experiments.convergence.verdict import Verdict
-from snapjump.plots import palette
-from snapjump.plots.saving import axes_at, picture
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import axes_at, picture
 
 COLUMNS = 3
 PANEL = (4.3, 4.2)  # inches

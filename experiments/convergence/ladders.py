@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 from experiments.compositions import Groups, changed, composed, has_field
 from snapjump.checks import ParameterError
 from snapjump.declare.members import make_member, member_names
+from snapjump.run.studies.base import Row
 from snapjump.scenes.observed import observe_jump
-from snapjump.studies.base import Row
 
 OBSERVABLES = ("snap_time_s", "peak_force_N", "liftoff_speed_m_s", "x_bar", "y_bar")
 COSTS = ("steps", "newton_iterations", "kernel_seconds")

@@ -8,8 +8,8 @@ from experiments.compositions import composed, groups_of
 from experiments.convergence.figures import draw_ladders
 from experiments.convergence.ladders import OBSERVABLES, Ladder, ladders, observed_row
 from experiments.convergence.verdict import Verdict, judged
-from snapjump.studies.base import Cell, Conclusion, Done, Figure, Row, Table
-from snapjump.studies.study import Study
+from snapjump.run.studies.base import Cell, Conclusion, Done, Figure, Row, Table
+from snapjump.run.studies.study import Study
 
 LEVELS = (6, 9)  # quick, full
 FEWEST_LEVELS, MOST_LEVELS = 3, 10

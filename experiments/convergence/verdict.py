@@ -7,7 +7,7 @@ import numpy as np
 
 from experiments.convergence.ladders import Ladder
 from experiments.order import Array, Limit, fitted_order, richardson
-from snapjump.studies.base import Done, Row
+from snapjump.run.studies.base import Done, Row
 
 # Errors this close to the reference's own uncertainty say nothing about an order.
 CLEAR = 3.0

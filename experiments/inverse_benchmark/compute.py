@@ -17,7 +17,7 @@ from snapjump.declare.members import make_member
 from snapjump.inverse.base import Problem, Solution
 from snapjump.learning.forward_model import ForwardModel, open_forward_model
 from snapjump.plan.base import Range, stretched
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 from snapjump.targets.answer import answer
 from snapjump.targets.simulator import JumpSimulator
 from snapjump.targets.warm_up import warm_up

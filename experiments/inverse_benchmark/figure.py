@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from experiments.inverse_benchmark.methods import PAPER, TIERS
-from snapjump.plots import palette
-from snapjump.plots.saving import picture
-from snapjump.studies.base import Row, column
+from snapjump.run.studies.base import Row, column
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import picture
 
 COLOURS = (palette.QUIET, palette.BEAM, palette.CENTRE, palette.SKY, palette.FORCE, palette.CLAMP,
            palette.VIOLET)  # fmt: skip

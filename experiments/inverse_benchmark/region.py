@@ -11,7 +11,7 @@ from experiments.compositions import composed
 from experiments.inverse_benchmark.compute import Array, make_problem, opened
 from snapjump.composition import Simulation
 from snapjump.plan.base import Range, stretched
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 from snapjump.targets.answer import out_of_reach
 from snapjump.targets.region import AchievableRegion
 from snapjump.targets.simulator import JumpSimulator

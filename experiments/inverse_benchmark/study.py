@@ -11,8 +11,8 @@ from experiments.inverse_benchmark.methods import METHODS, PAPER
 from experiments.inverse_benchmark.table import readme_block, solved, summary_row, unsolved
 from snapjump.checks import ParameterError, check_integer
 from snapjump.declare.members import make_member, member_group
-from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
-from snapjump.studies.study import Study
+from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
+from snapjump.run.studies.study import Study
 
 # Problems and environments of a cell, which are lost together if it is stopped.
 BLOCK, REGIONS = 10, 2

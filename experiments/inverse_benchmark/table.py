@@ -5,8 +5,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from experiments.inverse_benchmark.methods import PAPER, SOLVED_MM, TIERS
-from snapjump.studies.base import Row, column
-from snapjump.terminal.block import markdown_table
+from snapjump.run.studies.base import Row, column
+from snapjump.show.terminal.block import markdown_table
 
 
 def summary_row(method: str, rows: Sequence[Row]) -> Row:

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from experiments.paper.statement import Statement
 from snapjump.engine import status
-from snapjump.studies.base import OK, Cell, Done, Row, Section
+from snapjump.run.studies.base import OK, Cell, Done, Row, Section
 
 # Of jumps that ended as jumps do.
 FINE = status.NAMES[status.OK], status.NAMES[status.NO_JUMP]

@@ -8,7 +8,7 @@ import numpy as np
 from experiments.paper.settings import NAMES
 from snapjump.batch import Batch, simulate_designs
 from snapjump.composition import Simulation
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 
 # Results depend on neither: eight lanes are a tier's own program, and a second thread halves time.
 LANES, THREADS = 8, 2

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 
 CONFIRMED = "confirmed"
 LIMITED = "confirmed within a limit"

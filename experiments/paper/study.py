@@ -12,11 +12,11 @@ from experiments.paper.statement import VERDICTS, Statement, statement_rows
 from snapjump.checks import ParameterError, check_choice
 from snapjump.composition import with_tier
 from snapjump.dataset.specification import first_difference
-from snapjump.sources.files import combined_hash
-from snapjump.studies.base import OK, Cell, Conclusion, Done, Row, Section, Table
-from snapjump.studies.fingerprint import sources
-from snapjump.studies.study import Study
-from snapjump.terminal.block import markdown_table
+from snapjump.files.sources import combined_hash
+from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Row, Section, Table
+from snapjump.run.studies.fingerprint import sources
+from snapjump.run.studies.study import Study
+from snapjump.show.terminal.block import markdown_table
 from snapjump.tiers import TIERS
 
 # Of the tier `paper`, as in conf/accuracy/paper.yaml.

@@ -15,7 +15,7 @@ from snapjump.contact.hunt_crossley import HuntCrossley
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.discretization.geometrically_exact import GeometricallyExact
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 from snapjump.scenes.runner import MOST_ITERATIONS
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.critical import find_snap

@@ -20,10 +20,10 @@ from experiments.released.data import (
 from experiments.released.settings import WITHOUT, converged, released
 from snapjump.batch import simulate_batch, variants
 from snapjump.checks import check_integer
-from snapjump.plots import palette
-from snapjump.plots.saving import picture
-from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
-from snapjump.studies.study import Study
+from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
+from snapjump.run.studies.study import Study
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import picture
 
 ALL, CONVERGED = "released settings", "converged"
 ALL_OF_THEM = "all quirks on, same rows"

@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 
 from experiments.designs import LABELS
-from snapjump.plots import palette
-from snapjump.plots.saving import picture
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import picture
 
 PLANES = (("delta_alpha_rad", "epsilon"), ("mass_bar", "mu"))
 COLOURS = {"ok": palette.SKY, "no_jump": palette.CLAMP}

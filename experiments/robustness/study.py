@@ -12,9 +12,9 @@ from experiments.robustness.invalid import configuration_row, invalid_configurat
 from experiments.stability.jumps import by_status, jump_rows
 from experiments.stability.rules import RULES, broken
 from experiments.tradeoff.tiers import base_at
+from snapjump.run.studies.base import REFUSED, Cell, Conclusion, Done, Figure, Row, Table
+from snapjump.run.studies.study import Study
 from snapjump.scenes.jump_outputs import ENDED
-from snapjump.studies.base import REFUSED, Cell, Conclusion, Done, Figure, Row, Table
-from snapjump.studies.study import Study
 from snapjump.tiers import TIERS
 
 TIER = "draft"

@@ -3,8 +3,8 @@
 import platform
 from typing import Any
 
-from snapjump.studies.base import Table
-from snapjump.studies.report import markdown
+from snapjump.run.studies.base import Table
+from snapjump.run.studies.report import markdown
 
 PARTS = {
     "assembly": "assembly",

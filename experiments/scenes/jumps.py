@@ -15,14 +15,14 @@ from snapjump.batch import simulate_batch, variants
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.declare.members import make_member
-from snapjump.ending.apex import ApexEnding
 from snapjump.engine import clock as c
 from snapjump.engine.status import NAMES, OK
+from snapjump.engine.termination.apex import ApexEnding
+from snapjump.run.studies.base import Row
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.snap_march import snap_march
 from snapjump.simulation import simulate
-from snapjump.studies.base import Row
 
 LANES = 8
 KEPT = ("status", "x_bar", "y_bar", "newton_iterations")

@@ -12,11 +12,11 @@ from experiments.designs import spread_designs
 from experiments.errors import relative_errors
 from experiments.scenes.jumps import Both, contact, end, frame, start, timed
 from experiments.tradeoff.tiers import base_at
-from snapjump.plots import palette
-from snapjump.plots.saving import picture
+from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
+from snapjump.run.studies.study import Study
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import picture
 from snapjump.sim.base import WITHOUT_GROUND
-from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
-from snapjump.studies.study import Study
 
 TIER = "standard"
 DESIGNS = (16, 64)  # quick, full

@@ -17,7 +17,7 @@ from snapjump.batch.derivatives import place
 from snapjump.batch.sensitivities import Slopes, apex_sensitivities
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS
-from snapjump.ending.timed import TimedEnding
+from snapjump.engine.termination.timed import TimedEnding
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.runner import March
 from snapjump.scenes.sensitivities import record_sensitivities

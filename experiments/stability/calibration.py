@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from experiments.compositions import Groups, changed
 from experiments.errors import percentile
 from experiments.tradeoff.tiers import tier_groups
+from snapjump.run.studies.base import Row
 from snapjump.scenes.jump_outputs import ENDED
-from snapjump.studies.base import Row
 
 Array = NDArray[np.float64]
 TIERS = ("draft", "standard")

@@ -9,9 +9,9 @@ import numpy as np
 from experiments.stability.axes import Map
 from experiments.stability.calibration import compared
 from experiments.stability.jumps import by_status
-from snapjump.plots import palette
-from snapjump.plots.saving import axes_at, picture
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import axes_at, picture
 
 # By status: the colour of a cell, and what stands in it.
 STATUSES = {

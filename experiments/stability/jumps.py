@@ -10,8 +10,8 @@ from snapjump.batch import simulate_batch, variant
 from snapjump.batch.alike import OF_ONE_KIND, SAME
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
+from snapjump.run.studies.base import REFUSED, Row
 from snapjump.scenes.jump_start import jump_model
-from snapjump.studies.base import REFUSED, Row
 
 LANES = 8
 KEPT = (

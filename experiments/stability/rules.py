@@ -8,9 +8,9 @@ from typing import Any
 from experiments.errors import scale_of_x
 from snapjump.checks import is_finite_number
 from snapjump.declare.members import make_member
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
+from snapjump.run.studies.base import REFUSED, Row
 from snapjump.scenes.jump_outputs import ENDED
-from snapjump.studies.base import REFUSED, Row
 
 Key = tuple[Any, Any, int]  # across, up, design
 LONGEST_S = 120.0  # of a batch

@@ -13,9 +13,9 @@ from experiments.stability.jumps import by_status, jump_rows
 from experiments.stability.physics import Check, checks
 from experiments.stability.rules import RULES, broken, with_truth
 from experiments.tradeoff.tiers import base_at, tier_groups
+from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
+from snapjump.run.studies.study import Study
 from snapjump.scenes.jump_outputs import ENDED
-from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
-from snapjump.studies.study import Study
 from snapjump.tiers import TIERS
 
 TIER = "draft"

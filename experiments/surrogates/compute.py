@@ -19,7 +19,7 @@ from snapjump.learning.measures import errors, measures
 from snapjump.learning.timing import microseconds
 from snapjump.learning.training import Training
 from snapjump.plan.parts.axes import Axis
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 
 Array = NDArray[np.float64]
 TRAINED, PLACE, FLOOR = "trained", "place", "floor"

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from experiments.designs import AXES
-from snapjump.plots import palette
-from snapjump.plots.saving import picture
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import picture
 
 COLOURS = {
     "mlp": palette.FORCE,

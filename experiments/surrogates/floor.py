@@ -15,8 +15,8 @@ from experiments.designs import COLUMNS
 from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation
 from snapjump.plan.base import Range
+from snapjump.run.studies.base import Row
 from snapjump.statics.threshold_curve import ThresholdCurve
-from snapjump.studies.base import Row
 
 Array = NDArray[np.float64]
 INTERVALS = 14  # of the paper's grid along each input

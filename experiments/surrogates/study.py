@@ -12,8 +12,8 @@ from experiments.surrogates.table import findings, floor_summary, readme_block, 
 from snapjump.checks import ParameterError
 from snapjump.declare.members import make_member, member_class, member_group, member_names
 from snapjump.plan.parts.axes import default_axes
-from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
-from snapjump.studies.study import Study
+from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
+from snapjump.run.studies.study import Study
 
 # Jumps to learn from, (quick, full); beside them as many as there are.
 SIZES = ((500, 2000, 8000), (500, 1000, 2000, 4000, 8000, 16000))

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from snapjump.studies.base import Done, Row
-from snapjump.terminal.block import markdown_table
+from snapjump.run.studies.base import Done, Row
+from snapjump.show.terminal.block import markdown_table
 
 COLUMNS = ("jumps", "mae_bar", "mae_x_bar", "mae_y_bar", "p95_bar", "coverage", "coverage_x",
            "coverage_y", "parameters", "epochs", "train_seconds", "inference_us", "own_mae_bar",

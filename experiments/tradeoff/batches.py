@@ -11,7 +11,7 @@ from typing import Any
 from experiments.compositions import composed
 from experiments.designs import COLUMNS, baseline_sweep, spread_designs
 from snapjump.batch import simulate_batch, variants
-from snapjump.studies.base import Cell, Row
+from snapjump.run.studies.base import Cell, Row
 
 LANES = 8
 REPEATS = 3

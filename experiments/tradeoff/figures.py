@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from experiments.tradeoff.points import Point, pareto
-from snapjump.plots import palette
-from snapjump.plots.saving import axes_at, picture
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import axes_at, picture
 
 COSTS = {"ms": "ms a jump (median, one core)", "newton_iterations": "Newton iterations a jump"}
 ERRORS_P95 = {

@@ -9,9 +9,9 @@ import numpy as np
 from experiments.compositions import Groups, changed, has_field
 from experiments.errors import error_figures, relative_errors
 from experiments.tradeoff.points import Point, split
-from snapjump.plots import palette
-from snapjump.plots.saving import picture
-from snapjump.studies.base import OK, Done
+from snapjump.run.studies.base import OK, Done
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import picture
 
 # Family, key, symbol, and its values: factors of the configured value, or values as such.
 FACTORS = (

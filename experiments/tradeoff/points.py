@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from experiments.errors import error_figures, relative_errors, roughness
+from snapjump.run.studies.base import OK, Done
 from snapjump.scenes.jump_outputs import ENDED
-from snapjump.studies.base import OK, Done
 
 NO = math.nan
 # An error of y (%) above which a jump that ended well is no answer, though nothing said so.

@@ -16,8 +16,8 @@ from experiments.tradeoff.modelling import draw_modelling, models, shifts, tier_
 from experiments.tradeoff.points import Point, cheapest, make_point, pareto, split
 from experiments.tradeoff.tiers import BLOCK, beyond, finest, tier_block, tier_groups, tier_rows
 from snapjump.checks import ParameterError
-from snapjump.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
-from snapjump.studies.study import Study
+from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
+from snapjump.run.studies.study import Study
 from snapjump.tiers import TIERS
 
 WANTED_PERCENT = (3.0, 0.5, 0.05)

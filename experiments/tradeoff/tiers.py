@@ -8,8 +8,8 @@ from experiments.designs import COLUMNS
 from experiments.errors import relative_errors
 from experiments.tradeoff.points import Point, split
 from snapjump.composition import with_tier
-from snapjump.studies.base import OK, Done
-from snapjump.terminal.block import markdown_table
+from snapjump.run.studies.base import OK, Done
+from snapjump.show.terminal.block import markdown_table
 from snapjump.tiers import TIERS
 
 # Error of x and y (%, 95th percentile) and roughness (L) that a tier promises: design.md section 4.

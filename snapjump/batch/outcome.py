@@ -11,7 +11,7 @@ from snapjump.batch.prepare import Prepared
 from snapjump.batch.sensitivities import Sensitivities, Slopes, apex_sensitivities
 from snapjump.composition import Simulation
 from snapjump.engine import clock as c
-from snapjump.load.gravity import Gravity
+from snapjump.engine.load.gravity import Gravity
 from snapjump.scenes.flight_check import checked_status
 from snapjump.scenes.jump_outputs import JumpOutputs
 from snapjump.scenes.jump_start import jump_model

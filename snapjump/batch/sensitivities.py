@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.engine import clock as c
+from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.status import NO_JUMP, OK
-from snapjump.load.gravity import Gravity
 
 Array = NDArray[np.float64]
 # A change of a parameter that makes or breaks a contact: nearer than this, on one side only are

@@ -14,7 +14,7 @@ from snapjump.dataset.simulate import Simulator
 from snapjump.dataset.specification import Specification, restored
 from snapjump.declare.plugins import load_plugins
 from snapjump.executor.base import Progress
-from snapjump.sources.files import PLUGINS
+from snapjump.files.sources import PLUGINS
 
 
 def job_of(

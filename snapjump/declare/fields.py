@@ -21,7 +21,7 @@ from typing import (
 
 from snapjump.checks import ParameterError, check_group, check_integer, check_number
 from snapjump.declare.plugins import load_plugins
-from snapjump.sources.files import PLUGINS
+from snapjump.files.sources import PLUGINS
 
 
 class Number(NamedTuple):

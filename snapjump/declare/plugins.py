@@ -16,7 +16,7 @@ from typing import Any
 import yaml
 
 from snapjump.checks import ParameterError
-from snapjump.sources import files
+from snapjump.files import sources
 from snapjump.tiers import TIERS
 
 ENTRY_POINTS = "snapjump.plugins"
@@ -42,7 +42,7 @@ def load_plugins(folder: str | Path) -> None:
     groups = [group for group in sorted(place.iterdir()) if members_in(group)]
     for group in groups:
         _check_group(group)
-    files.PLUGINS.append(place)
+    sources.PLUGINS.append(place)
     paths = [_package(group).__path__ for group in groups]
     for path, group in zip(paths, groups, strict=True):
         path.append(str(group))
@@ -53,7 +53,7 @@ def load_plugins(folder: str | Path) -> None:
             for file in members_in(group):
                 _check_member(file)
     except ParameterError:
-        files.PLUGINS.remove(place)
+        sources.PLUGINS.remove(place)
         for path, group in zip(paths, groups, strict=True):
             path.remove(str(group))
             for file in members_in(group):
@@ -61,7 +61,7 @@ def load_plugins(folder: str | Path) -> None:
         _refresh_kernels()
         raise
     _loaded[place] = _hash(place)
-    os.environ[VARIABLE] = os.pathsep.join(map(str, files.PLUGINS))
+    os.environ[VARIABLE] = os.pathsep.join(map(str, sources.PLUGINS))
 
 
 def load_installed() -> None:
@@ -87,7 +87,7 @@ def members_in(group: Path) -> list[Path]:
 
 
 def _is_family(group: Path) -> bool:
-    return (files.PACKAGE / group.name / "base.py").exists()
+    return (sources.PACKAGE / group.name / "base.py").exists()
 
 
 def _package(group: Path) -> Any:
@@ -95,9 +95,9 @@ def _package(group: Path) -> Any:
 
 
 def _hash(place: Path) -> str:
-    files.forget(place)
-    return files.combined_hash(
-        source for source in files.plugin_files() if place in source.path.parents
+    sources.forget(place)
+    return sources.combined_hash(
+        source for source in sources.plugin_files() if place in source.path.parents
     )
 
 

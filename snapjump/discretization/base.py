@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from snapjump.declare.fields import Part, integer
 from snapjump.number.methods import Contract, required
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 
 HALF_BANDWIDTH = 5
 NODES_COUPLED = 2  # a node couples to that many on either side, to one if nodes turn

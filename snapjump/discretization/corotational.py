@@ -18,7 +18,7 @@ from snapjump.discretization.parts.beam_elements import (
 )
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import arctan, cos, fma, sin, sqrt
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 
 
 @kernel

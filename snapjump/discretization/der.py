@@ -37,7 +37,7 @@ from snapjump.discretization.parts.der_elements import (
 from snapjump.discretization.parts.edge import Edge, half_angle_tangent, make_edge
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, maximum
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 
 
 @kernel

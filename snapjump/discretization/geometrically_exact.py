@@ -15,7 +15,7 @@ from snapjump.discretization.parts.beam_elements import (
     Straining,
 )
 from snapjump.number.functions import cos, fma, sin
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 
 SHEAR_FACTOR = 5.0 / 6.0  # of a rectangle
 

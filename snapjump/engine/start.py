@@ -6,8 +6,8 @@ branch's tangent and the acceleration its curvature.
 
 from typing import Any
 
-from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.engine.centre_of_mass import centre_of_mass
+from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.equilibrium import settle
 from snapjump.engine.model import Model
 from snapjump.engine.status import NO_EQUILIBRIUM, RUNNING

@@ -9,7 +9,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from snapjump.sources.files import PACKAGE, combined_hash, package_files, plugin_files
+from snapjump.files.sources import PACKAGE, combined_hash, package_files, plugin_files
 
 PACKAGES = (
     "snapjump",
@@ -26,9 +26,9 @@ PACKAGES = (
     "pytorch-lightning",
 )
 # Packages that only show, keep or ask for results: a change in them changes no number.
-NOT_PHYSICS = ("executor", "files", "plots", "sources", "studies", "tasks", "terminal", "tracking")
+NOT_PHYSICS = ("executor", "files", "run", "show", "tracking")
 # What is built on datasets, and changes none.
-BEYOND_DATASETS = ("inverse", "learning", "members.py", "surrogate", "targets")
+BEYOND_DATASETS = ("inverse", "learning", "surrogate", "targets")
 
 
 def now() -> str:

@@ -19,6 +19,7 @@ from snapjump.dataset.sealed import read_sealed, sha256_of, write_sealed
 from snapjump.declare.members import member_group
 from snapjump.files.lock import FileLock
 from snapjump.files.provenance import origin
+from snapjump.files.sources import combined_hash, package_files, plugin_files
 from snapjump.learning.checkpoint import (
     Checkpoint,
     learned_inputs,
@@ -29,7 +30,6 @@ from snapjump.learning.data import RULE, JumpData
 from snapjump.learning.fit import STATE, Fitted, descend
 from snapjump.learning.measures import measures
 from snapjump.learning.threads import torch_threads
-from snapjump.sources.files import combined_hash, package_files, plugin_files
 from snapjump.surrogate.base import Surrogate, SurrogateOptions
 
 DEFAULT = Path("outputs/training")

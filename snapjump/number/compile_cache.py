@@ -13,25 +13,20 @@ from typing import Any
 import numba
 from numba.core.caching import UserProvidedCacheLocator
 
+from snapjump.files import sources
+from snapjump.files.kept_hashes import cache_root
 from snapjump.number.old_kernels import remove_old, use
-from snapjump.sources import files
-from snapjump.sources.kept import cache_root
 
 KERNEL_PACKAGES = (
-    "clamp",
     "contact",
-    "cuda",
     "damping",
     "discretization",
-    "ending",
     "engine",
     "frame",
     "friction",
     "integrator",
     "linear_solver",
-    "load",
     "number",
-    "recorder",
     "statics",
     "stepping",
 )
@@ -41,9 +36,9 @@ NUMBA_LOCATORS = "UserProvidedCacheLocator,IPythonCacheLocator"
 
 def source_hash() -> str:
     """Hash of every kernel source, plug-ins included, and of numba's version, 16 hex digits."""
-    own = [source for source in files.package_files() if source.part in KERNEL_PACKAGES]
-    code = [source for source in (*own, *files.plugin_files()) if source.path.suffix == ".py"]
-    return files.combined_hash(code, numba.__version__)[:16]
+    own = [source for source in sources.package_files() if source.part in KERNEL_PACKAGES]
+    code = [source for source in (*own, *sources.plugin_files()) if source.path.suffix == ".py"]
+    return sources.combined_hash(code, numba.__version__)[:16]
 
 
 def cache_folder() -> Path:
@@ -56,7 +51,7 @@ class KernelLocator(UserProvidedCacheLocator):
 
     def __init__(self, py_func: Any, py_file: str):
         super().__init__(py_func, py_file)
-        place = Path(py_file).resolve().relative_to(files.PACKAGE).with_suffix("")
+        place = Path(py_file).resolve().relative_to(sources.PACKAGE).with_suffix("")
         self._cache_path = os.path.join(numba.config.CACHE_DIR, *place.parts)
 
     def get_source_stamp(self) -> str:
@@ -71,7 +66,7 @@ class KernelLocator(UserProvidedCacheLocator):
     def from_function(cls, py_func: Any, py_file: str) -> Any:
         """None for functions that are not a module's of this package: numba has ways for them."""
         of_a_module = py_func.__qualname__ == py_func.__name__
-        if not of_a_module or not Path(py_file).resolve().is_relative_to(files.PACKAGE):
+        if not of_a_module or not Path(py_file).resolve().is_relative_to(sources.PACKAGE):
             return None
         return super().from_function(py_func, py_file)
 

@@ -6,9 +6,9 @@ from typing import Any
 from numba import njit
 from numba.extending import register_jitable
 
+from snapjump.files import sources
 from snapjump.number.compile_cache import use_cache_folder
 from snapjump.number.linking import PartCompiler, ProgramCompiler
-from snapjump.sources import files
 
 # Plain Python functions that compiled code may call: small ones are merged into their callers
 # (lanes travel through memory across a call), large ones are compiled once a program.
@@ -37,8 +37,8 @@ def refresh() -> None:
 
     What has been compiled before stays in this process, and on disk where it was.
     """
-    for folder in files.PLUGINS:
-        files.forget(folder)
+    for folder in sources.PLUGINS:
+        sources.forget(folder)
     use_cache_folder()
     for program in _programs:
         program.enable_caching()

@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from snapjump.backend.cuda import CudaBackend
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
-from snapjump.cuda.availability import check_card
-from snapjump.cuda.plan import make_plan
+from snapjump.engine.cuda.availability import check_card
+from snapjump.engine.cuda.plan import make_plan
 from snapjump.engine.march import Limits, Queue
+from snapjump.engine.recorder.none import NoRecorder
 from snapjump.number.memory import aligned_zeros
-from snapjump.recorder.none import NoRecorder
 from snapjump.scenes.runner import ITERATIONS_PER_STAGE, March, Progress
 
 Array = NDArray[np.float64]
@@ -41,7 +41,7 @@ class CardMarch(March):
     """
 
     def __post_init__(self) -> None:
-        from snapjump.cuda.card import Card
+        from snapjump.engine.cuda.card import Card
 
         if not isinstance(self.recorder, NoRecorder):
             raise ParameterError(
@@ -106,7 +106,7 @@ class CardMarch(March):
 
     def find_starts(self, progress: Progress | None = None) -> None:
         """Replace the states by the equilibria that the march begins from."""
-        from snapjump.cuda import kernels
+        from snapjump.engine.cuda import kernels
 
         robots = len(self.models)
         begun = self.card.kernel_seconds
@@ -128,7 +128,7 @@ class CardMarch(March):
 
         ``progress`` is told the share of the robots that are done.
         """
-        from snapjump.cuda import kernels
+        from snapjump.engine.cuda import kernels
 
         robots = len(self.models)
         begun = self.card.kernel_seconds

@@ -8,8 +8,8 @@ from threading import Event
 from typing import Any
 
 from snapjump.engine.march import Queue
+from snapjump.engine.recorder.none import NoRecorder
 from snapjump.engine.work import Work
-from snapjump.recorder.none import NoRecorder
 
 REPORT_EVERY_S = 0.1
 

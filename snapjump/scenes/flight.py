@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.engine import clock as c
+from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.status import OK
-from snapjump.load.gravity import Gravity
 
 Array = NDArray[np.float64]
 

@@ -4,10 +4,10 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from snapjump.composition import Simulation
-from snapjump.ending.flight import FlightEnding
 from snapjump.engine import clock as c
 from snapjump.engine.model import Model
-from snapjump.recorder.none import NoRecorder
+from snapjump.engine.recorder.none import NoRecorder
+from snapjump.engine.termination.flight import FlightEnding
 from snapjump.scenes.card_march import march_on
 from snapjump.scenes.flight_check import checked_status
 from snapjump.scenes.march_outputs import side_by_side

@@ -4,10 +4,10 @@ import math
 from typing import Any
 
 from snapjump.checks import ParameterError
-from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
+from snapjump.engine.clamp.constant_rate import ConstantRate
+from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.model import Model, TimeLimit
-from snapjump.load.gravity import Gravity
 from snapjump.number.functions import cos, sin
 from snapjump.scenes.frame_body import compression, frame_model
 from snapjump.statics.arch import StaticArch

@@ -6,17 +6,17 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
 from snapjump.contact.base import Approach, force_if_acting
 from snapjump.damping.none import NoDamping
 from snapjump.discretization.parts.loose_nodes import LooseNodes
-from snapjump.ending.timed import TimedEnding
+from snapjump.engine.clamp.constant_rate import ConstantRate
+from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.model import Model
+from snapjump.engine.recorder.trajectory import make_recorder
+from snapjump.engine.termination.timed import TimedEnding
 from snapjump.frame.parts.no_frame import NoFrame
-from snapjump.load.gravity import Gravity
 from snapjump.number.functions import cos, sin
-from snapjump.recorder.trajectory import make_recorder
 from snapjump.results import Result
 from snapjump.scenes.march_outputs import GroundOutputs, RecordedOutputs, side_by_side
 from snapjump.scenes.runner import March, Progress

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
 from snapjump.declare.outputs import output
-from snapjump.recorder.observables import make_observables
+from snapjump.engine.recorder.observables import make_observables
 from snapjump.scenes.jump_march import jump_march, jumped
 from snapjump.scenes.jump_outputs import JumpOutputs
 from snapjump.scenes.jump_start import jump_model

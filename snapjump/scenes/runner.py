@@ -11,11 +11,11 @@ from snapjump.composition import Simulation
 from snapjump.engine.clock import ROWS, TIME
 from snapjump.engine.march import Limits, Queue, find_starts, march
 from snapjump.engine.model import Model, numbers_of
+from snapjump.engine.recorder.none import NoRecorder
 from snapjump.engine.work import Work, make_work
 from snapjump.frame.base import NO_MESH
 from snapjump.number.announcement import load
 from snapjump.number.memory import aligned_zeros
-from snapjump.recorder.none import NoRecorder
 from snapjump.scenes.crew import Worker, run_crew
 
 Array = NDArray[np.float64]

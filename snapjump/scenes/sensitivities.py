@@ -12,12 +12,12 @@ from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.declare.members import members_with
 from snapjump.engine.clock import ROWS
 from snapjump.engine.differentiate_start import differentiate_starts
+from snapjump.engine.recorder.sensitivities import FAR, SensitivityRecorder
 from snapjump.engine.shadow import make_shadow
 from snapjump.engine.work import Work, make_work
 from snapjump.number.announcement import load
 from snapjump.number.dual import PARAMETERS
 from snapjump.number.memory import aligned_zeros
-from snapjump.recorder.sensitivities import FAR, SensitivityRecorder
 from snapjump.scenes.crew import Worker, run_crew
 from snapjump.scenes.runner import March
 

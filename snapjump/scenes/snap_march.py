@@ -3,13 +3,13 @@
 from collections.abc import Callable
 from typing import Any
 
-from snapjump.clamp.smooth_start import SmoothStart
 from snapjump.composition import Simulation
 from snapjump.contact.base import ContactOptions
-from snapjump.ending.timed import TimedEnding
+from snapjump.engine.clamp.smooth_start import SmoothStart
+from snapjump.engine.load.none import NoLoad
 from snapjump.engine.model import Model
+from snapjump.engine.termination.timed import TimedEnding
 from snapjump.frame.fixed import FixedFrame
-from snapjump.load.none import NoLoad
 from snapjump.scenes.jump_march import no_recorder
 from snapjump.scenes.runner import March
 from snapjump.statics.arch import StaticArch

@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.clamp.smooth_start import SmoothStart
 from snapjump.composition import Simulation
 from snapjump.engine import clock as c
+from snapjump.engine.clamp.smooth_start import SmoothStart
+from snapjump.engine.recorder.trajectory import make_recorder
 from snapjump.engine.status import NAMES
-from snapjump.recorder.trajectory import make_recorder
 from snapjump.scenes.snap_march import snap_march
 from snapjump.scenes.trajectory import samples_of
 

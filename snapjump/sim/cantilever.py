@@ -6,21 +6,21 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.clamp.base import ClampAngles
-from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
 from snapjump.declare.fields import number
 from snapjump.declare.outputs import INTEGER, output
+from snapjump.engine.clamp.base import ClampAngles
+from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
+from snapjump.engine.load.tip import TipLoad
 from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.work import make_work
 from snapjump.frame.base import NO_MESH, STILL
 from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.friction.none import NoFriction
-from snapjump.load.tip import TipLoad
 from snapjump.results import Result
 from snapjump.scenes.march_outputs import RunOutputs
 from snapjump.sim.base import (

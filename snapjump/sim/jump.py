@@ -6,7 +6,7 @@ from typing import Any
 
 from snapjump.composition import Simulation
 from snapjump.declare.fields import Need, number
-from snapjump.recorder.trajectory import TrajectoryRecorder, make_recorder
+from snapjump.engine.recorder.trajectory import TrajectoryRecorder, make_recorder
 from snapjump.results import Result
 from snapjump.scenes.card_march import check_backend
 from snapjump.scenes.jump_march import jump_march, jumped, no_recorder

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from snapjump.composition import Simulation
 from snapjump.declare.fields import number
 from snapjump.declare.outputs import output
-from snapjump.recorder.trajectory import make_recorder
+from snapjump.engine.recorder.trajectory import make_recorder
 from snapjump.results import Result
 from snapjump.scenes.march_outputs import RecordedOutputs, side_by_side
 from snapjump.scenes.snap_march import snap_march

@@ -6,20 +6,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.clamp.base import ClampAngles
-from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
+from snapjump.engine.clamp.base import ClampAngles
+from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
+from snapjump.engine.load.none import NoLoad
 from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.newton import ROUNDING
 from snapjump.engine.work import make_work
 from snapjump.frame.base import NO_MESH, STILL
 from snapjump.frame.fixed import FixedFrame
 from snapjump.friction.none import NoFriction
-from snapjump.load.none import NoLoad
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 from snapjump.statics.band import smallest_eigenvalue
 from snapjump.statics.chain_state import chain_state
 from snapjump.statics.elastica import buckled_arch, resampled

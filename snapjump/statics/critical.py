@@ -7,7 +7,7 @@ from itertools import islice
 import numpy as np
 
 from snapjump.discretization.base import DiscretizationOptions
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 from snapjump.statics.arch import Equilibrium, StaticArch
 from snapjump.statics.band import dot
 from snapjump.statics.branch import Branch, Point

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from snapjump.discretization.base import DiscretizationOptions
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch
 from snapjump.statics.critical import instability

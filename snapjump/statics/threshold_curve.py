@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from snapjump.checks import ParameterError
 from snapjump.number.functions import cos
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 from snapjump.statics.rounding import LostToRoundingError
 from snapjump.statics.threshold import symmetric_threshold
 

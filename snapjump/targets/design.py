@@ -9,7 +9,7 @@ from snapjump.checks import check_choice
 from snapjump.composition import Simulation, with_tier
 from snapjump.inverse.base import Array, ForwardModel, InverseOptions, Problem
 from snapjump.inverse.physics import PhysicsOptions
-from snapjump.parameters.environment import Environment
+from snapjump.robot.environment import Environment
 from snapjump.targets.answer import Answer, answer
 from snapjump.targets.request import (
     checked_target,

@@ -11,9 +11,9 @@ from snapjump.batch.sensitivities import NEAREST, Slopes, apex_sensitivities
 from snapjump.checks import ParameterError
 from snapjump.declare.members import member_class
 from snapjump.engine import clock as c
+from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.status import OK
 from snapjump.friction.implicit import ImplicitFriction
-from snapjump.load.gravity import Gravity
 from snapjump.scenes.flight import flight
 from snapjump.statics.threshold_curve import ThresholdCurve
 

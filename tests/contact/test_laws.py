@@ -11,7 +11,7 @@ from snapjump.contact.base import Approach, at_rest, derived_slope, force_if_act
 from snapjump.contact.hunt_crossley import damping_number
 from snapjump.contact.signorini import SKIN
 from snapjump.number.dispatch import PROGRAM
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 
 OPTIONS = {name: cls for name, cls in FAMILIES["contact"].items() if name != "none"}
 SCALES = Robot().scales

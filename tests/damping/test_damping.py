@@ -3,7 +3,7 @@ import pytest
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.mass_proportional import MassProportional
 from snapjump.damping.none import NoDamping
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 
 LAWS = [NoDamping.Law(), KelvinVoigt.Law(0.03), MassProportional.Law(0.7)]
 

@@ -6,21 +6,21 @@ import numpy as np
 import pytest
 from numba import njit
 
-from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.contact.base import Ground
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.declare.members import member_class
 from snapjump.engine.assemble import Motion
+from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.clock import ROWS
+from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.model import Model, numbers_of, with_numbers
 from snapjump.engine.newton import solve_linearised
 from snapjump.engine.view import view_work
 from snapjump.engine.work import make_work
 from snapjump.frame.rigid import RigidFrame
 from snapjump.friction.implicit import ImplicitFriction
-from snapjump.load.gravity import Gravity
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 
 ELEMENTS = 16
 WIDTH = 8

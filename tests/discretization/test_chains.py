@@ -11,7 +11,6 @@ import pytest
 from bare_models import bare_model
 from plain_python import assembled, complex_step, dense, residual_of
 
-from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.mass_proportional import MassProportional
 from snapjump.damping.none import NoDamping
@@ -21,11 +20,12 @@ from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.discretization.geometrically_exact import GeometricallyExact
 from snapjump.discretization.parts.beam_elements import Span
 from snapjump.engine.assemble import Motion
+from snapjump.engine.clamp.constant_rate import ConstantRate
+from snapjump.engine.load.tip import TipLoad
 from snapjump.engine.model import Model
 from snapjump.frame.fixed import FixedFrame
 from snapjump.frame.parts.cantilever import CantileverFrame
-from snapjump.load.tip import TipLoad
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 
 ELEMENTS = 9
 LENGTH = 1.0 / ELEMENTS

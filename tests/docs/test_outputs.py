@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from snapjump.tasks.publish import replaced
-from snapjump.terminal.output_table import output_table
+from snapjump.run.tasks.publish import replaced
+from snapjump.show.terminal.output_table import output_table
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "outputs.md"
 

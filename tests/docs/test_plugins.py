@@ -24,7 +24,7 @@ from pathlib import Path
 from pytest import MonkeyPatch
 sys.path[:0] = [{str(ROOT / "tests" / "support")!r}]
 from plain_march import without_compiling
-from snapjump.tasks.command_line import main
+from snapjump.run.tasks.command_line import main
 without_compiling(MonkeyPatch())
 sys.exit(main(Path({str(ROOT / "conf")!r})))
 """
@@ -350,7 +350,11 @@ def test_other_families(choice: tuple[str, ...], tmp_path: Path) -> None:
 @pytest.mark.compiles
 def test_the_composition_tests_take_them_in(tmp_path: Path) -> None:
     """Ranges, derivatives and small jumps with every other member."""
-    chosen = ["tests/contact/test_laws.py", "tests/options", "tests/test_composition.py"]
+    chosen = [
+        "tests/contact/test_laws.py",
+        "tests/declare/test_options.py",
+        "tests/test_composition.py",
+    ]
     fast = ["-m", "not slow and not compiles", "-q", "-p", "no:cacheprovider", "-n", "2"]
     done = run(
         ROOT, "-m", "pytest", *chosen, *fast, "-k", "cone or tanh or theta",

@@ -12,8 +12,8 @@ from hydra.core.override_parser.types import Override
 from hydra_config import hydra_config
 
 from snapjump.checks import ParameterError
-from snapjump.tasks.execute import check_run
-from snapjump.tasks.registry import TASKS, find_task, is_study
+from snapjump.run.tasks.execute import check_run
+from snapjump.run.tasks.registry import TASKS, find_task, is_study
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = [ROOT / name for name in ("README.md", "CONTRIBUTING.md")]

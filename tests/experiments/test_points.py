@@ -10,7 +10,7 @@ from cells import done
 from experiments.designs import baseline_sweep
 from experiments.errors import percentile, relative_errors, roughness
 from experiments.tradeoff.points import cheapest, make_point, pareto
-from snapjump.studies.base import Done
+from snapjump.run.studies.base import Done
 
 LIMIT_ROWS = [
     {"kind": "design", "status": "ok", "x_bar": 2.0, "y_bar": 10.0},

@@ -14,8 +14,8 @@ from experiments.robustness.invalid import (
 )
 from experiments.robustness.study import HIGH, LOW, random_designs
 from experiments.stability.jumps import by_status
+from snapjump.run.studies.base import REFUSED
 from snapjump.simulation import build
-from snapjump.studies.base import REFUSED
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])

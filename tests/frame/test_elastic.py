@@ -8,7 +8,6 @@ import pytest
 from plain_python import assembled, complex_step, plain_work, residual_of
 
 from snapjump.checks import ParameterError
-from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation, with_tier
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.none import NoDamping
@@ -16,6 +15,7 @@ from snapjump.declare.members import member_class, member_names
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
+from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.newton import solve_linearised
 from snapjump.engine.powers import powers
 from snapjump.frame.base import STILL

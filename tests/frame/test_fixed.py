@@ -1,14 +1,14 @@
 import numpy as np
 import pytest
 
-from snapjump.clamp.base import ClampAngles
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
+from snapjump.engine.clamp.base import ClampAngles
+from snapjump.engine.load.none import NoLoad
+from snapjump.engine.load.tip import TipLoad
 from snapjump.frame.base import NO_MESH, STILL
 from snapjump.frame.fixed import FixedFrame
 from snapjump.frame.parts.cantilever import CantileverFrame
-from snapjump.load.none import NoLoad
-from snapjump.load.tip import TipLoad
 
 ROD = DiscreteElasticRod.Beam(0.05, 1e4, 0.05, clamp_offset=0.05)
 ANGLES = ClampAngles(0.3, 0.2, 5.0, 4.0)

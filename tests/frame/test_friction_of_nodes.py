@@ -9,9 +9,9 @@ from snapjump.contact.base import Ground
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.discretization.parts.loose_nodes import LooseNodes
 from snapjump.engine.assemble import Motion
+from snapjump.engine.load.gravity import Gravity
 from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.friction.implicit import ImplicitFriction
-from snapjump.load.gravity import Gravity
 
 MASSES = np.array([0.3, 0.5, 0.2])
 MOTION = Motion(0.0, 40.0, 40.0, 0.0)

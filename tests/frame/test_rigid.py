@@ -8,7 +8,6 @@ from bare_models import bare_model
 from plain_python import assembled, complex_step, dense, residual_of
 
 from snapjump import Robot
-from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.contact.base import Ground
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.damping.kelvin_voigt import KelvinVoigt
@@ -19,13 +18,14 @@ from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.discretization.geometrically_exact import GeometricallyExact
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
+from snapjump.engine.clamp.constant_rate import ConstantRate
+from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.powers import powers
 from snapjump.frame.base import NO_MESH
 from snapjump.frame.base import STILL as NOT_TURNING
 from snapjump.frame.rigid import RigidFrame
 from snapjump.friction.implicit import ImplicitFriction
 from snapjump.friction.lagged import LaggedFriction
-from snapjump.load.gravity import Gravity
 
 ELEMENTS = 9
 FRAME = RigidFrame.Body(0.4, -0.15, -0.25, 0.25, 15.0, 1.3)

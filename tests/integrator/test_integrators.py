@@ -17,11 +17,11 @@ from snapjump.damping.mass_proportional import MassProportional
 from snapjump.discretization.parts.loose_nodes import LooseNodes
 from snapjump.engine.clock import LAST_STEP, STABLE_STEP, STAGE, STEP, TIME
 from snapjump.engine.explicit import evaluate_forces
+from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.model import Model
 from snapjump.engine.newton import newton_iteration
 from snapjump.engine.stage import begin_stage, commit_step, keep_stage, reach_end, stage_motion
 from snapjump.frame.parts.no_frame import NoFrame
-from snapjump.load.gravity import Gravity
 
 MEMBERS = FAMILIES["integrator"]
 VARIANTS = {

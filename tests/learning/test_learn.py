@@ -12,12 +12,12 @@ from small_datasets import CONFIG, WIDE_STICK, made_up, small, smooth_dataset
 from snapjump.checks import ParameterError
 from snapjump.dataset.read import open_dataset
 from snapjump.declare.members import make_member, member_class, member_names
+from snapjump.files.sources import package_files
 from snapjump.learning.data import JumpData
 from snapjump.learning.forward_model import open_forward_model
 from snapjump.learning.learn import CURVES, DETERMINES, FORWARD_MODEL, check_slopes, learn
 from snapjump.learning.training import Training
 from snapjump.simulation import build
-from snapjump.sources.files import package_files
 from snapjump.targets.request import trained_forward
 
 Data = Callable[..., JumpData]

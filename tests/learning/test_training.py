@@ -7,7 +7,7 @@ from refusals import refused
 
 from snapjump.checks import ParameterError
 from snapjump.learning.training import Training
-from snapjump.tasks.complete import whole
+from snapjump.run.tasks.complete import whole
 
 
 def test_batches_double_in_equal_stretches():

@@ -6,16 +6,16 @@ import sys
 import pytest
 from numba import njit
 
+from snapjump.files import sources
 from snapjump.number import compile_cache
-from snapjump.sources import files
 
 
 @pytest.fixture
 def copied(tmp_path, monkeypatch):
     """The package's sources in a folder of their own."""
     package = tmp_path / "snapjump"
-    shutil.copytree(files.PACKAGE, package, ignore=shutil.ignore_patterns("__pycache__"))
-    monkeypatch.setattr(files, "PACKAGE", package)
+    shutil.copytree(sources.PACKAGE, package, ignore=shutil.ignore_patterns("__pycache__"))
+    monkeypatch.setattr(sources, "PACKAGE", package)
     return package
 
 
@@ -30,14 +30,14 @@ def test_folder_changes_with_any_kernel_source(copied, package):
     before = compile_cache.cache_folder()
     with (copied / package / "base.py").open("a") as source:
         source.write("\nEDITED = True\n")
-    files.forget(copied)
+    sources.forget(copied)
     assert compile_cache.cache_folder() != before
 
 
 def test_folder_does_not_change_with_other_sources(copied):
     before = compile_cache.cache_folder()
-    (copied / "plots" / "canvas.py").write_text("")
-    files.forget(copied)
+    (copied / "show" / "plots" / "canvas.py").write_text("")
+    sources.forget(copied)
     assert compile_cache.cache_folder() == before
 
 
@@ -55,7 +55,7 @@ from pathlib import Path
 from snapjump.statics.resting_gap import resting_gap
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.number.dispatch import refresh
-from snapjump.sources.files import PACKAGE, PLUGINS
+from snapjump.files.sources import PACKAGE, PLUGINS
 assert str(PACKAGE.parent) == {root!r}, PACKAGE
 PLUGINS.extend(Path(place) for place in {plugins!r})
 refresh()
@@ -98,7 +98,7 @@ def test_programs_follow_the_plugins(tmp_path):
     plugin = tmp_path / "mine" / "contact"
     plugin.mkdir(parents=True)
     (plugin / "law.py").write_text("STIFFNESS = 1.0\n")
-    root, cache = files.PACKAGE.parent, tmp_path / "cache"
+    root, cache = sources.PACKAGE.parent, tmp_path / "cache"
     assert compiled_in(root, cache, str(plugin.parent)) == (0, 1)
     assert compiled_in(root, cache) == (0, 1)
     assert len(list(cache.glob("kernels-*"))) == 2
@@ -108,7 +108,7 @@ def test_functions_of_others_are_left_to_numba():
     assert compile_cache.KernelLocator.from_function(compiled_in, __file__) is None
     # They share a name, and only their lines tell them apart.
     inner = (lambda: lambda: None)()
-    place = str(files.PACKAGE / "statics" / "resting_gap.py")
+    place = str(sources.PACKAGE / "statics" / "resting_gap.py")
     assert compile_cache.KernelLocator.from_function(inner, place) is None
 
     @njit(cache=True)

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from snapjump.ending.timed import TimedEnding
 from snapjump.engine import clock as c
+from snapjump.engine.load.gravity import Gravity
+from snapjump.engine.recorder.trajectory import make_recorder
 from snapjump.engine.status import NO_JUMP, OK
-from snapjump.load.gravity import Gravity
-from snapjump.recorder.trajectory import make_recorder
+from snapjump.engine.termination.timed import TimedEnding
 from snapjump.scenes.flight import flight
 from snapjump.scenes.mass import mass_model
 from snapjump.scenes.runner import March

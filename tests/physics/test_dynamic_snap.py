@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from snapjump.parameters.design import Design
+from snapjump.robot.design import Design
 
 TIME_S = 4.3817804600413289e-3  # of the paper's beam
 VELOCITY_M_S = 0.02 / TIME_S

@@ -12,7 +12,7 @@ from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import numbers_of
 from snapjump.engine.work import make_work
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 
 ELEMENTS = 80
 PAPER_RATIO = 2.5e-3

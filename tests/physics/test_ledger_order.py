@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from snapjump.parameters.design import Design
+from snapjump.robot.design import Design
 
 ORDERS = {"implicit_euler": 1.0, "tr_bdf2": 2.0, "sdirk2": 2.0}
 

@@ -5,7 +5,7 @@ import pytest
 from scipy.optimize import brentq
 
 from snapjump.discretization.der import DiscreteElasticRod
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 from snapjump.statics.branch import Branch
 from snapjump.statics.critical import LONGEST_STEP, find_snap, start_point
 

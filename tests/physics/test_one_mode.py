@@ -11,10 +11,10 @@ import pytest
 from bare_models import bare_model
 from scipy.linalg import eigh
 
-from snapjump.clamp.smooth_start import SmoothStart
-from snapjump.ending.timed import TimedEnding
+from snapjump.engine.clamp.smooth_start import SmoothStart
+from snapjump.engine.recorder.trajectory import make_recorder
+from snapjump.engine.termination.timed import TimedEnding
 from snapjump.frame.fixed import FixedFrame
-from snapjump.recorder.trajectory import make_recorder
 from snapjump.scenes.runner import March
 from snapjump.stepping.fixed import FixedStep
 

@@ -8,7 +8,7 @@ import pytest
 from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
 from snapjump.friction.lagged import LaggedFriction
-from snapjump.parameters.environment import Environment
+from snapjump.robot.environment import Environment
 
 SLOPES = (-0.2, 0.1, 0.28)
 G = 10.0

@@ -5,7 +5,7 @@ import pytest
 
 from experiments.slender import WAYS, slender_arches
 from snapjump.discretization.der import DiscreteElasticRod
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.rounding import LARGEST_ANGLE_ERROR_RAD, LostToRoundingError
 from snapjump.statics.threshold import symmetric_threshold

@@ -1,6 +1,6 @@
 import pytest
 
-from snapjump.parameters.robot import Robot
+from snapjump.robot.robot import Robot
 from snapjump.stepping.adaptive import GROWTH, OVERSHOOT, SAFETY, SHRINKAGE, AdaptiveStep
 from snapjump.stepping.fixed import FixedStep
 

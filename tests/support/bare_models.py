@@ -2,14 +2,14 @@
 
 from typing import Any
 
-from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
+from snapjump.engine.clamp.constant_rate import ConstantRate
+from snapjump.engine.load.none import NoLoad
+from snapjump.engine.load.tip import TipLoad
 from snapjump.engine.model import Model
 from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.friction.none import NoFriction
-from snapjump.load.none import NoLoad
-from snapjump.load.tip import TipLoad
 
 NOTHING = {
     "clamp": ConstantRate(0.0, 1.0, 1.0, 0.0), "contact": NoContact.Law(),

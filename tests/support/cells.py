@@ -8,8 +8,8 @@ from small_datasets import CONFIG
 from experiments.compositions import described
 from snapjump.composition import with_tier
 from snapjump.files.result_folder import ResultFolder
+from snapjump.run.studies.base import OK, Cell, Done
 from snapjump.simulation import build
-from snapjump.studies.base import OK, Cell, Done
 
 STANDARD = described(with_tier("standard"))
 COARSE = described(build(CONFIG))

@@ -22,7 +22,7 @@ Done = subprocess.CompletedProcess[str]
 
 def here(folder: Path, *arguments: str) -> Done:
     """The command in a folder, by the function that ``run.py`` calls."""
-    from snapjump.tasks.command_line import main
+    from snapjump.run.tasks.command_line import main
 
     out, err = StringIO(), StringIO()
     with as_a_program(folder, *arguments), redirect_stdout(out), redirect_stderr(err):

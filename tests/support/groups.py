@@ -16,10 +16,10 @@ from xdist.scheduler import LoadScopeScheduling
 # what a process of its own compiles, it has not.
 GROUPS = {
     "single": (
-        "physics", "recorder", "stepping", "test_command_line.py", "tracking",
+        "physics", "engine/recorder", "stepping", "test_command_line.py", "tracking",
         "docs/test_tutorial.py",
     ),
-    "lanes": ("engine", "batch", "targets", "dataset", "executor", "cuda", "tasks"),
+    "lanes": ("engine", "batch", "targets", "dataset", "executor", "run/tasks"),
     "studies": ("experiments",),
 }  # fmt: skip
 PLACES = [(group, start) for group, starts in GROUPS.items() for start in starts]

@@ -6,7 +6,7 @@ from command_line import ROOT
 from hydra import compose, initialize_config_dir
 from omegaconf import OmegaConf
 
-from snapjump.tasks.names import register_resolvers
+from snapjump.run.tasks.names import register_resolvers
 
 CONF = ROOT / "conf"
 

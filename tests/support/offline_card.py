@@ -40,8 +40,8 @@ def ptx_of(monkeypatch: Any, kernel: Any, *arguments: Any) -> str:
     from numba.cuda import dispatcher
     from numba.cuda.typing.typeof import typeof
 
-    from snapjump.cuda.methods import register_methods
-    from snapjump.cuda.rounding import rounded_as_written
+    from snapjump.engine.cuda.methods import register_methods
+    from snapjump.engine.cuda.rounding import rounded_as_written
 
     register_methods()
     monkeypatch.setattr(dispatcher, "get_current_device", Elsewhere)

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from snapjump.plots import palette
+from snapjump.show.plots import palette
 
 
 def picture(path: Path) -> np.ndarray:

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 
 from snapjump import Design, Environment, Robot
-from snapjump.clamp.constant_rate import ConstantRate
 from snapjump.composition import Simulation, with_tier
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.discretization.der import DiscreteElasticRod
-from snapjump.ending.flight import FlightEnding
+from snapjump.engine.clamp.constant_rate import ConstantRate
+from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.model import Model, TimeLimit
-from snapjump.load.gravity import Gravity
+from snapjump.engine.termination.flight import FlightEnding
 from snapjump.scenes.frame_body import frame_model
 from snapjump.scenes.resting import resting_guess
 from snapjump.scenes.runner import March

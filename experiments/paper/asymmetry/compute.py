@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from experiments.paper.settings import snap_of
+from snapjump.run.studies.base import Row
 from snapjump.scenes.swing import follow, outcome
-from snapjump.studies.base import Row
 
 
 def sweep_rows(inputs: Mapping[str, Any]) -> list[Row]:

@@ -8,9 +8,9 @@ import numpy as np
 
 from experiments.paper.asymmetry.judge import FITTED_UPTO_RAD, Saturation, law
 from experiments.paper.settings import RANGES
-from snapjump.plots import palette
-from snapjump.plots.saving import picture
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import picture
 
 COLOURS = (palette.BEAM, palette.CENTRE, palette.FORCE)
 LINES: tuple[Any, ...] = ("-", (0, (7, 1.2)), (0, (2.5, 0.9)))

@@ -10,7 +10,7 @@ from scipy.optimize import curve_fit
 
 from experiments.paper.settings import RANGES
 from experiments.paper.statement import Statement, verdict
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 
 Array = NDArray[np.float64]
 # The law is of tilts that come from the instability alone; beyond 0.01 rad the tilt that the

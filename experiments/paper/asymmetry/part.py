@@ -21,7 +21,7 @@ from experiments.paper.asymmetry.judge import (
 )
 from experiments.paper.base import Found, Part, unfinished
 from experiments.paper.settings import RANGES, snap_groups
-from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
 
 EPSILONS = (0.1, 0.2, 0.3)
 PLATEAU_UPTO_RAD = 0.2  # about the end of the paper's designs

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from experiments.compositions import composed
+from snapjump.run.studies.base import Row
 from snapjump.statics.arch import Equilibrium, StaticArch
 from snapjump.statics.branch import Branch, Point
 from snapjump.statics.critical import find_snap, refine, start_point
@@ -16,7 +17,6 @@ from snapjump.statics.landmarks import (
     find_landmarks,
     symmetric_fold,
 )
-from snapjump.studies.base import Row
 
 STEP, FINE_STEP = 0.05, 0.012  # along a branch (norm of free coordinates and angle)
 NEAR = 0.93  # of the critical angle, from where on steps are fine

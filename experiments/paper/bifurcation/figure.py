@@ -8,10 +8,10 @@ import numpy as np
 
 from experiments.paper import exact
 from experiments.paper.bifurcation.judge import LADDER, STRETCHES, gap_percent, overall
-from snapjump.plots import palette
-from snapjump.plots.branches import stable_runs
-from snapjump.plots.saving import picture
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
+from snapjump.show.plots import palette
+from snapjump.show.plots.branches import stable_runs
+from snapjump.show.plots.saving import picture
 
 STABLE = {"color": palette.BEAM, "lw": 2.4, "ls": "-", "zorder": 3}
 UNSTABLE = {"color": palette.FORCE, "lw": 1.7, "ls": (0, (4, 2))}

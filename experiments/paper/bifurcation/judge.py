@@ -8,7 +8,7 @@ from experiments.order import fitted_order
 from experiments.paper import exact
 from experiments.paper.bifurcation.compute import MISMATCH_RAD
 from experiments.paper.statement import Statement, verdict
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 
 STRETCHES, RIGID = "stretches", "does not stretch"
 # The meshes whose errors an order is fitted to, coarsest first.

@@ -26,7 +26,7 @@ from experiments.paper.bifurcation.judge import (
     snap_statement,
 )
 from experiments.paper.settings import groups_at
-from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
 
 TITLE = "The critical angle, and the loop"
 SHOWN = 0.2  # epsilon of the shapes, the paper's baseline

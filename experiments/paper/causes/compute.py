@@ -8,9 +8,9 @@ from experiments.designs import spread_designs
 from experiments.paper.jumps import LANES, jump_rows
 from experiments.paper.settings import BASELINE, groups_at
 from snapjump.batch import variants as robots
+from snapjump.run.studies.base import Cell, Row
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
-from snapjump.studies.base import Cell, Row
 
 PAPER, REFERENCE = "paper", "reference"
 ENDS = (PAPER, REFERENCE)

@@ -6,8 +6,8 @@ from typing import Any
 
 from experiments.paper.causes.compute import PAPER, REFERENCE
 from experiments.paper.causes.judge import Shift
-from snapjump.plots import palette
-from snapjump.plots.saving import picture
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import picture
 
 WIDTH, ROW, MARGIN = 13.0, 0.5, 1.75  # inches
 SMALLEST, LARGEST = 3e-3, 60.0  # percent that is drawn

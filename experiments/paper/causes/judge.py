@@ -9,7 +9,7 @@ from experiments.errors import percentile, relative_errors
 from experiments.paper.base import failed
 from experiments.paper.jumps import numbers
 from experiments.paper.statement import Statement, verdict
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 
 
 @dataclass(frozen=True)

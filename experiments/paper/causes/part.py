@@ -37,7 +37,7 @@ from experiments.paper.causes.judge import (
 )
 from experiments.paper.jumps import numbers
 from experiments.paper.settings import BASELINE
-from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
 
 
 class Causes(Part):

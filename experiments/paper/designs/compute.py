@@ -10,7 +10,7 @@ from experiments.paper.learned import shipped_forward
 from experiments.paper.settings import BASELINE, simulation_at
 from snapjump.batch import simulate_designs, variant
 from snapjump.declare.members import member_class
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 from snapjump.targets.answer import answer
 from snapjump.targets.design import problem_of
 from snapjump.targets.warm_up import warm_up

@@ -10,11 +10,11 @@ import numpy as np
 from experiments.inverse_benchmark.methods import PAPER
 from experiments.inverse_benchmark.table import column
 from experiments.paper.settings import TIERS
-from snapjump.parameters.robot import Robot
-from snapjump.plots import palette
-from snapjump.plots.robot_drawing import draw_ground
-from snapjump.plots.saving import picture
-from snapjump.studies.base import Row
+from snapjump.robot.robot import Robot
+from snapjump.run.studies.base import Row
+from snapjump.show.plots import palette
+from snapjump.show.plots.robot_drawing import draw_ground
+from snapjump.show.plots.saving import picture
 
 COLOURS = (
     palette.BEAM,

@@ -9,7 +9,7 @@ from experiments.inverse_benchmark.methods import PAPER
 from experiments.inverse_benchmark.table import column
 from experiments.paper.settings import TIERS
 from experiments.paper.statement import Statement, verdict
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 
 LEARNED = ("adam", "gauss_newton")  # that ask the forward model alone
 CONVERGED = ("standard", "reference")

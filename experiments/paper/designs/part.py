@@ -14,7 +14,7 @@ from experiments.paper.designs.compute import GROUPS, MANY_ROBOTS, MASS_BAR, MET
 from experiments.paper.designs.figure import draw_flights, draw_misses
 from experiments.paper.learned import shipped_inputs
 from experiments.paper.settings import TIERS, groups_at
-from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
 
 TITLE = "Inverse designs"
 SHOWN = "gauss_newton"  # whose flights the figure has: a design by the forward model alone

@@ -8,7 +8,7 @@ import numpy as np
 
 from experiments.compositions import changed
 from snapjump.dataset.read import Dataset, open_dataset
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 
 # The paper: 3 x 372 neurons with ReLU.
 NETWORK = "mlp"

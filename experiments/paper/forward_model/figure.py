@@ -8,9 +8,9 @@ import numpy as np
 
 from experiments.inverse_benchmark.table import column
 from experiments.paper.forward_model.compute import PAPER_MAE_BAR, PAPER_MEAN_MM
-from snapjump.plots import palette
-from snapjump.plots.saving import picture
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import picture
 
 COLOURS = (palette.QUIET, palette.BEAM, palette.FORCE, palette.CENTRE, palette.CLAMP)
 LINES = ("-", "-", "-", "--", ":")

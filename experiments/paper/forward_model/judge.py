@@ -13,7 +13,7 @@ from experiments.paper.forward_model.compute import (
     PAPER_THREADS,
 )
 from experiments.paper.statement import Statement, verdict
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 from snapjump.tiers import TIERS
 
 COMMAND = "task=paper figure=forward_model"

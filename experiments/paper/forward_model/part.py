@@ -28,7 +28,7 @@ from experiments.paper.forward_model.judge import (
 from experiments.paper.learned import shipped_inputs
 from snapjump.declare.members import make_member, member_class, member_group
 from snapjump.learning.training import Training
-from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
 
 DATASET, NETWORK_CELL = "dataset", "forward model"
 SHOWN = ("method", "problems", "mean_mm_standard", "std_mm_standard", "p95_mm_standard",

@@ -10,7 +10,7 @@ from experiments.compositions import composed
 from experiments.paper.settings import BASELINE, NAMES, RANGES
 from snapjump.batch import simulate_designs
 from snapjump.plan.base import stretched
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 from snapjump.targets.simulator import JumpSimulator, differentiable
 
 

@@ -8,8 +8,8 @@ import numpy as np
 
 from experiments.paper.imperfections.judge import SECANT, Array, Changes
 from experiments.paper.settings import NAMES, SYMBOLS
-from snapjump.plots import palette
-from snapjump.plots.saving import picture
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import picture
 
 STYLES = (
     (palette.BEAM, "o", "-"),

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from experiments.paper.settings import NAMES, SYMBOLS
 from experiments.paper.statement import Statement, verdict
-from snapjump.studies.base import Done, Row
+from snapjump.run.studies.base import Done, Row
 
 Array = NDArray[np.float64]
 SECANT = 0.02  # error either way, several wrinkles of the map wide

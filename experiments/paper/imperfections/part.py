@@ -20,7 +20,7 @@ from experiments.paper.imperfections.judge import (
     tangents_of,
 )
 from experiments.paper.settings import BASELINE, NAMES, TIERS, groups_at
-from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
 from snapjump.targets.simulator import RESOLVED_STICK_ZONE_M_S
 
 TITLE = "Imperfections"

@@ -13,10 +13,10 @@ from snapjump.batch import simulate_batch, variant
 from snapjump.composition import Simulation
 from snapjump.declare.members import member_class
 from snapjump.results import Result
+from snapjump.run.studies.base import Row
 from snapjump.simulation import simulate
 from snapjump.statics.critical import find_snap
 from snapjump.statics.threshold import symmetric_threshold
-from snapjump.studies.base import Row
 
 MOUNT_HEIGHT = "mount_height_bar"
 

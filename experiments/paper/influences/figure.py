@@ -7,9 +7,9 @@ from typing import Any
 from experiments.paper.influences.compute import MOUNT_HEIGHT, SWEEPS
 from experiments.paper.jumps import numbers
 from experiments.paper.settings import BASELINE, NAMES, RANGES
-from snapjump.plots import palette
-from snapjump.plots.saving import picture
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import picture
 
 COORDINATES = {"x_bar": "$x_c$ / L", "y_bar": "$y_c$ / L"}
 STYLES: dict[str, dict[str, Any]] = {

@@ -20,7 +20,7 @@ from experiments.paper.jumps import numbers
 from experiments.paper.settings import RANGES
 from experiments.paper.statement import LIMITED, Statement, verdict
 from experiments.trends import counter_step, plateau
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 
 # Of the normal impulse: where no more of it acts on a contact that sticks, sticking explains
 # nothing.

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from experiments.paper.jumps import numbers
 from experiments.paper.statement import LIMITED, Statement, verdict
 from experiments.trends import Plateau, counter_step, plateau
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 
 Array = NDArray[np.float64]
 Sweeps = Mapping[str, Sequence[Row]]

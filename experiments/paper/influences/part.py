@@ -25,7 +25,7 @@ from experiments.paper.influences.judge import (
 )
 from experiments.paper.jumps import furthest, numbers
 from experiments.paper.settings import TIERS, groups_at
-from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
 
 STATICS, SLIDING, PRESSED, ENERGIES = "statics", "sliding", "pressed", "energies"
 FOLLOWED = ("standard", "paper")  # tiers at which the energy is followed

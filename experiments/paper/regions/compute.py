@@ -9,7 +9,7 @@ from experiments.compositions import composed
 from experiments.paper.learned import shipped_forward
 from experiments.paper.settings import RANGES
 from snapjump.batch import simulate_designs
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 
 
 def region_rows(inputs: Mapping[str, Any]) -> list[Row]:

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from experiments.paper.regions.judge import Array, Region
-from snapjump.plots import palette
-from snapjump.plots.achievable import compound
-from snapjump.plots.saving import picture
+from snapjump.show.plots import palette
+from snapjump.show.plots.achievable import compound
+from snapjump.show.plots.saving import picture
 
 STYLES = (
     (palette.BEAM, "o"),

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from experiments.paper.statement import Statement, verdict
 from snapjump.inverse.gauss_newton import grid_triangles
-from snapjump.studies.base import Done, Row
+from snapjump.run.studies.base import Done, Row
 
 Array = NDArray[np.float64]
 

@@ -13,7 +13,7 @@ from experiments.paper.regions import judge
 from experiments.paper.regions.figure import draw_regions, draw_settings
 from experiments.paper.regions.judge import Region, mass_exponent, region_of
 from experiments.paper.settings import BASELINE, RANGES, groups_at
-from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
 
 TITLE = "Achievable regions"
 MASS_BAR, MU = BASELINE[2:]

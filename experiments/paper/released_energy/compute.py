@@ -7,8 +7,8 @@ from experiments.compositions import Groups, changed, composed
 from experiments.paper import exact
 from experiments.paper.released_energy.judge import LOW
 from experiments.paper.settings import groups_at
+from snapjump.run.studies.base import Row
 from snapjump.statics.critical import find_snap
-from snapjump.studies.base import Row
 from snapjump.tiers import TIERS
 
 FINE = tuple(round(0.01 * k, 2) for k in range(1, 31))  # epsilon

@@ -18,9 +18,9 @@ from experiments.paper.released_energy.judge import (
     straight_line,
     within,
 )
-from snapjump.plots import palette
-from snapjump.plots.saving import picture
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import picture
 
 STYLES: tuple[dict[str, Any], ...] = (
     {"color": palette.BEAM, "ls": "-"},

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from experiments.paper import exact
 from experiments.paper.settings import RANGES
 from experiments.paper.statement import Statement, verdict
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 
 Array = NDArray[np.float64]
 LOW, HIGH = RANGES["epsilon"]  # the paper's

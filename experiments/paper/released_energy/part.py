@@ -35,7 +35,7 @@ from experiments.paper.released_energy.judge import (
     straight_line,
     within,
 )
-from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
 
 TITLE = "The energy that the snap releases, and the depths h1 and h2"
 

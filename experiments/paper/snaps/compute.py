@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from experiments.paper.settings import snap_of
+from snapjump.run.studies.base import Row
 from snapjump.scenes.swing import Swing, crossing, follow, lowest, outcome
-from snapjump.studies.base import Row
 
 INSTANTS = 7  # shapes of a snap, between which the midpoint sinks by equal steps
 BEFORE_MS, AFTER_MS = 4.0, 2.5  # of the crossing, what is kept of the midpoint's motion

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from experiments.paper.settings import RATE_RAD_S
 from experiments.paper.snaps.judge import EPSILON, SET_BY_HAND_RAD, VISIBLE_RAD
-from snapjump.plots import palette
-from snapjump.plots.robot_drawing import clamp_stubs
-from snapjump.plots.saving import picture
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
+from snapjump.show.plots import palette
+from snapjump.show.plots.robot_drawing import clamp_stubs
+from snapjump.show.plots.saving import picture
 
 LINES = {
     "standard": (palette.BEAM, "-", 2.4),

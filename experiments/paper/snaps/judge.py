@@ -9,7 +9,7 @@ import numpy as np
 
 from experiments.paper.settings import RATE_RAD_S
 from experiments.paper.statement import Statement, verdict
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 
 EPSILON, MISMATCH = 0.1, 0.1  # the paper's; the mismatch in rad
 

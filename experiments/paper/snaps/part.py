@@ -20,7 +20,7 @@ from experiments.paper.snaps.judge import (
     symmetry_statement,
     tilt,
 )
-from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
 
 IMPERFECTIONS = (0.0, *(10.0**k for k in range(-8, 0)))  # rad
 TINY = (  # setting, rate in rad/s

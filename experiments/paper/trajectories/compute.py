@@ -11,8 +11,8 @@ from experiments.paper.jumps import jump_rows
 from experiments.paper.settings import BASELINE, NAMES, RANGES
 from snapjump.backend.scalar import ScalarBackend
 from snapjump.batch import variant
+from snapjump.run.studies.base import Row
 from snapjump.simulation import simulate
-from snapjump.studies.base import Row
 
 Design = tuple[float, ...]
 

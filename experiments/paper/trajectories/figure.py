@@ -9,9 +9,9 @@ import numpy as np
 from experiments.paper.jumps import numbers
 from experiments.paper.trajectories.compute import FAMILIES
 from experiments.paper.trajectories.judge import ratios
-from snapjump.plots import palette
-from snapjump.plots.saving import picture
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import picture
 
 COLOURS = (palette.QUIET, palette.BEAM, palette.CENTRE, palette.FORCE, palette.PLUM)
 DASHES = (0, (5, 2.5))

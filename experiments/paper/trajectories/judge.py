@@ -10,7 +10,7 @@ from experiments.paper.base import failed
 from experiments.paper.jumps import furthest, numbers
 from experiments.paper.statement import LIMITED, Statement, verdict
 from experiments.trends import counter_step
-from snapjump.studies.base import Row
+from snapjump.run.studies.base import Row
 
 # A jump is vertical if its apex is off by no more than a hundredth of its height.
 VERTICAL = 0.01

@@ -21,7 +21,7 @@ from experiments.paper.trajectories.compute import (
 )
 from experiments.paper.trajectories.figure import draw_angles, draw_flights
 from experiments.paper.trajectories.judge import trajectory_statement
-from snapjump.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
 
 TITLE = "Trajectories"
 FLIGHTS, MISMATCHES, SPREAD, PATH = "flights", "mismatches", "ranges", "path to lift-off"

@@ -17,8 +17,8 @@ from snapjump.declare.inputs import (
     slope_names,
     with_inputs,
 )
-from snapjump.parameters.design import Design
-from snapjump.parameters.environment import Environment
+from snapjump.robot.design import Design
+from snapjump.robot.environment import Environment
 
 Array = NDArray[np.float64]
 Range = tuple[float, float]

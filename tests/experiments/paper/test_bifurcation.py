@@ -16,11 +16,11 @@ from experiments.paper.bifurcation import judge
 from experiments.paper.bifurcation.compute import branch_rows, compared_rows, shape_rows
 from experiments.paper.bifurcation.part import TIERS, Bifurcation
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from snapjump.run.studies.base import FAILED
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch, Point
 from snapjump.statics.critical import find_snap, start_point
 from snapjump.statics.landmarks import symmetric_fold, turned_back
-from snapjump.studies.base import FAILED
 
 COARSE = changed(STANDARD, {"discretization": {"elements": 32}})
 EPSILON = 0.2

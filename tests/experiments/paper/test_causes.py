@@ -25,7 +25,7 @@ from experiments.paper.causes.judge import Shift, shift
 from experiments.paper.causes.part import Causes, noise
 from experiments.paper.settings import BASELINE, groups_at
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
-from snapjump.studies.base import FAILED
+from snapjump.run.studies.base import FAILED
 
 
 def shifted(x: float, y: float, tail: float = 1.0) -> Shift:

@@ -13,8 +13,8 @@ from experiments.paper.designs.figure import flight
 from experiments.paper.designs.part import Designs
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.composition import with_tier
-from snapjump.parameters.robot import Robot
-from snapjump.studies.base import Cell
+from snapjump.robot.robot import Robot
+from snapjump.run.studies.base import Cell
 
 
 def row(miss: float | None, case: Any = MANY_ROBOTS[0]) -> dict[str, Any]:

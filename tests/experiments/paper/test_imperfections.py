@@ -19,8 +19,8 @@ from experiments.paper.imperfections.part import Imperfections
 from experiments.paper.settings import BASELINE, NAMES
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.composition import with_tier
+from snapjump.run.studies.base import Cell, Row
 from snapjump.simulation import simulate_jump
-from snapjump.studies.base import Cell, Row
 
 ERRORS = np.linspace(-0.2, 0.2, 41)
 Power = Callable[[np.ndarray], np.ndarray]

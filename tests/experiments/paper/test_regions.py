@@ -15,7 +15,7 @@ from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
 from snapjump.inverse.base import Problem
-from snapjump.studies.base import Cell
+from snapjump.run.studies.base import Cell
 from snapjump.targets.region import AchievableRegion
 
 LEVELS = {"low": 4.0, "middle": 6.0, "high": 8.0}

@@ -14,8 +14,8 @@ from experiments.paper.released_energy import judge
 from experiments.paper.released_energy.compute import PAPER, arches, snap_rows
 from experiments.paper.released_energy.part import ReleasedEnergy
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from snapjump.run.studies.base import Cell
 from snapjump.scenes.jump_start import fitted_mount_height_bar
-from snapjump.studies.base import Cell
 
 COARSE = changed(STANDARD, {"discretization": {"elements": 40}})
 EPSILONS = tuple(round(0.01 * k, 2) for k in range(1, 31))

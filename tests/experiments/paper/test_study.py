@@ -14,7 +14,7 @@ from experiments.paper.statement import CONFIRMED, Statement
 from experiments.paper.study import Paper, source_digest
 from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
-from snapjump.studies.base import FAILED, Cell, Done, Section
+from snapjump.run.studies.base import FAILED, Cell, Done, Section
 
 
 def configured(figure: Any) -> dict[str, Any]:

@@ -14,7 +14,7 @@ from experiments.paper.trajectories.compute import rows_of, varied
 from experiments.paper.trajectories.figure import flight
 from experiments.paper.trajectories.judge import limit, slant, tuned
 from experiments.paper.trajectories.part import Trajectories
-from snapjump.studies.base import FAILED
+from snapjump.run.studies.base import FAILED
 
 
 def sweep(ratios: list[float], lean: float) -> list[dict[str, Any]]:

@@ -1,0 +1,163 @@
+"""Derivatives of where every robot's centre of mass flies, by four parameters.
+
+The march itself is not touched: it takes the same steps with and without this recorder.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from snapjump.engine.centre_of_mass import centre_of_mass
+from snapjump.engine.clock import MARK
+from snapjump.engine.differentiate import commit, differentiate_stages
+from snapjump.engine.model import with_numbers
+from snapjump.engine.recorder.base import Recorder
+from snapjump.engine.shadow import Shadow, view_shadow
+from snapjump.linear_solver.more_sides import FOUR
+from snapjump.number.array import uncounted
+from snapjump.number.dispatch import kernel, routine
+from snapjump.number.dual import PARAMETERS, constant, dual, slope_at, slopes_of, value_of
+from snapjump.number.functions import any_true, where
+from snapjump.number.lane import view_numbers
+
+Array = NDArray[np.float64]
+
+
+FAR = 1.0e30  # no contact near to being made or broken
+
+
+@Recorder.member
+class SensitivityRecorder(NamedTuple):
+    """Of R robots in W lanes.
+
+    memory: of the march; shadow: of its lanes; numbers (R, P, 4): derivatives of the model's
+    numbers; starts (R, 3, D, 4): of state, velocity and acceleration at the beginning; flights
+    (R, 4, 4): of x, y, vx, vy of the centre of mass at the end; grazes (R): the change of one
+    parameter (their slopes taken as they are) that would make or break a contact; falling (W, C):
+    1 for points that came down in the last step; nearest (W): of grazes so far; chosen (W): lanes
+    at hand; corrections (1): of a stage's derivatives.
+    """
+
+    memory: Any
+    shadow: Shadow
+    numbers: Array
+    starts: Array
+    flights: Array
+    grazes: Array
+    falling: Array
+    nearest: Array
+    chosen: NDArray[np.int64]
+    corrections: NDArray[np.int64]
+
+    def record_robot(self, lane: Any, robot: Any) -> None:
+        memory = self.memory
+        work = view_shadow(self.shadow, lane, memory.mesh)
+        numbers = view_numbers(self.numbers[robot], FOUR)
+        starts = view_numbers(self.starts[robot], FOUR)
+        for k in range(work.numbers.shape[0]):
+            work.numbers[k] = dual(memory.numbers[k, lane], numbers[k])
+        for i in range(work.state.shape[0]):
+            work.start[i] = dual(memory.start[i, lane], starts[0, i])
+            for slot in range(work.velocity.shape[0]):
+                work.velocity[slot, i] = dual(memory.velocity[slot, i, lane], starts[1, i])
+                work.acceleration[slot, i] = dual(memory.acceleration[slot, i, lane], starts[2, i])
+        self.nearest[lane] = FAR
+        for point in range(self.falling.shape[1]):
+            self.falling[lane, point] = 0.0
+
+    def record_stage(
+        self,
+        model: Any,
+        masses: Any,
+        motion: Any,
+        scheme: Any,
+        work: Any,
+        converged: Any,
+    ) -> None:
+        count = marked(self, work, converged)
+        differentiate_stages(
+            model,
+            scheme,
+            masses,
+            uncounted(self.memory),
+            uncounted(self.shadow),
+            uncounted(self.chosen),
+            count,
+            self.corrections[0],
+        )
+
+    def record_step(self, model: Any, masses: Any, scheme: Any, work: Any, good: Any) -> None:
+        if any_true(good):
+            memory = uncounted(self.memory)
+            shadow = uncounted(self.shadow)
+            for c in range(marked(self, work, good)):
+                commit(scheme, memory, shadow, self.chosen[c])
+                look_for_grazes(self, memory, shadow, model, masses, self.chosen[c])
+
+    def record_end(self, model: Any, masses: Any, lane: Any, robot: Any) -> None:
+        mesh = self.memory.mesh
+        work = view_shadow(self.shadow, lane, mesh)
+        shadow = with_numbers(model, work.numbers)
+        flight = view_numbers(self.flights[robot], FOUR)
+        x, y, vx, vy = centre_of_mass(shadow, masses, mesh, work.start, work.velocity[0])
+        flight[0] = slopes_of(x)
+        flight[1] = slopes_of(y)
+        flight[2] = slopes_of(vx)
+        flight[3] = slopes_of(vy)
+        self.grazes[robot] = self.nearest[lane]
+
+
+@kernel
+def marked(recorder: Any, work: Any, mask: Any) -> int:
+    """Put the masked lanes into ``chosen``; returns how many there are."""
+    work.clock[MARK] = where(mask, 1.0, 0.0)
+    count = 0
+    for lane in range(recorder.chosen.shape[0]):
+        if recorder.memory.clock[MARK, lane] > 0.0:
+            recorder.chosen[count] = lane
+            count += 1
+    return count
+
+
+@kernel
+def graze(falling: Any, point: Any, gap: Any, rise: Any, reach: Any, nearest: Any) -> Any:
+    """How near the lowest place of a point was to touching: in parameters, by the slopes of its
+    distance from there.
+
+    The least of that and ``nearest``.
+    """
+    if rise < 0.0:
+        falling[point] = 1.0
+    elif falling[point] > 0.0:
+        falling[point] = 0.0
+        distance = gap - reach
+        slopes = slopes_of(distance)
+        steepest = 1e-300
+        for k in range(PARAMETERS):
+            steepest = max(steepest, abs(slope_at(slopes, k)))
+        nearest = min(nearest, abs(value_of(distance)) / steepest)
+    return nearest
+
+
+@routine
+def look_for_grazes(
+    recorder: Any, memory: Any, shadow: Any, template: Any, masses: Any, lane: Any
+) -> None:
+    """Judge every point of a lane that has stopped falling in the step that was committed."""
+    mesh = memory.mesh
+    work = view_shadow(shadow, lane, mesh)
+    model = with_numbers(template, work.numbers)
+    reach = model.contact.reach() + constant(0.0)
+    corners = model.frame.contact_points(mesh)
+    falling = uncounted(recorder.falling[lane])
+    nearest = recorder.nearest[lane]
+    for point in range(corners):
+        _, gap, _, rise = model.frame.contact_point(mesh, point, work.start, work.velocity[0])
+        nearest = graze(falling, point, gap, value_of(rise), reach, nearest)
+    for node in range(masses.shape[0]):
+        if masses[node] > 0.0:
+            i = model.discretization.node_dofs() * node + model.frame.dofs(mesh) + 1
+            rise = memory.velocity[0, i, lane]
+            nearest = graze(falling, corners + node, work.start[i], rise, reach, nearest)
+    recorder.nearest[lane] = nearest

@@ -1,0 +1,101 @@
+"""The ending of a jump: nothing can touch the ground any more before the apex.
+
+The centre of mass moves ballistically once nothing touches. The robot fits a box that turns with
+the frame; a corner of it at height y with velocity w, at distance r from the centre of mass and
+turning at rate Omega, stays above y + w t - (g + Omega^2 r) t^2 / 2. That bound is concave, so it
+is positive up to some moment if it is so now and then; the moment is the apex, or the time from
+which the centre of mass is higher than the box's radius.
+"""
+
+from typing import Any, NamedTuple
+
+from snapjump.engine.centre_of_mass import centre_of_mass
+from snapjump.engine.clock import COM_VX, COM_VY, COM_X, COM_Y, GAP, TIME
+from snapjump.engine.status import NO_JUMP, OK, RUNNING, TIME_LIMIT
+from snapjump.engine.termination.base import Ending
+from snapjump.number.dispatch import kernel
+from snapjump.number.functions import absolute, any_true, maximum, minimum, sqrt, where
+
+# The beam's vibration makes the frame's rotation waver; its mass is a few percent of the frame's.
+TURN_MARGIN = 0.25
+# Nodes of a stretched beam may lie a little outside the ellipse of an inextensible one.
+REACH_MARGIN = 1.02
+# An apex (L) above which a robot in the air has left the ground for good, its box being smaller.
+SURE_HEIGHT = 1.5
+FLIGHT_LENIENCY = 100.0
+
+
+@Ending.member
+class FlightEnding(NamedTuple):
+    """At its time limit a robot still on the ground, its clamps turned, has not jumped."""
+
+    def time_limit(self, model: Any) -> Any:
+        return model.time_limit.duration
+
+    def leniency(self, model: Any, work: Any) -> Any:
+        # In flight towards a high apex only the centre of mass counts, and every integrator moves
+        # that exactly; the beam's vibration need only be followed well enough not to miss the
+        # ground.
+        clock = work.clock
+        rise = maximum(clock[COM_VY], 0.0 * clock[TIME])
+        height = clock[COM_Y] + 0.5 * rise * rise / model.load.gravity()
+        aloft = (clock[GAP] >= model.ground.clearance) & (height > SURE_HEIGHT)
+        return where(aloft, FLIGHT_LENIENCY, 1.0)
+
+    def judge(self, model: Any, masses: Any, work: Any, ended: Any) -> Any:
+        clock = work.clock
+        over = clock[TIME] >= self.time_limit(model) * (1.0 - 1e-12)
+        airborne = clock[GAP] >= model.ground.clearance
+        turned = model.clamp.angles(clock[TIME]).left_rate == 0.0
+        status = where(over, where(turned, 1.0 * NO_JUMP, 1.0 * TIME_LIMIT), 1.0 * RUNNING)
+        known = ended & (airborne | over)
+        if any_true(known):
+            x, y, vx, vy = centre_of_mass(model, masses, work.mesh, work.state, work.velocity[0])
+            clock[COM_X] = where(known, x, clock[COM_X])
+            clock[COM_Y] = where(known, y, clock[COM_Y])
+            clock[COM_VX] = where(known, vx, clock[COM_VX])
+            clock[COM_VY] = where(known, vy, clock[COM_VY])
+            clear = airborne & clear_of_ground(model, work, x, y, vx, vy)
+            status = where(clear, 1.0 * OK, status)
+        return status
+
+
+@kernel
+def clear_of_ground(model: Any, work: Any, com_x: Any, com_y: Any, along: Any, rise: Any) -> Any:
+    """Whether the box cannot touch the ground before the apex (see the module's text)."""
+    frame = model.frame.box(work.mesh, work.state, work.velocity[0])
+    fall = model.load.gravity()
+    reach = model.ground.clearance
+    turn = frame.turn_rate
+    c = frame.cosine
+    s = frame.sine
+    depth = 0.5 * REACH_MARGIN * sqrt(1.0 - 4.0 * frame.half_span * frame.half_span)
+    low = minimum(frame.foot_y, frame.mount_y - depth)
+    high = maximum(frame.top_y, frame.mount_y + depth)
+    half_width = 0.5 * REACH_MARGIN
+
+    radius = 0.0 * c
+    for corner in range(4):
+        x = -half_width if corner < 2 else half_width
+        y = low if corner % 2 == 0 else high
+        rx = frame.x + c * x - s * y - com_x
+        ry = frame.y + s * x + c * y - com_y
+        radius = maximum(radius, sqrt(rx * rx + ry * ry))
+    missing = maximum(radius + reach - com_y, 0.0 * c)
+    discriminant = rise * rise - 2.0 * fall * missing
+    apex = rise / fall
+    horizon = where(discriminant > 0.0, (rise - sqrt(maximum(discriminant, 0.0 * c))) / fall, apex)
+    clear = rise > 0.0
+    for corner in range(4):
+        x = -half_width if corner < 2 else half_width
+        y = low if corner % 2 == 0 else high
+        rx = frame.x + c * x - s * y - com_x
+        height = frame.y + s * x + c * y - reach
+        climb = rise + turn * rx - TURN_MARGIN * absolute(turn) * radius
+        bend = fall + turn * turn * radius
+        later = height + climb * horizon - 0.5 * bend * horizon * horizon
+        clear = clear & (height > 0.0) & (later > 0.0)
+    # Up a slope the highest point against gravity comes after the one above the ground.
+    late = model.load.time_to_apex(along, rise)
+    height = com_y + late * (rise - 0.5 * fall * late)
+    return clear & ((late <= apex) | (height > radius + reach))

@@ -1,0 +1,64 @@
+"""The environment: what a jump meets."""
+
+import math
+
+from snapjump.checks import ParameterError
+from snapjump.declare.fields import Part, number
+from snapjump.robot.robot import SMALLEST, Robot
+
+
+class Environment(Part):
+    """Friction coefficient mu, the robot's whole mass as m_bar = m g L^2 / EI, and the slope of the
+    ground, positive where it rises towards +x."""
+
+    group = "environment"
+
+    mu: float = number(
+        0.3, least=0.0, doc="friction coefficient", symbol="μ", plan=(0.1, 0.6), kind="environment"
+    )
+    mass_bar: float = number(
+        0.768, above=0.0, doc="m g L^2/EI of the whole robot", symbol="m̄", plan=(0.3, 2.0),
+        kind="environment",
+    )  # fmt: skip
+
+    slope_rad: float = number(
+        0.0, least=-1.5, most=1.5, unit="rad", doc="slope of the ground",
+        symbol="σ", plan=(-0.05, 0.05), kind="environment",
+    )  # fmt: skip
+
+    def check_slope(self, mu: float) -> None:
+        """Raises ParameterError for a slope on which friction of a coefficient holds nothing."""
+        if self.slope_rad != 0.0 and abs(math.tan(self.slope_rad)) >= mu:
+            steepest = math.atan(mu)
+            raise ParameterError(
+                "environment.slope_rad",
+                self.slope_rad,
+                f"between {-steepest:.6g} and {steepest:.6g} rad, where friction of coefficient "
+                f"{mu:g} holds the robot"
+                if mu > 0.0
+                else "0 without friction",
+            )
+
+    def mass_kg(self, robot: Robot) -> float:
+        """The robot's whole mass.
+
+        Raises ParameterError if that is no more than the beam's own mass, or if there is no
+        gravity to define m_bar with.
+        """
+        if robot.gravity_m_s2 < SMALLEST:
+            raise ParameterError(
+                "robot.gravity_m_s2",
+                robot.gravity_m_s2,
+                f"at least {SMALLEST:g}, since without gravity a jump has no apex, and "
+                "m_bar = m g L^2/EI defines no mass",
+            )
+        square = robot.length_m * robot.length_m
+        per_mass = robot.gravity_m_s2 * square / robot.bending_stiffness_N_m2
+        lightest = robot.beam_mass_kg * per_mass
+        if self.mass_bar <= lightest:
+            raise ParameterError(
+                "environment.mass_bar",
+                self.mass_bar,
+                f"above {lightest:.6g}, the mass of the beam alone",
+            )
+        return self.mass_bar / per_mass

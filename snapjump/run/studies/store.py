@@ -1,0 +1,67 @@
+"""Finished cells on disk, each in a file of its own, so that no finished work is done twice."""
+
+import hashlib
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from snapjump.checks import ParameterError
+from snapjump.files.json_file import finite, read_json, write_json
+from snapjump.files.lock import FileLock
+from snapjump.run.studies.base import FAILED, Cell, Done
+
+LONGEST = 100
+
+
+class CellStore:
+    """The cells of one study; one process at a time (``with store:``) works on them."""
+
+    def __init__(self, path: Path):
+        self.path = Path(path)
+        self._lock = FileLock(self.path / ".lock")
+
+    def __enter__(self) -> "CellStore":
+        if not self._lock.acquire(wait=False):
+            raise ParameterError("task", str(self.path), "a study that no other process is doing")
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self._lock.release()
+
+    def file(self, cell: Cell) -> Path:
+        """Where a cell is kept."""
+        readable = re.sub(r"[^\w.=,+-]", "_", cell.name)
+        if readable != cell.name or len(readable) > LONGEST:
+            digest = hashlib.sha256(cell.name.encode()).hexdigest()[:8]
+            readable = f"{readable[:LONGEST]}-{digest}"
+        return self.path / f"{readable}.json"
+
+    def load(self, cell: Cell) -> Done | None:
+        """What became of this very cell, unless it is still to be done."""
+        kept = read_json(self.file(cell))
+        inputs, _ = finite(cell.inputs)
+        if kept is None or kept.pop("name") != cell.name or kept.pop("inputs") != inputs:
+            return None
+        return Done(cell=cell, **kept)
+
+    def save(self, done: Done) -> Done:
+        """Keep a cell, unless it failed; returns it as :meth:`load` would."""
+        rows, _ = finite(done.rows)
+        clean = replace(done, rows=rows)
+        if done.status != FAILED:
+            write_json(self.file(done.cell), _contents(clean))
+        return clean
+
+
+def _contents(done: Done) -> dict[str, Any]:
+    return {
+        "name": done.cell.name,
+        "inputs": done.cell.inputs,
+        "status": done.status,
+        "message": done.message,
+        "rows": done.rows,
+        "run": done.run,
+        "started_at": done.started_at,
+        "finished_at": done.finished_at,
+    }

@@ -1,0 +1,106 @@
+"""``python run.py ...``: the help page, Hydra, errors in one line, and the exit code."""
+
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from snapjump.checks import ParameterError
+from snapjump.declare.former_options import check_arguments
+from snapjump.declare.plugins import load_installed, load_plugins
+from snapjump.run.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_ERROR, EXIT_INTERRUPTED
+
+FLAGS = frozenset(
+    "-m --multirun -r --run -c --cfg -p --package --resolve -i --info -cd --config-dir "
+    "-cn --config-name -cp --config-path -sc --shell-completion --hydra-help --version".split()
+)
+
+# Hydra drops what a job returns; a job in this process leaves its exit code here.
+_exit_codes: list[int] = []
+
+
+def main(conf: Path) -> int:
+    """Do what ``sys.argv`` says with the configurations in ``conf``; returns the exit code."""
+    if {"-h", "--help"} & set(sys.argv[1:]):
+        from snapjump.show.terminal.help_page import help_page
+
+        print(help_page(conf, [Path(folder) for folder in named_plugins(sys.argv[1:])]))
+        return 0
+    try:
+        check_flags(sys.argv[1:])
+        check_arguments(sys.argv[1:])
+        load_all(named_plugins(sys.argv[1:]))
+        return _run_hydra(conf)
+    except ParameterError as error:
+        print(error, file=sys.stderr)
+        return EXIT_BAD_INPUT
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return EXIT_INTERRUPTED
+
+
+def check_flags(arguments: Sequence[str]) -> None:
+    """Raise ParameterError for a flag that is not Hydra's."""
+    for argument in arguments:
+        if argument.startswith("-") and argument.partition("=")[0] not in FLAGS:
+            raise ParameterError("command line", argument, "a flag that --help lists")
+
+
+def named_plugins(arguments: Sequence[str]) -> list[str]:
+    """The folders of ``plugins=<folder>`` or ``plugins=[<folder>,...]``.
+
+    Hydra finds their members when it composes, before any key has a value.
+    """
+    found: list[str] = []
+    for argument in arguments:
+        key, _, value = argument.partition("=")
+        if key == "plugins" and value not in ("", "null"):
+            found += [part.strip(" '\"") for part in value.strip("[]").split(",")]
+    return found
+
+
+def load_all(folders: str | Sequence[str] | None) -> None:
+    """Load the plug-ins of a value of the key ``plugins``. Raises ParameterError."""
+    for folder in [folders] if isinstance(folders, str) else folders or ():
+        load_plugins(folder)
+
+
+def _run_hydra(conf: Path) -> int:
+    import hydra
+    from hydra.errors import HydraException
+    from omegaconf.errors import OmegaConfBaseException
+
+    from snapjump.run.tasks.hydra_errors import one_line
+    from snapjump.run.tasks.search_path import search_plugins
+    from snapjump.run.tasks.sweep import current_sweep, leave_sweep
+
+    wants_traceback = os.environ.get("HYDRA_FULL_ERROR") == "1"
+    # Otherwise Hydra prints several lines and exits with 1 for whatever goes wrong.
+    os.environ["HYDRA_FULL_ERROR"] = "1"
+    _exit_codes.clear()
+    leave_sweep()
+    load_installed()
+    search_plugins()
+    run = hydra.main(version_base="1.3", config_path=str(conf), config_name="config")(_job)
+    try:
+        run()
+    except Exception as error:
+        if wants_traceback or _exit_codes:
+            raise
+        if current_sweep() is None or isinstance(error, (HydraException, OmegaConfBaseException)):
+            raise one_line(error, sys.argv[1:]) from error
+        print(f"the sweep broke off: {type(error).__name__}: {error}", file=sys.stderr)
+    finally:
+        sweep = current_sweep()
+        if sweep is not None:
+            _exit_codes[:] = [sweep.finish(sys.exc_info()[1])]
+    return max(_exit_codes, default=0)
+
+
+def _job(config: Any) -> None:
+    from snapjump.run.tasks.job import run_job
+
+    # Until it is known better: what a job raises is a defect, and not bad input.
+    _exit_codes.append(EXIT_ERROR)
+    _exit_codes[-1] = run_job(config)

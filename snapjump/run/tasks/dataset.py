@@ -1,0 +1,143 @@
+"""``task=dataset``: all jumps of a plan, in a folder that is continued where it was left."""
+
+import os
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from snapjump.dataset.folder import DatasetFolder, default_path
+from snapjump.dataset.generate import Generation, generate
+from snapjump.dataset.options import SharedDataset
+from snapjump.dataset.read import open_dataset
+from snapjump.dataset.specification import Specification, specify
+from snapjump.dataset.statistics import gather
+from snapjump.declare.members import make_member
+from snapjump.executor.base import Executor
+from snapjump.files.lock import FileLock
+from snapjump.files.result_folder import ResultFolder
+from snapjump.run.tasks.base import INTERRUPTED, OK, Outcome, Progress
+from snapjump.run.tasks.complete import check_complete, whole
+from snapjump.show.plots.dataset import draw_dataset, draw_status
+from snapjump.show.terminal.block import number
+from snapjump.tracking.base import DatasetUse
+from snapjump.tracking.parts.tracked import write_datasets
+
+OF_THIS_RUN = ("made", "kept")  # rows, whatever their status
+# Share of the progress bar for the jumps; the rest is for reading them again and drawing.
+GENERATION_SHARE = 0.95
+
+
+class GenerateDataset:
+    """Generates what is missing, then looks at all of it."""
+
+    _config: Mapping[str, Any]
+    _options: SharedDataset
+    _specification: Specification
+    _executor: Executor
+    _folder: DatasetFolder
+    _locks: list[FileLock]
+    _damaged: Sequence[str] = ()
+
+    def prepare(self, config: Mapping[str, Any]) -> None:
+        """Check every value, the folder and the executor; claim the folder."""
+        self._config = config
+        self._options = whole(SharedDataset, config.get("dataset"))
+        self._specification = specify(config, self._options.shard_size, self._options.sensitivities)
+        check_complete(config, self._specification.simulation)
+        self._executor = make_member("executor", config.get("executor")).executor()
+        self._executor.check()
+        path = self._options.path or default_path(self._specification)
+        self._folder = DatasetFolder(Path(path))
+        self._folder.check(self._specification)
+        try:
+            self._locks = self._folder.claim(self._options.part, self._options.parts)
+        except OSError as error:
+            allowed = f"a folder that can be written to ({error.strerror})"
+            raise self._folder.refused(allowed) from error
+
+    def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
+        """Generate, read it all once more, and leave figures and the record of its hash."""
+        shown = GENERATION_SHARE if self._config["figures"] else 1.0
+        try:
+            generation = generate(
+                self._folder,
+                self._specification,
+                self._executor,
+                self._config["backend"],
+                lambda done, text: progress(shown * done, text),
+                self._options.part,
+                self._options.parts,
+            )
+        finally:
+            for lock in self._locks:
+                lock.release()
+        self._damaged = generation.damaged
+        for damage in generation.damaged:
+            print(f"made again: {damage}", file=sys.stderr)
+        if generation.manifest["complete"]:
+            progress(shown, "looking at all of it")
+            self._conclude(folder, generation)
+        return Outcome(OK, "", summary(self._folder, generation))
+
+    def report(self, outcome: Outcome) -> list[tuple[str, str]]:
+        """The closing block; of a run that was stopped, how it goes on."""
+        found, made_of, place = outcome.summary, self._specification, self._folder.path
+        title = f"{self._config['plan']['name']}, {made_of.plan.count:,} jumps at "
+        lines = [("dataset", title + str(made_of.simulation.accuracy))]
+        if outcome.status == INTERRUPTED:
+            again = f"the same command continues what is in {os.path.relpath(place)}"
+            return [*lines, ("stopped", again)]
+        if "rows" not in found:
+            return lines
+        counts = {k[5:]: n for k, n in found.items() if k.startswith("rows_") and n}
+        told = [f"{n:,} {status}" for status, n in counts.items() if status not in OF_THIS_RUN]
+        rate = found["jumps_per_second"]
+        speed = f"{number(rate)} jumps/s, {number(found['jumps_per_second_core'])} a core"
+        return [
+            *lines,
+            ("status", ", ".join(told)),
+            ("made", f"{found['rows_made']:,} now, {found['rows_kept']:,} before"),
+            ("damaged", "; ".join(self._damaged)),
+            ("speed", speed if rate else ""),
+            ("hash", str(found["dataset_sha256"] or "not before all parts are done")),
+            ("dataset in", os.path.relpath(place)),
+        ]
+
+    def _conclude(self, folder: ResultFolder, generation: Generation) -> None:
+        """Figures of the whole dataset, and what its record names."""
+        dataset = open_dataset(self._folder.path)
+        plan = self._config["plan"]["name"]
+        name = f"{plan}-{self._specification.simulation.accuracy}"
+        use = DatasetUse(name, dataset.sha256, str(self._folder.path), dataset.rows, "generated")
+        write_datasets(folder, [use])
+        if not self._config["figures"]:
+            return
+        statistics = gather(dataset)
+        tier = self._specification.simulation.accuracy
+        title = f"{dataset.rows:,} jumps at {tier}, plan {plan}, dataset {dataset.sha256[:8]}"
+
+        def draw(path: Path) -> None:
+            draw_dataset(statistics, title, path / "dataset.png")
+            draw_status(statistics, dataset.statuses, title, path / "status.png")
+
+        folder.write_figures(draw)
+
+
+def summary(folder: DatasetFolder, generation: Generation) -> dict[str, Any]:
+    """The flat numbers of result.json; speeds are of what this run made, null if nothing."""
+    manifest = generation.manifest
+    rate = generation.made / generation.seconds if generation.made else None
+    return {
+        "dataset_path": str(folder.path),
+        **{key: manifest[key] for key in ("dataset_sha256", "complete", "designs", "rows")},
+        **{f"rows_{status}": count for status, count in manifest["statuses"].items()},
+        "rows_made": generation.made,
+        "rows_kept": generation.kept,
+        "shards": len(manifest["shards"]),
+        "shards_damaged": len(generation.damaged),
+        "generation_seconds": generation.seconds,
+        "cores": generation.cores,
+        "jumps_per_second": rate,
+        "jumps_per_second_core": None if rate is None else rate / generation.cores,
+    }

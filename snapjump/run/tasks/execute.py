@@ -1,0 +1,110 @@
+"""One job around its task: checks, files, and a status whatever happens."""
+
+import sys
+import time
+import traceback
+from collections.abc import Mapping
+from typing import Any
+
+from snapjump.checks import ParameterError, check_choice, check_integer
+from snapjump.declare.members import FAMILIES
+from snapjump.files.atomic import write_text
+from snapjump.files.json_file import finite
+from snapjump.files.provenance import now, provenance
+from snapjump.files.result_folder import ResultFolder
+from snapjump.run.tasks.base import BAD_INPUT, ERROR, INTERRUPTED, NOT_FINITE, OK, Outcome, Task
+from snapjump.run.tasks.interrupts import heeded, stopping, uninterrupted
+from snapjump.run.tasks.publish import check_publish, publish
+from snapjump.run.tasks.registry import find_task
+from snapjump.show.terminal.progress import ProgressBar
+
+SECTIONS = ("task", "accuracy", "robot", "design", "environment", *FAMILIES, "tracking")
+# Which only some tasks have.
+EXTRAS = (
+    *("dataset", "plan", "executor", "surrogate", "training", "checkpoint"),
+    *("inverse", "target", "tolerance", "figure", "plugins"),
+)
+SWITCHES = ("figures", "seed", "effort", "publish")
+EFFORTS = ("quick", "full")
+LARGEST_SEED = 2**32 - 1
+
+
+def execute(
+    config: Mapping[str, Any], folder: ResultFolder, command: str, bar: ProgressBar
+) -> tuple[Outcome, Task | None]:
+    """Do one job and leave its files; never raises for what happens inside the task.
+
+    A job with bad input has done nothing and leaves nothing: what becomes of it is the caller's.
+    """
+    started_at, clock = now(), time.perf_counter()
+    task: Task | None = None
+    try:
+        check_run(config)
+        with heeded() as noticed:
+            task = find_task(config["task"]["name"])
+            task.prepare(config)
+            folder.write_config(config)
+            outcome = task.run(folder, stopping(bar, noticed))
+    except ParameterError as error:
+        return Outcome(BAD_INPUT, str(error)), task
+    except KeyboardInterrupt:
+        outcome = Outcome(INTERRUPTED, "interrupted by the user")
+    except Exception as error:
+        write_text(folder.path / "traceback.txt", traceback.format_exc())
+        outcome = Outcome(ERROR, f"{type(error).__name__}: {error} (see traceback.txt)")
+    finally:
+        bar.close()
+    with uninterrupted():
+        outcome.summary.setdefault("wall_seconds", time.perf_counter() - clock)
+        write_outcome(config, folder, command, started_at, outcome)
+        if config["publish"] is not None and outcome.finished:
+            _publish(config, folder)
+    return outcome, task
+
+
+def _publish(config: Mapping[str, Any], folder: ResultFolder) -> None:
+    try:
+        written = publish(config, folder)
+    except OSError as error:
+        print(f"not published: {error}; the report is in {folder.path}", file=sys.stderr)
+    else:
+        print("published " + ", ".join(str(path) for path in written), file=sys.stderr)
+
+
+def write_outcome(
+    config: Mapping[str, Any],
+    folder: ResultFolder,
+    command: str,
+    started_at: str,
+    outcome: Outcome,
+) -> None:
+    """Write what every job leaves; ``result.json`` last. Takes NaN out of the outcome."""
+    summary, not_finite = finite(outcome.summary)
+    outcome.summary = summary
+    # A robot that does not jump has no lift-off; one that does has every number.
+    if not_finite and outcome.status == OK:
+        outcome.status = NOT_FINITE
+        outcome.message = "not a finite number: " + ", ".join(not_finite)
+    folder.write_config(config)
+    folder.write_provenance(provenance(command, config["seed"], started_at))
+    message = {"message": outcome.message} if outcome.message else {}
+    summary = {key: value for key, value in outcome.summary.items() if key != "status"}
+    folder.write_result({"status": outcome.status, **message, **summary})
+
+
+def check_run(config: Mapping[str, Any]) -> None:
+    """Check the keys that are about the run itself; raises ParameterError."""
+    for key in config:
+        if key not in (*SECTIONS, *EXTRAS, *SWITCHES):
+            raise ParameterError(key, config[key], "no such key; see --help")
+    for key in SECTIONS:
+        if not isinstance(config.get(key), Mapping):
+            raise ParameterError(key, config.get(key), "a group, which cannot be left out")
+    for key in SWITCHES:
+        if key not in config:
+            raise ParameterError(key, None, "a value, which cannot be left out")
+    check_integer("seed", config["seed"], 0, LARGEST_SEED)
+    if not isinstance(config["figures"], bool):
+        raise ParameterError("figures", config["figures"], "true or false")
+    check_choice("effort", config["effort"], EFFORTS)
+    check_publish(config)

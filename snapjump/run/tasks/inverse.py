@@ -1,0 +1,134 @@
+"""``task=inverse``: the design that reaches a target apex, and what is to be expected of it."""
+
+import math
+import sys
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from snapjump.backend.scalar import ScalarBackend
+from snapjump.checks import ParameterError
+from snapjump.composition import Simulation
+from snapjump.declare.fields import construct
+from snapjump.declare.members import make_member
+from snapjump.files.result_folder import ResultFolder
+from snapjump.inverse.base import Array, InverseOptions, Solution
+from snapjump.results import Result
+from snapjump.robot.design import Design
+from snapjump.run.tasks.base import OK, UNREACHABLE, Outcome, Progress
+from snapjump.run.tasks.complete import check_complete
+from snapjump.show.plots.inverse import inverse_picture
+from snapjump.show.terminal.inverse_report import inverse_report
+from snapjump.simulation import build, simulate
+from snapjump.targets import request
+from snapjump.targets.answer import answer
+from snapjump.targets.design import problem_of
+from snapjump.targets.designed import Designed
+from snapjump.targets.manufacturing import one_percent_costs_bar
+from snapjump.targets.region import AchievableRegion
+from snapjump.targets.robust import Tolerance, compare
+from snapjump.targets.simulator import differentiable
+from snapjump.targets.warm_up import warm_up
+
+if TYPE_CHECKING:  # bad input is found before torch is loaded
+    from snapjump.learning.forward_model import ForwardModel
+
+# Shares of the progress bar that are done as the search, the simulation and the drawing begin.
+SEARCH, SIMULATION, DRAWING = 0.1, 0.6, 0.8
+DRAWN_POINTS = 81  # of the region in the figure, per control
+
+
+class InverseDesign:
+    """Decides, searches, simulates what was found, and draws it."""
+
+    _config: Mapping[str, Any]
+    _base: Simulation
+    _method: InverseOptions
+    _tolerance: Tolerance
+    _trained: "ForwardModel"
+    _forward: "ForwardModel | None"
+    _target: Array
+    _warning: str
+
+    def prepare(self, config: Mapping[str, Any]) -> None:
+        """Check every value, the forward model, and that it is one of this physical model."""
+        self._config = config
+        self._target = request.checked_target(config.get("target"))
+        self._method = make_member("inverse", config.get("inverse"))
+        self._tolerance = construct("tolerance", Tolerance, config.get("tolerance"))
+        path = request.checkpoint_path(config.get("checkpoint"))
+        scene = config["sim"].get("name")
+        if scene != "jump":
+            raise ParameterError("sim", scene, "jump, which is what has an apex")
+        self._base = build(config)
+        check_complete(config, self._base, inverse=self._method, tolerance=self._tolerance)
+        self._base.sim.check_start(self._base)
+        if self._method.needs_slopes:
+            differentiable(self._base)
+        self._trained = request.trained_forward(path)
+        self._forward, self._warning = request.usable_forward(
+            self._base, self._trained, self._method
+        )
+
+    def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
+        """Search, simulate the design at the configured tier, and draw."""
+        if self._warning:
+            print(f"warning: {self._warning}", file=sys.stderr)
+        problem = problem_of(
+            self._base, self._target, self._trained, self._forward, self._config["seed"]
+        )
+        progress(0.0, "getting ready")
+        warm_up(self._base, self._trained, self._method)
+        progress(SEARCH, "searching")
+        found = answer(problem, self._method)
+        chosen, robust = found.solutions[0], None
+        if self._method.robust and self._forward is not None and found.reachable:
+            robust = compare(problem, self._forward, self._tolerance, found.solutions)
+            chosen = robust.robust
+        costs_bar = one_percent_costs_bar(problem, chosen)
+        jump = self._simulated(chosen, progress)
+        designed = Designed(
+            problem, found, chosen, costs_bar, jump, robust, self._trained.about, self._warning
+        )
+        if self._config["figures"]:
+            progress(DRAWING, "drawing")
+            self._draw(folder, designed)
+        return outcome_of(designed)
+
+    def report(self, outcome: Outcome) -> list[tuple[str, str]]:
+        return inverse_report(self._config, outcome.summary)
+
+    def _simulated(self, chosen: Solution, progress: Progress) -> Result:
+        """The jump of a design with its trajectory, by the program for one robot."""
+        delta_alpha, epsilon = chosen.controls.tolist()
+        design = Design(epsilon=epsilon, delta_alpha=delta_alpha)
+        share = DRAWING - SIMULATION
+        return simulate(
+            replace(self._base, design=design, backend=ScalarBackend()),
+            lambda done, text: progress(SIMULATION + share * done, text),
+        )
+
+    def _draw(self, folder: ResultFolder, designed: Designed) -> None:
+        region = None
+        if self._forward is not None:
+            region = AchievableRegion.of(designed.problem, self._forward, DRAWN_POINTS)
+
+        folder.write_figures(lambda path: inverse_picture(designed, region, path / "inverse.png"))
+
+
+def outcome_of(designed: Designed) -> Outcome:
+    """What to tell the shell of it."""
+    summary, jump = designed.summary(), designed.jump
+    if designed.answer.reachable:
+        if jump.status != OK:
+            return Outcome(jump.status, f"the design that was found: {jump.message}", summary)
+        return Outcome(OK, "", summary)
+    nearest = designed.answer.solutions[0]
+    x, y = nearest.apex.tolist()
+    if not math.isfinite(x):
+        return Outcome(UNREACHABLE, "no design was found that jumps at all", summary)
+    told = "no design reaches the target; the nearest predicted apex is"
+    if nearest.simulated:
+        told = "no design was found that reaches the target; the nearest simulated apex is"
+    message = f"{told} x {x:.4g} L, y {y:.4g} L"
+    return Outcome(UNREACHABLE, message, summary)

@@ -1,0 +1,139 @@
+"""What Hydra calls for a run or a cell of a sweep: one job, recorded, told, and its exit code."""
+
+import os
+import shlex
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from hydra.core.hydra_config import HydraConfig
+from hydra.types import RunMode
+from omegaconf import DictConfig, OmegaConf
+from omegaconf.errors import OmegaConfBaseException
+
+from snapjump.checks import ParameterError
+from snapjump.declare.members import make_member
+from snapjump.files.provenance import now, source_hash
+from snapjump.files.result_folder import ResultFolder
+from snapjump.run.tasks.base import BAD_INPUT, FINISHED, INTERRUPTED, Outcome, Task
+from snapjump.run.tasks.command_line import load_all
+from snapjump.run.tasks.execute import execute, write_outcome
+from snapjump.run.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_OK, EXIT_UNTRACKED, exit_code
+from snapjump.run.tasks.hydra_errors import one_line
+from snapjump.run.tasks.interrupts import uninterrupted
+from snapjump.run.tasks.names import cell_name, register_resolvers, task_overrides
+from snapjump.run.tasks.sweep import PARENT_RUN
+from snapjump.show.terminal.block import block, number
+from snapjump.show.terminal.progress import ProgressBar
+from snapjump.tracking.base import Tracker, TrackingError
+from snapjump.tracking.parts.tracked import OWN, record_folder
+
+# A worker process of a parallel sweep imports this module, and nothing before it.
+register_resolvers()
+
+
+def run_job(composed: DictConfig) -> int:
+    """Do one job as configured; returns the exit code. Called by Hydra, in any process."""
+    hydra = HydraConfig.get()
+    folder = ResultFolder(Path(hydra.runtime.output_dir))
+    overrides = task_overrides(hydra)
+    try:
+        config = OmegaConf.to_container(composed, resolve=True, throw_on_missing=True)
+    except OmegaConfBaseException as error:
+        return _refused(str(one_line(error, overrides)), folder)
+    assert isinstance(config, dict)
+    try:
+        load_all(config.get("plugins"))
+    except ParameterError as error:
+        return _refused(str(error), folder)
+    job = run_cell if hydra.mode == RunMode.MULTIRUN else run_alone
+    return job(config, folder, overrides)  # type: ignore[arg-type]
+
+
+def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[str]) -> int:
+    """One job on its own: the closing block on stdout, an error in one line on stderr."""
+    try:
+        tracker = make_member("tracking", config["tracking"])
+        tracker.check()
+    except ParameterError as error:
+        return _refused(str(error), folder)
+    outcome, task = execute(config, folder, command(overrides), ProgressBar())
+    if outcome.status == BAD_INPUT:
+        return _refused(outcome.message, folder)
+    code = exit_code(outcome.status)
+    recorded, place = _record(tracker, folder, folder.path.name, None)
+    if task is not None and outcome.summary:
+        _tell(task, outcome, folder, place)
+    if code != EXIT_OK:
+        print(f"{outcome.status}: {outcome.message}", file=sys.stderr)
+    return code or (EXIT_OK if recorded else EXIT_UNTRACKED)
+
+
+def run_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[str]) -> int:
+    """One cell of a sweep: done only if it is not yet, and told in one line."""
+    tracker, name = make_member("tracking", config["tracking"]), cell_name(overrides)
+    parent_id = os.environ.get(PARENT_RUN)
+    if folder.holds(config, source_hash(), FINISHED):
+        result = folder.result() or {}
+        _record(tracker, folder, name, parent_id)
+        print(f"{name}: {result['status']} (kept)", flush=True)
+        return EXIT_OK
+    folder.forget()
+    started_at = now()
+    outcome = _do_cell(config, folder, overrides)
+    if outcome.status == BAD_INPUT:
+        write_outcome(config, folder, command(overrides), started_at, outcome)
+    _record(tracker, folder, name, parent_id)
+    seconds = outcome.summary.get("wall_seconds")
+    took = "" if seconds is None else f" ({number(seconds)} s)"
+    print(f"{name}: {outcome.status} {outcome.message}".rstrip() + took, flush=True)
+    if outcome.status == INTERRUPTED:
+        raise KeyboardInterrupt
+    return exit_code(outcome.status)
+
+
+def _do_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[str]) -> Outcome:
+    if config.get("publish") is not None:
+        wrong = ParameterError(
+            "publish", config["publish"], "null in a sweep, whose cells would replace each other's"
+        )
+        return Outcome(BAD_INPUT, str(wrong))
+    return execute(config, folder, command(overrides), ProgressBar(visible=False))[0]
+
+
+def command(overrides: list[str]) -> str:
+    """The command that repeats a job."""
+    return shlex.join(["python", "run.py", *overrides])
+
+
+def _record(
+    tracker: Tracker, folder: ResultFolder, name: str, parent_id: str | None
+) -> tuple[bool, str]:
+    """Record the folder; whether that went well, and where the record is."""
+    with uninterrupted():
+        try:
+            return True, record_folder(tracker, folder, name, parent_id)
+        except TrackingError as error:
+            print(f"not recorded: {error}; the results are in {folder.path}", file=sys.stderr)
+            return False, ""
+
+
+def _refused(message: str, folder: ResultFolder) -> int:
+    """Bad input: one line, and no trace of a run that never was."""
+    print(message, file=sys.stderr)
+    if folder.path.is_dir() and not any(folder.path.iterdir()):
+        folder.path.rmdir()
+    return EXIT_BAD_INPUT
+
+
+def _tell(task: Task, outcome: Outcome, folder: ResultFolder, place: str) -> None:
+    names = [file.name for file in folder.files() if file.name not in OWN]
+    lines = [
+        *task.report(outcome),
+        ("files", f"{os.path.relpath(folder.path)}: {', '.join(names)}"),
+        ("tracking", place),
+    ]
+    if outcome.status != "ok":
+        lines.insert(1, ("status", f"{outcome.status} {outcome.message}".rstrip()))
+    print(block(lines))

@@ -1,0 +1,122 @@
+"""A sweep around its jobs: one at a time in a folder, a parent record, and a table at the end."""
+
+import os
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from hydra.experimental.callback import Callback
+from omegaconf import DictConfig, OmegaConf
+
+from snapjump.checks import ParameterError
+from snapjump.declare.members import make_member
+from snapjump.files.json_file import read_json, write_json
+from snapjump.files.lock import FileLock
+from snapjump.files.provenance import now
+from snapjump.run.tasks.exit_codes import EXIT_BAD_INPUT
+from snapjump.run.tasks.names import cell_name, register_resolvers, sweep_name, task_overrides
+from snapjump.tracking.base import Tracker, TrackingError
+
+# How the jobs, in whatever process, hear of the sweep's name (a cell's own overrides would give
+# another one) and of the parent's record.
+SWEEP_NAME = "SNAPJUMP_SWEEP"
+PARENT_RUN = "SNAPJUMP_PARENT_RUN"
+MARK = "sweep.json"
+
+register_resolvers()
+
+
+@dataclass
+class Sweep:
+    """A sweep that is running: its folder, its cells in order, and where it is recorded."""
+
+    folder: Path
+    cells: list[list[str]]
+    tracker: Tracker
+    lock: FileLock
+    started_at: str = field(default_factory=now)
+    parent_id: str | None = None
+
+    def start(self) -> None:
+        """Claim the folder and open the parent record; raises ParameterError."""
+        if not self.lock.acquire(wait=False):
+            raise ParameterError(
+                "hydra.sweep.dir", str(self.folder), "a folder where no sweep is running"
+            )
+        self.tracker.check()
+        mark = read_json(self.folder / MARK) or {}
+        same_place = mark.get("place") == self.tracker.place
+        try:
+            self.parent_id = self.tracker.open_parent(
+                self.folder.name, mark.get("parent_id") if same_place else None
+            )
+        except TrackingError as error:
+            raise ParameterError("tracking", self.tracker.place, str(error)) from error
+        write_json(self.folder / MARK, {"place": self.tracker.place, "parent_id": self.parent_id})
+        if self.parent_id is None:
+            os.environ.pop(PARENT_RUN, None)
+        else:
+            os.environ[PARENT_RUN] = self.parent_id
+
+    def finish(self, stopped_by: BaseException | None) -> int:
+        """Summarise what the cells left, print the table, complete the records; the exit code."""
+        from snapjump.run.tasks.sweep_summary import summarise
+
+        try:
+            return summarise(self, stopped_by)
+        finally:
+            self.lock.release()
+
+
+_current: list[Sweep] = []
+
+
+def current_sweep() -> Sweep | None:
+    """The sweep of this process, if it runs one."""
+    return _current[0] if _current else None
+
+
+def leave_sweep() -> None:
+    """Forget a sweep that has ended."""
+    _current.clear()
+
+
+class SweepCallback(Callback):
+    """What Hydra calls when a sweep starts."""
+
+    def on_multirun_start(self, config: DictConfig, **others: Any) -> None:
+        """Start the sweep; Hydra would turn any Exception from here into a mere warning."""
+        os.environ[SWEEP_NAME] = sweep_name(task_overrides(config.hydra))
+        try:
+            cells = expand(config)
+            folder = Path(config.hydra.sweep.dir).absolute()
+            tracking = OmegaConf.to_container(config.tracking, resolve=True)
+            tracker = make_member("tracking", tracking)
+            sweep = Sweep(folder, cells, tracker, FileLock(folder / ".lock"))
+            sweep.start()
+        except ParameterError as error:
+            print(error, file=sys.stderr)
+            raise SystemExit(EXIT_BAD_INPUT) from error
+        _current[:] = [sweep]
+
+
+def expand(config: DictConfig) -> list[list[str]]:
+    """The overrides of every cell, just as Hydra's own sweeper makes them."""
+    from hydra._internal.core_plugins.basic_sweeper import BasicSweeper
+    from hydra.core.override_parser.overrides_parser import OverridesParser
+    from hydra.errors import HydraException
+
+    sweeper = config.hydra.sweeper
+    if not sweeper._target_.endswith(".BasicSweeper"):
+        raise ParameterError("hydra/sweeper", sweeper._target_, "basic")
+    given = [f"{key}={value}" for key, value in (sweeper.params or {}).items()]
+    try:
+        overrides = OverridesParser.create().parse_overrides(
+            [*given, *task_overrides(config.hydra)]
+        )
+        (cells,) = BasicSweeper.split_arguments(overrides, None)
+    except HydraException as error:
+        raise ParameterError("command line", task_overrides(config.hydra), str(error)) from error
+    by_name = {cell_name(cell): cell for cell in cells}
+    return list(by_name.values())

@@ -1,0 +1,29 @@
+"""The table of outputs in docs/outputs.md, from their declarations."""
+
+from collections.abc import Mapping
+
+from snapjump.batch import Batch
+from snapjump.declare.members import member_class, member_names
+from snapjump.declare.outputs import Outputs
+from snapjump.show.terminal.block import markdown_table
+
+HEADER = ("name", "unit", "what it is", "of", "only if")
+
+
+def output_table() -> str:
+    """Markdown: a row for each output, and the scenes (and batches) that have it."""
+    owners: Mapping[str, type[Outputs]] = {
+        **{name: member_class("sim", name)().outputs for name in member_names("sim")},
+        "batch": Batch,
+    }
+    found: dict[tuple[str, ...], list[str]] = {}
+    for scene, kind in owners.items():
+        for each in kind.declared():
+            known = " or ".join(f"`{status}`" for status in each.of)
+            row = (f"`{each.name}`", each.unit, each.meaning, known)
+            found.setdefault(row, []).append(scene)
+    rows = [
+        (name, unit, meaning, "all" if len(scenes) == len(owners) else ", ".join(scenes), known)
+        for (name, unit, meaning, known), scenes in found.items()
+    ]
+    return markdown_table(HEADER, rows) + "\n"

@@ -1,0 +1,84 @@
+"""The closing block of a simulation: what it was, what came out, how good it is, what it cost."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from snapjump.declare.fields import settings
+from snapjump.declare.members import member_class
+from snapjump.declare.outputs import Output
+from snapjump.show.terminal.block import number
+from snapjump.sim.base import SceneOptions
+from snapjump.tiers import TIERS
+
+
+def scene_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """Lines of (heading, text); numbers that a scene does not have are left out."""
+    name = config["sim"]["name"]
+    scene = member_class("sim", name)()
+    lines = output_lines(scene.outputs.declared(), summary, 1e3 * config["robot"]["length_m"])
+    cost = lines.pop("cost", "")
+    return [
+        (name, title(config, scene)),
+        *lines.items(),
+        ("accuracy", accuracy_line(config, summary)),
+        ("warning", _warning(config, summary)),
+        ("cost", cost),
+    ]
+
+
+def title(config: Mapping[str, Any], scene: SceneOptions) -> str:
+    """What was simulated: the values that the scene tells."""
+    told = []
+    for path in scene.tells or [f"sim.{key}" for key in settings(scene)]:
+        group, _, key = path.partition(".")
+        told.append(f"{key} {number(config[group][key])}")
+    return ", ".join(told)
+
+
+def output_lines(
+    outputs: Sequence[Output[Any]], summary: Mapping[str, Any], length_mm: float
+) -> dict[str, str]:
+    """The texts of outputs by their headings, as they are declared to be shown."""
+    lines: dict[str, list[str]] = {}
+    for each in outputs:
+        value = summary.get(each.name)
+        if each.show and value is not None:
+            heading, text = each.show.split(": ", 1)
+            lines.setdefault(heading, []).append(text.format(quantity(value, each, length_mm)))
+    return {heading: ", ".join(texts) for heading, texts in lines.items()}
+
+
+def quantity(value: Any, declared: Output[Any], length_mm: float) -> str:
+    """A value with its unit: lengths of L in mm as well, short times in ms."""
+    if declared.unit == "L":
+        return f"{number(value)} L ({number(value * length_mm)} mm)"
+    if declared.unit == "s" and abs(value) < 1.0:
+        return f"{number(1e3 * value)} ms"
+    return f"{number(value)} {declared.unit}".removesuffix(" 1").rstrip()
+
+
+def accuracy_line(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
+    """The tier, and its measured error if this is a jump with just what the tier chooses, else
+    what the jump estimates itself."""
+    accuracy = config["accuracy"]
+    name = accuracy["name"]
+    if not hasattr(member_class("sim", config["sim"]["name"])().outputs, "error_estimate_percent"):
+        return str(name)
+    changed = TIERS[name].departures(config)
+    if changed:
+        estimate = summary.get("error_estimate_percent")
+        known = "its error is not known" if estimate is None else f"estimated {estimate:.2g} % off"
+        return f"{name}, but for {', '.join(changed)}: {known}"
+    return f"{name}: {accuracy['known_error']}"
+
+
+def _warning(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
+    """A jump that says of itself that it is worse than its tier."""
+    estimate = summary.get("error_estimate_percent")
+    if estimate is None or summary.get("within_tier", True):
+        return ""
+    name = config["accuracy"]["name"]
+    return (
+        f"estimated error {estimate:.2g} %, more than the {TIERS[name].promise_percent:g} % that "
+        f"{name} stands for"
+    )

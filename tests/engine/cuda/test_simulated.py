@@ -1,0 +1,82 @@
+"""Marches on numba's simulator of a card: as on the processor, refilled and in chunks."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from before_the_strike import go_on, to_the_strike
+from robots import DESIGNS, small_march
+
+from snapjump.engine import clock as c
+from snapjump.engine.status import NO_EQUILIBRIUM, OK, TIME_LIMIT
+
+ROOT = Path(__file__).resolve().parents[3]
+ROBOTS = (DESIGNS[1], DESIGNS[3])
+RATES = ("velocity", "acceleration")
+# What the roundings of a whole strike add up to: 1.7e-9 to 9.3e-9 (in T, L or L/T) over seeds 1 to
+# 5 of --perturb.
+APART = 2e-8
+
+
+@pytest.fixture(scope="module")
+def striking():
+    """The robots in one queue, each just before its strike, and the states they started from."""
+    march = small_march(ROBOTS, 1)
+    march.find_starts()
+    starts = march.queue.state.copy()
+    for robot, design in enumerate(ROBOTS):
+        alone = small_march([design], 1, [values[[robot]] for values in march.queue[1:4]])
+        way = to_the_strike(alone)
+        go_on(alone, way)
+        for values, found in zip(march.queue[:4], alone.queue[:4], strict=True):
+            values[robot] = found[0]
+    return march, starts
+
+
+@pytest.fixture(scope="module")
+def told(striking, tmp_path_factory):
+    pytest.importorskip("numba_cuda", reason="numba-cuda is not installed")
+    file = tmp_path_factory.mktemp("striking") / "queue.npz"
+    queue = striking[0].queue._asdict()
+    np.savez(file, **{name: queue[name] for name in ("numbers", "state", *RATES)})
+    done = subprocess.run(
+        [sys.executable, ROOT / "tests" / "support" / "card_in_simulator.py", file],
+        env=os.environ | {"NUMBA_ENABLE_CUDASIM": "1", "PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        timeout=600,
+    )
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+def test_jumps_agree_with_compiled_ones(told, striking):
+    """In Python products and sums are rounded twice where compiled code does it once: what two
+    programs that round differently agree to after a jump. It begins just before the strike."""
+    march, starts = striking
+    np.testing.assert_allclose(told["starts"], starts, rtol=0.0, atol=1e-9)
+    expected = march.run()
+    outcome = np.array(told["outcome"])
+    assert (outcome[:, c.STATUS] == OK).all()
+    for row in (c.STEPS, c.REJECTED, c.ITERATIONS):
+        assert np.array_equal(outcome[:, row], expected[:, row])
+    for row in (c.TIME, c.SMALLEST_GAP, c.COM_X, c.COM_Y, c.COM_VX, c.COM_VY):
+        np.testing.assert_allclose(outcome[:, row], expected[:, row], rtol=0.0, atol=APART)
+
+
+def test_one_thread_takes_robots_one_after_the_other(told):
+    iterations = np.array(told["outcome"])[:, c.ITERATIONS]
+    assert told["passes"] == iterations.sum()
+    assert told["progress"] == sorted(told["progress"])
+    assert told["progress"][0] == 0.0 and told["progress"][-1] == 1.0
+    assert told["bytes_sent"] > 0
+
+
+def test_chunks_are_one_queue(told):
+    """To the last bit: there the same Python was marched with and without a card."""
+    assert told["differs_in_chunks"] == 0.0
+    assert told["status_in_chunks"] == [TIME_LIMIT, NO_EQUILIBRIUM, TIME_LIMIT]

@@ -1,0 +1,145 @@
+"""``python run.py task=inverse``: what it prints, leaves, refuses and says if out of reach."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from command_line import result_in
+from forward_models import about, network
+from hydra_config import hydra_config
+from refusals import refused
+from small_datasets import OVERRIDES
+
+from snapjump.files.result_folder import ResultFolder
+from snapjump.learning.checkpoint import write_checkpoint
+from snapjump.learning.forward_model import open_forward_model
+from snapjump.run.tasks.base import Outcome
+from snapjump.run.tasks.exit_codes import EXIT_UNREACHABLE, exit_code
+from snapjump.run.tasks.inverse import InverseDesign
+
+# The physical model that the checkpoint claims to know.
+MODEL = OVERRIDES[1:]
+METHOD = "inverse=gauss_newton"
+KEYS = (
+    "reachable", "epsilon", "delta_alpha_rad", "predicted_x_bar", "predicted_y_bar",
+    "simulated_x_bar", "simulated_y_bar", "error_bar", "error_m", "solve_seconds", "simulations",
+)  # fmt: skip
+DESIGN = np.array([[0.1, 0.2, 0.768, 0.3]])
+
+
+@pytest.fixture(scope="module")
+def checkpoint(tmp_path_factory) -> Path:
+    """A forward model that has learned nothing, of the small datasets' robot."""
+    path = tmp_path_factory.mktemp("trained") / "model.safetensors"
+    write_checkpoint(path, network(), about())
+    return path
+
+
+@pytest.fixture(scope="module")
+def target(checkpoint) -> list[float]:
+    """One that the forward model believes it can reach."""
+    found: list[float] = open_forward_model(checkpoint).predict(DESIGN)[0].tolist()
+    return found
+
+
+@pytest.fixture
+def run(checkpoint, tmp_path) -> Callable[..., tuple[Outcome, dict[str, str]]]:
+    """The task in this process: its outcome and its closing block."""
+
+    def do(*overrides: str) -> tuple[Outcome, dict[str, str]]:
+        task, config = prepared(checkpoint, *overrides)
+        outcome = task.run(ResultFolder(tmp_path), lambda done, text: None)
+        return outcome, dict(task.report(outcome))
+
+    return do
+
+
+def prepared(checkpoint: Path, *overrides: str) -> tuple[InverseDesign, Any]:
+    method = () if any(text.startswith("inverse=") for text in overrides) else (METHOD,)
+    given = ["task=inverse", *MODEL, *method, f"checkpoint={checkpoint}", *overrides]
+    task, config = InverseDesign(), hydra_config(*given)
+    task.prepare(config)
+    return task, config
+
+
+def test_the_command_line(command, checkpoint, target, tmp_path):
+    done = command(
+        "task=inverse", *MODEL, METHOD, f"checkpoint={checkpoint}", f"target={target}",
+        "tracking=off",
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    folder, result = result_in(tmp_path)
+    assert result["status"] == "ok" and result["reachable"] is True
+    assert all(isinstance(result[key], (int, float)) for key in KEYS)
+    assert [result["predicted_x_bar"], result["predicted_y_bar"]] == pytest.approx(target, abs=1e-4)
+    simulated = np.array([result["simulated_x_bar"], result["simulated_y_bar"]])
+    assert result["error_bar"] == pytest.approx(np.hypot(*(simulated - target)))
+    assert result["error_m"] == pytest.approx(0.02 * result["error_bar"])
+    assert (folder / "inverse.png").stat().st_size > 10_000
+    for word in ("target x", "design", "predicted", "simulated", " mm)", "1 % of", "error", "ms"):
+        assert word in done.stdout
+
+
+def test_out_of_reach(run, target, tmp_path):
+    outcome, lines = run(f"target=[{target[0] + 500.0},{target[1]}]")
+    assert outcome.status == "unreachable"
+    assert exit_code(outcome.status) == EXIT_UNREACHABLE == 4
+    assert "nearest predicted apex is x" in outcome.message and "\n" not in outcome.message
+    assert outcome.summary["reachable"] is False
+    assert outcome.summary["simulated_y_bar"] > 1.0
+    assert "predicted" in lines and (tmp_path / "inverse.png").exists()
+
+
+def test_a_robust_design(run, target, tmp_path):
+    outcome, lines = run(f"target={target}", "inverse.robust=true")
+    found = outcome.summary
+    assert found["robust_expected_miss_bar"] <= 1.02 * found["plain_expected_miss_bar"]
+    assert "instead of" in lines["robust"]
+    assert (tmp_path / "inverse.png").exists()
+
+
+def test_outside_of_what_was_trained_a_simulator_goes_on(run, capsys):
+    outcome, lines = run(
+        "target=[2.0,5.0]",
+        "environment.mu=0.9",
+        "inverse=finite_difference",
+        "inverse.simulations=16",
+        "figures=false",
+    )
+    assert outcome.status in ("ok", "unreachable")
+    assert outcome.summary["simulations"] == 16
+    assert outcome.summary["predicted_x_bar"] is None and lines["predicted"] == ""
+    (warning,) = capsys.readouterr().err.splitlines()
+    assert warning.startswith("warning: environment.mu = 0.9") and "0.6" in warning
+
+
+@pytest.mark.parametrize(
+    ("overrides", "key"),
+    [
+        ((), "target"),
+        (("target=[5]",), "target"),
+        (("target=[nan,5]",), "target"),
+        (("target=[5,-1]",), "target"),
+        (("target=far",), "target"),
+        (("target=[5,14]", "environment.mu=0.7"), "environment.mu"),
+        (("target=[5,14]", "environment.mass_bar=2.5"), "environment.mass_bar"),
+        (
+            ("target=[5,14]", "environment.mu=0.7", "inverse=bayesian", "inverse.robust=true"),
+            "environment.mu",
+        ),
+        (("target=[5,14]", "inverse.points=1"), "inverse.points"),
+        (("target=[5,14]", "inverse.robust=2"), "inverse.robust"),
+        (("target=[5,14]", "tolerance.mu=-1"), "tolerance.mu"),
+        (("target=[5,14]", "tolerance=0"), "tolerance"),
+        (("target=[5,14]", "sim=bounce"), "sim"),
+        (("target=[5,14]", "checkpoint=nowhere.safetensors"), "checkpoint"),
+        (("target=[5,14]", f"checkpoint={Path(__file__)}"), "checkpoint"),
+        (("target=[5,14]", "robot.length_m=0.03"), "robot.length_m"),
+        (("target=[5,14]", "damping.relaxation_time_s=1e-6"), "damping.relaxation_time_s"),
+    ],
+)
+def test_bad_input_is_one_line(checkpoint, overrides, key):
+    with refused(key):
+        prepared(checkpoint, *overrides)

@@ -1,0 +1,101 @@
+"""The files that `figures` leaves: which, of what size, and that nothing makes it crash."""
+
+import copy
+import pathlib
+import subprocess
+import sys
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from snapjump.show.plots import figures
+from snapjump.show.plots.film import ACTION, FLIGHT, LEAD, SIZE
+
+from .conftest import of
+
+
+def names(paths: list[pathlib.Path]) -> set[str]:
+    return {path.name for path in paths}
+
+
+def part(result: Any, keep: slice | np.ndarray) -> Any:
+    """The same result with some of its samples."""
+    arrays = {name: values[keep] for name, values in result.arrays.items()}
+    return of(result, status="stalled", summary={}, arrays=arrays)
+
+
+def test_jump_files_are_images_of_the_right_size(jump, tmp_path):
+    told: list[tuple[float, str]] = []
+    paths = figures(jump, tmp_path / "new", lambda done, text: told.append((done, text)))
+    assert names(paths) == {"jump.png", "jump.gif", "energy.png"}
+    assert sorted(paths) == sorted((tmp_path / "new").iterdir()), "and no temporary files"
+    for path in paths:
+        with Image.open(path) as image:
+            image.load()
+            assert image.size == (SIZE if path.suffix == ".gif" else (1440, 960))
+    assert [done for done, _ in told] == [0.0, pytest.approx(1 / 3), pytest.approx(2 / 3)]
+    assert all(any(path.name in text for _, text in told) for path in paths)
+
+
+def test_film_shows_snap_strike_and_flight(jump, tmp_path):
+    figures(jump, tmp_path)
+    with Image.open(tmp_path / "jump.gif") as film:
+        assert film.n_frames == LEAD + ACTION + FLIGHT
+        first = np.asarray(film.convert("RGB")).copy()
+        film.seek(film.n_frames - 1)
+        last = np.asarray(film.convert("RGB"))
+    assert (first != last).any(axis=2).mean() > 0.1
+    assert (tmp_path / "jump.gif").stat().st_size < 3_000_000
+
+
+def test_film_is_optional(jump, tmp_path):
+    assert names(figures(jump, tmp_path, film=False)) == {"jump.png", "energy.png"}
+
+
+def test_snap_has_neither_ground_nor_flight(snap, tmp_path):
+    assert names(figures(snap, tmp_path)) == {"snap.png", "snap.gif", "energy.png"}
+    with Image.open(tmp_path / "snap.gif") as film:
+        assert film.n_frames == LEAD + ACTION
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 7, 120, 200])
+@pytest.mark.parametrize("which", ["jump", "snap"])
+def test_truncated_runs_are_drawn(which, count, request, tmp_path):
+    short = part(request.getfixturevalue(which), slice(0, count))
+    assert f"{which}.png" in names(figures(short, tmp_path))
+
+
+def test_samples_that_are_not_finite_are_left_out(jump, tmp_path):
+    broken = copy.deepcopy(jump)
+    broken.arrays["node_y_m"][-3:] = np.nan
+    broken.arrays["kinetic_J"][-1] = np.inf
+    broken.summary.update(x_bar=None, y_bar=float("nan"), apex_time_s=None)
+    assert len(figures(broken, tmp_path)) == 3
+
+
+def test_no_finite_samples_no_figures(jump, tmp_path):
+    lost = {name: np.full_like(values, np.nan) for name, values in jump.arrays.items()}
+    nothing = of(jump, status="failed", summary={}, arrays={})
+    for result in (of(jump, arrays=lost), part(jump, slice(0, 0)), nothing):
+        assert figures(result, tmp_path) == []
+
+
+@pytest.mark.parametrize("scene", ["bounce", "slide"])
+def test_one_node_is_drawn_against_time(scene, jump, tmp_path):
+    time = np.linspace(0.0, 1e-3, 50)
+    column = np.abs(np.sin(3e3 * time))[:, None]
+    arrays = {"time_s": time, "node_x_m": 0.01 * time[:, None], "node_y_m": 0.01 * column}
+    arrays |= {"node_normal_N": 1.0 - column, "node_friction_N": 0.3 * column}
+    arrays |= {"node_vx_m_s": 1.0 + 0.0 * column, "node_vy_m_s": column}
+    arrays |= {"kinetic_J": column[:, 0], "contact_J": 1.0 - column[:, 0]}
+    result = of(jump, scene, summary={}, arrays=arrays)
+    assert names(figures(result, tmp_path)) == {f"{scene}.png", "energy.png"}
+
+
+def test_pictures_are_lazy():
+    """matplotlib and Pillow cost most of a second: only who draws pays for them."""
+    code = "import sys, snapjump.show.plots; print({'matplotlib', 'PIL'} & set(sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "set()"
