@@ -2,9 +2,9 @@
 
 from typing import Any, NamedTuple
 
+from snapjump.contact.base import Extremes
 from snapjump.discretization.base import NODES_COUPLED
 from snapjump.engine.assemble import (
-    Assembly,
     Motion,
     assemble_node,
     begin_assembly,
@@ -19,12 +19,12 @@ from snapjump.engine.clock import (
     SHARE,
     SIZE,
 )
+from snapjump.engine.points import gap_safe_share
 from snapjump.linear_solver.banded import begin_elimination, eliminate_node, substitute_back
 from snapjump.linear_solver.banded_turning import eliminate_turning_node, substitute_back_turning
 from snapjump.number.dispatch import kernel, routine
-from snapjump.number.functions import absolute, any_true, maximum, minimum, negate, where
+from snapjump.number.functions import absolute, maximum, minimum, negate, where
 
-GAP_FRACTION = 0.15  # of its gap that every point keeps in one correction
 GROWTH_LIMIT = 2.0  # of the correction, above which the last one is halved
 LARGEST_CORRECTION = 0.3  # of the beam's length
 ROUNDING = 2.0**-50  # of the length: what rounding of a point's few coordinates adds up to
@@ -41,27 +41,6 @@ class Correction(NamedTuple):
 
 
 @kernel
-def allowed_share(
-    model: Any, masses: Any, mesh: Any, state: Any, frame_drop: Any, drop: Any
-) -> Any:
-    """Share of ``state -= drop`` (at most 1) by which no gap shrinks below GAP_FRACTION."""
-    share = 1.0 + 0.0 * state[0]
-    if model.contact.exists() and model.contact.keeps_open():
-        share = model.frame.limit_step(mesh, state, frame_drop, GAP_FRACTION)
-        offset = model.frame.dofs(mesh)
-        dofs = model.discretization.node_dofs()
-        for node in range(masses.shape[0]):
-            if masses[node] == 0.0:
-                continue
-            fall = drop[dofs * node + 1]
-            allowed = (1.0 - GAP_FRACTION) * state[dofs * node + 1 + offset]
-            beyond = fall > allowed
-            if any_true(beyond):
-                share = minimum(share, where(beyond, allowed / absolute(fall), 1.0))
-    return share
-
-
-@kernel
 def largest_of(values: Any, count: Any, largest: Any) -> Any:
     """The largest absolute value of the first few, or ``largest`` if that is larger."""
     for k in range(count):
@@ -73,7 +52,7 @@ class Solution(NamedTuple):
     """Figures of a solved system: those of its assembly, the largest residual (EI/L^2) and
     correction (L), and the number of pivots that are not positive."""
 
-    assembly: Assembly
+    extremes: Extremes
     residual: Any
     correction: Any
     negative_pivots: Any
@@ -91,7 +70,7 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
     turning = model.discretization.node_dofs() == 3
     nodes = masses.shape[0]
     zero = 0.0 * motion.rate_factor
-    sweep = begin_assembly(model, motion, work)
+    sweep = begin_assembly(model, motion, masses, work)
     done = begin_elimination(zero)
     for node in range(nodes + NODES_COUPLED):
         if node < nodes:
@@ -135,11 +114,11 @@ def newton_iteration(
     x = work.system.residual
     y = work.system.frame_residual
     solution = solve_linearised(model, motion, masses, work)
-    assembly = solution.assembly
+    extremes = solution.extremes
     correction = solution.correction
-    clock[GAP] = assembly.smallest_gap
-    clock[FASTEST] = assembly.contact_rate_squared
-    force = maximum(assembly.largest_force, tiny)
+    clock[GAP] = extremes.smallest_gap
+    clock[FASTEST] = extremes.contact_rate_squared
+    force = maximum(extremes.largest_force, tiny)
     residual = solution.residual / force
     larger = maximum(residual, clock[RESIDUAL])  # of this iteration's and the last one's
     clock[RESIDUAL] = residual
@@ -150,7 +129,7 @@ def newton_iteration(
     # A correction that outgrows the last one tells that the last one went too far: halve that.
     half = 0.5 * clock[SHARE]
     share = minimum(
-        allowed_share(model, masses, work.mesh, work.state, y, x),
+        gap_safe_share(model, masses, work.mesh, work.state, y, x),
         LARGEST_CORRECTION / maximum(correction, tiny),
     )
     share = where(finite & mask, share, 0.0)

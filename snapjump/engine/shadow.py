@@ -20,9 +20,9 @@ class Shadow(NamedTuple):
     """Memory of W shadows; the last axis of a dual array holds one dual (8 doubles).
 
     numbers (W, P, 8): of the model; state, start, origin, drift (W, D, 8); velocity, acceleration
-    (W, S, D, 8): as in :class:`~snapjump.engine.work.Work`; slip (W, C, 8); residual (W, B, 8),
-    frame_residual (W, F, 8): of the frame's F and the nodes' B coordinates; weights (S): of the
-    stage at hand; slopes (W, B + 10, 4), padded by five rows of zeros on either side, and
+    (W, S, D, 8): as in :class:`~snapjump.engine.work.Work`; sliding_velocity (W, C, 8); residual
+    (W, B, 8), frame_residual (W, F, 8): of the frame's F and the nodes' B coordinates; weights (S):
+    of the stage at hand; slopes (W, B + 10, 4), padded by five rows of zeros on either side, and
     frame_slopes (W, F, 4): derivatives of the residual, then of the correction.
     """
 
@@ -33,7 +33,7 @@ class Shadow(NamedTuple):
     drift: Any
     velocity: Any
     acceleration: Any
-    slip: Any
+    sliding_velocity: Any
     residual: Any
     frame_residual: Any
     weights: Any
@@ -58,7 +58,7 @@ def make_shadow(memory: Work) -> Shadow:
         drift=duals(size),
         velocity=duals(stages, size),
         acceleration=duals(stages, size),
-        slip=duals(memory.slip.shape[0]),
+        sliding_velocity=duals(memory.sliding_velocity.shape[0]),
         residual=duals(nodes),
         frame_residual=duals(frame),
         weights=np.zeros(stages),
@@ -90,7 +90,7 @@ def view_shadow(shadow: Any, lane: Any, mesh: Any) -> Work:
         forgotten,
         forgotten,
     )
-    slip = view_duals(shadow.slip[lane])
+    sliding_velocity = view_duals(shadow.sliding_velocity[lane])
     return Work(
         view_duals(shadow.state[lane]),
         view_duals(shadow.start[lane]),
@@ -99,7 +99,7 @@ def view_shadow(shadow: Any, lane: Any, mesh: Any) -> Work:
         forgotten,
         view_duals(shadow.velocity[lane]),
         view_duals(shadow.acceleration[lane]),
-        slip,
+        sliding_velocity,
         forgotten,
         forgotten,
         view_duals(shadow.numbers[lane]),

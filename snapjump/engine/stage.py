@@ -15,10 +15,10 @@ from snapjump.engine.clock import (
     STEP,
     TIME,
 )
-from snapjump.engine.newton import GAP_FRACTION, allowed_share
+from snapjump.engine.points import GAP_FRACTION, gap_safe_share, smallest_gap
 from snapjump.integrator.base import Rates
 from snapjump.number.dispatch import kernel, routine
-from snapjump.number.functions import maximum, minimum, sqrt, where
+from snapjump.number.functions import maximum, sqrt, where
 
 
 @kernel
@@ -50,22 +50,6 @@ def keep_stage(scheme: Any, work: Any, motion: Any, mask: Any) -> Any:
     return scheme.store_stage(work, clock[STAGE], clock[STEP], step_ratio(work), rates, mask)
 
 
-@kernel
-def smallest_gap(model: Any, masses: Any, mesh: Any, state: Any) -> Any:
-    """Of all points that can touch the ground (L)."""
-    dofs = model.frame.dofs(mesh)
-    stride = model.discretization.node_dofs()
-    smallest = 1.0e30 + 0.0 * state[0]
-    for node in range(masses.shape[0]):
-        if masses[node] > 0.0:
-            smallest = minimum(smallest, state[stride * node + 1 + dofs])
-    for point in range(model.frame.contact_points(mesh)):
-        _, height, _, _ = model.frame.contact_point(mesh, point, state, state)
-        weight = model.frame.point_share(mesh, point, model.ground) + 0.0 * height
-        smallest = minimum(smallest, where(weight > 0.0, height, smallest))
-    return smallest
-
-
 @routine
 def reach_end(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> Any:
     """Move from the last stage to the end of the step, where that is no stage.
@@ -93,7 +77,7 @@ def reach_end(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> Any
             frame_drop[i] = GAP_FRACTION * (frame_drop[i] - work.state[i])
         else:
             drop[i - dofs] = GAP_FRACTION * (drop[i - dofs] - work.state[i])
-    allowed = allowed_share(model, masses, mesh, work.state, frame_drop, drop)
+    allowed = gap_safe_share(model, masses, mesh, work.state, frame_drop, drop)
     clock[GAP] = where(mask, smallest_gap(model, masses, mesh, work.state), clock[GAP])
     return mask & (allowed < 1.0)
 
@@ -132,13 +116,13 @@ def begin_stage(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> N
         work.change[i] = where(mask, state - aim, work.change[i])
     mesh = work.mesh
     drop = work.change[model.frame.dofs(mesh) :]
-    allowed = allowed_share(model, masses, mesh, work.state, work.change, drop)
+    allowed = gap_safe_share(model, masses, mesh, work.state, work.change, drop)
     allowed = where(mask, allowed, 0.0)
     for i in range(size):
         work.state[i] = work.state[i] - allowed * work.change[i]
-    for i in range(work.slip.shape[0]):
-        work.slip[i] = where(mask, 0.0, work.slip[i])
-        work.held[i] = where(mask, 0.0, work.held[i])
+    for i in range(work.sliding_velocity.shape[0]):
+        work.sliding_velocity[i] = where(mask, 0.0, work.sliding_velocity[i])
+        work.active_set[i] = where(mask, 0.0, work.active_set[i])
     clock[ITERATION] = where(mask, 0.0, clock[ITERATION])
     clock[SIZE] = where(mask, 0.0, clock[SIZE])
     clock[SHARE] = where(mask, allowed, clock[SHARE])

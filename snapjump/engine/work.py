@@ -48,10 +48,10 @@ class Work(NamedTuple):
     state: current Newton iterate (D); start: state at the step's beginning (D); origin, drift:
     the stage's position and velocity before its own share (D); change: last Newton correction
     (D); velocity, acceleration: of every stage, the first being the step's beginning (S, D);
-    slip: sliding velocities at the last iterate, the frame's points first; held: 1 where a
-    constraint held such a point at the last iterate; clock: scalars by
-    lane (see :mod:`snapjump.engine.clock`); numbers: of the model (P); weights: of earlier
-    stages (S); mesh: of the frame, the same for all lanes (see :mod:`snapjump.frame.base`).
+    sliding_velocity: of every point at the last iterate (C); active_set: 1 where a constraint held
+    it at the last iterate (C), see :mod:`snapjump.engine.points`; clock: scalars by lane (see
+    :mod:`snapjump.engine.clock`); numbers: of the model (P); weights: of earlier stages (S); mesh:
+    of the frame, the same for all lanes (see :mod:`snapjump.frame.base`).
     """
 
     state: Any
@@ -61,8 +61,8 @@ class Work(NamedTuple):
     change: Any
     velocity: Any
     acceleration: Any
-    slip: Any
-    held: Any
+    sliding_velocity: Any
+    active_set: Any
     clock: Any
     numbers: Any
     weights: Any
@@ -120,8 +120,8 @@ def make_work(
         change=zeros(size),
         velocity=zeros(stages, size),
         acceleration=zeros(stages, size),
-        slip=zeros(max(CORNERS, chain // 2) + nodes),
-        held=zeros(max(CORNERS, chain // 2) + nodes),
+        sliding_velocity=zeros(max(CORNERS, chain // 2) + nodes),
+        active_set=zeros(max(CORNERS, chain // 2) + nodes),
         clock=zeros(clocks),
         numbers=zeros(numbers),
         weights=zeros(stages),

@@ -15,15 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.declare.fields import Part
+from snapjump.frame.parts.contact_rows import NodeRows
 from snapjump.number.methods import Contract, required
-
-
-class FrameForces(NamedTuple):
-    """What a frame reports of its own forces: a scale, its smallest gap, its fastest contact."""
-
-    largest_force: Any
-    smallest_gap: Any
-    contact_rate_squared: Any
 
 
 class Turning(NamedTuple):
@@ -100,13 +93,16 @@ class Frame(Contract):
     ) -> Any:
         """Move the last node's rows and columns, and its hinge, onto the frame's coordinates."""
 
-    def add_forces(self, model: Any, motion: Any, work: Any) -> Any:
-        """Write inertia, weight, elasticity, contact and friction of the frame itself.
+    def add_inertia(self, model: Any, motion: Any, work: Any) -> Any:
+        """Write the frame's own inertia, drag and weight, before contact is added to them.
 
-        They go to ``frame_residual`` and the frame's matrix; returns FrameForces.
+        They go to ``frame_residual`` and the frame's matrix; returns the largest force (EI/L^2).
         """
-        zero = 0.0 * motion.rate_factor
-        return FrameForces(zero, zero + 1.0e30, zero)
+        return 0.0 * motion.rate_factor
+
+    def add_elasticity(self, model: Any, motion: Any, work: Any) -> Any:
+        """Add the frame's own elastic forces; returns the largest (EI/L^2)."""
+        return 0.0 * motion.rate_factor
 
     def solve(self, mesh: Any, state: Any, system: Any, done: Any) -> Any:
         """Solve for the frame's coordinates once all nodes are eliminated (``done``).
@@ -117,10 +113,6 @@ class Frame(Contract):
         """
         return 0.0 * done.negative
 
-    def limit_step(self, mesh: Any, state: Any, drop: Any, fraction: Any) -> Any:
-        """Share (at most 1) of ``state -= drop`` that leaves points ``fraction`` of their gaps."""
-        return 1.0 + 0.0 * state[0]
-
     def contact_points(self, mesh: Any) -> Any:
         """Number of the frame's own points that can touch the ground."""
         return 0
@@ -129,6 +121,21 @@ class Frame(Contract):
         """Place (x, y) of such a point (in L) and its velocity (in L/T)."""
         zero = 0.0 * state[0]
         return zero, zero, zero, zero
+
+    def stage_point(self, point: Any, work: Any, rate: Any) -> Any:
+        """Gap (L) of such a point at a stage's iterate and its velocity (L/T): that of the iterate
+        less the predictor, times ``rate``."""
+        zero = 0.0 * rate
+        return zero, zero, zero
+
+    def fall(self, mesh: Any, point: Any, state: Any, drop: Any) -> Any:
+        """Gap (L) of such a point, and how far ``state -= drop`` lets it fall (L)."""
+        zero = 0.0 * state[0]
+        return zero, zero
+
+    def contact_rows(self, point: Any, work: Any, rate: Any) -> Any:
+        """The :class:`~snapjump.frame.parts.contact_rows.ContactRows` of such a point."""
+        return NodeRows(work.system.frame_residual, work.system.square, 0)
 
     def point_mass(self, mesh: Any, point: Any, state: Any) -> Any:
         """Mass (in rho A L) that a vertical push at such a point moves."""

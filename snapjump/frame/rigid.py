@@ -6,12 +6,12 @@ The clamped end nodes of the beam belong to it, so that its mass matrix is diago
 from typing import Any, NamedTuple
 
 from snapjump.discretization.base import EndTangents
-from snapjump.frame.base import Frame, FrameBox, FrameForces, FrameOptions, Outline, Turning
+from snapjump.frame.base import Frame, FrameBox, FrameOptions, Outline, Turning
+from snapjump.frame.parts.contact_rows import CornerRows
 from snapjump.frame.parts.ends import move_first, move_last
-from snapjump.frame.parts.rigid_corners import add_corner_contacts, corner_arm
 from snapjump.linear_solver import banded
 from snapjump.number.dispatch import kernel
-from snapjump.number.functions import absolute, cos, maximum, minimum, sin, where
+from snapjump.number.functions import absolute, cos, maximum, sin, where
 
 LIFTED = 0.05  # of the anchor's stiffness, against rise and turn
 
@@ -97,7 +97,7 @@ class RigidFrame(FrameOptions):
             last = (state.shape[0] - 3) // discretization.node_dofs() - 1
             move_last(discretization, last, hinge, arm_x, arm_y, system.frame_residual, system, 0)
 
-        def add_forces(self, model: Any, motion: Any, work: Any) -> Any:
+        def add_inertia(self, model: Any, motion: Any, work: Any) -> Any:
             state = work.state
             residual = work.system.frame_residual
             square = work.system.square
@@ -115,7 +115,6 @@ class RigidFrame(FrameOptions):
             weight = self.mass * model.load.gravity()
             residual[0] -= self.mass * model.load.pull()
             residual[1] += weight
-            largest = maximum(largest, 0.0 * rate + weight)
             # Statics leaves x undetermined: a spring that ends up without force holds it.
             residual[0] += motion.anchor * state[0]
             square[0, 0] += motion.anchor
@@ -123,24 +122,27 @@ class RigidFrame(FrameOptions):
             # bring them back, and leaves the equilibrium where it is.
             square[1, 1] += LIFTED * motion.anchor
             square[2, 2] += LIFTED * motion.anchor
+            return maximum(largest, 0.0 * rate + weight)
 
-            figures = FrameForces(largest, 0.0 * rate + 1.0e30, 0.0 * rate)
-            if model.contact.exists():
-                figures = add_corner_contacts(self, model, motion, work, figures)
-            return figures
+        def stage_point(self, point: Any, work: Any, rate: Any) -> Any:
+            state = work.state
+            origin = work.origin
+            rx, ry = corner_arm(self, point, cos(state[2]), sin(state[2]))
+            turn = state[2] - origin[2]
+            vx = (state[0] - origin[0]) * rate - ry * (turn * rate)
+            return state[1] + ry, vx, (state[1] - origin[1] + rx * turn) * rate
 
-        def limit_step(self, mesh: Any, state: Any, drop: Any, fraction: Any) -> Any:
-            c = cos(state[2])
-            s = sin(state[2])
-            share = 1.0 + 0.0 * state[0]
-            for corner in range(4):
-                rx, ry = corner_arm(self, corner, c, s)
-                gap = state[1] + ry
-                # The second-order term bounds the corner's fall along its arc.
-                fall = drop[1] + rx * drop[2] + 0.5 * absolute(ry) * drop[2] * drop[2]
-                allowed = (1.0 - fraction) * gap
-                share = minimum(share, where(fall > allowed, allowed / fall, 1.0))
-            return share
+        def fall(self, mesh: Any, point: Any, state: Any, drop: Any) -> Any:
+            rx, ry = corner_arm(self, point, cos(state[2]), sin(state[2]))
+            # The second-order term bounds the corner's fall along its arc.
+            bound = drop[1] + rx * drop[2] + 0.5 * absolute(ry) * drop[2] * drop[2]
+            return state[1] + ry, bound
+
+        def contact_rows(self, point: Any, work: Any, rate: Any) -> CornerRows:
+            turn = work.state[2]
+            rx, ry = corner_arm(self, point, cos(turn), sin(turn))
+            turn_rate = (turn - work.origin[2]) * rate
+            return CornerRows(work.system.frame_residual, work.system.square, rx, ry, turn_rate)
 
         def solve(self, mesh: Any, state: Any, system: Any, done: Any) -> Any:
             return banded.solve_frame(system, done)
@@ -220,6 +222,14 @@ class RigidFrame(FrameOptions):
             mass=total,
             inertia=inertia,
         )
+
+
+@kernel
+def corner_arm(frame: Any, corner: Any, c: Any, s: Any) -> Any:
+    """Vector from the centre of mass to a corner: left foot, left top, right top, right foot."""
+    x = -frame.half_span if corner < 2 else frame.half_span
+    y = frame.foot_y if corner == 0 or corner == 3 else frame.top_y
+    return c * x - s * y, s * x + c * y
 
 
 @kernel

@@ -110,7 +110,7 @@ def record_sensitivities(
     flights = aligned_zeros((robots, 4, PARAMETERS))
     grazes = np.full(robots, FAR)
     for worker in march.crew:
-        lanes, points = march.lanes, worker.memory.slip.shape[0]
+        lanes, points = march.lanes, worker.memory.sliding_velocity.shape[0]
         worker.recorder = SensitivityRecorder(
             memory=worker.memory,
             shadow=make_shadow(worker.memory),

@@ -12,6 +12,7 @@ from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clock import MARK
 from snapjump.engine.differentiate import commit, differentiate_stages
 from snapjump.engine.model import with_numbers
+from snapjump.engine.points import point_at, point_count, share_of
 from snapjump.engine.recorder.base import Recorder
 from snapjump.engine.shadow import Shadow, view_shadow
 from snapjump.linear_solver.more_sides import FOUR
@@ -149,15 +150,10 @@ def look_for_grazes(
     work = view_shadow(shadow, lane, mesh)
     model = with_numbers(template, work.numbers)
     reach = model.contact.reach() + constant(0.0)
-    corners = model.frame.contact_points(mesh)
     falling = uncounted(recorder.falling[lane])
     nearest = recorder.nearest[lane]
-    for point in range(corners):
-        _, gap, _, rise = model.frame.contact_point(mesh, point, work.start, work.velocity[0])
-        nearest = graze(falling, point, gap, value_of(rise), reach, nearest)
-    for node in range(masses.shape[0]):
-        if masses[node] > 0.0:
-            i = model.discretization.node_dofs() * node + model.frame.dofs(mesh) + 1
-            rise = memory.velocity[0, i, lane]
-            nearest = graze(falling, corners + node, work.start[i], rise, reach, nearest)
+    for k in range(point_count(model, masses, mesh)):
+        if any_true(share_of(template, masses, mesh, k) > 0.0):
+            point = point_at(model, masses, mesh, k, work.start, work.velocity[0])
+            nearest = graze(falling, k, point.gap, value_of(point.vy), reach, nearest)
     recorder.nearest[lane] = nearest
