@@ -201,8 +201,8 @@ def tuning(tier: str, designs: Sequence[tuple[float, ...]]) -> list[dict[str, An
         if block == BLOCKS[0]:
             kernels.march = cuda.jit(lto=False, max_registers=registers)(source)
         tried = CardMarch(
-            models=march.models, masses=march.masses, states=march.states, ending=march.ending,
-            simulation=replace(base, backend=CudaBackend(threads_per_block=block)), mesh=march.mesh,
+            models=march.models, masses=march.masses, states=march.states,
+            termination=march.termination, simulation=replace(base, backend=CudaBackend(threads_per_block=block)), mesh=march.mesh,
         )  # fmt: skip
         for target, values in zip(tried.queue[1:5], starts, strict=True):
             target[...] = values

@@ -17,7 +17,7 @@ from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.declare.members import make_member
 from snapjump.engine import clock as c
 from snapjump.engine.status import NAMES, OK
-from snapjump.engine.termination.apex import ApexEnding
+from snapjump.engine.termination.apex import ApexTermination
 from snapjump.run.studies.base import Row
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
@@ -55,8 +55,8 @@ def flown(simulation: Simulation, designs: Designs) -> list[Row]:
     """The same jumps followed through the air until the centre of mass sinks."""
     simulations = variants(simulation, designs)
     models = [jump_model(one) for one in simulations]
-    ending = ApexEnding(FLIGHT_LIMIT_S / simulation.robot.scales.time_s, FLOWN_HEIGHT)
-    march = jump_march(simulations, models, ending=ending, lanes=LANES)
+    termination = ApexTermination(FLIGHT_LIMIT_S / simulation.robot.scales.time_s, FLOWN_HEIGHT)
+    march = jump_march(simulations, models, termination=termination, lanes=LANES)
     march.find_starts()
     rows = []
     for model, outcome in zip(models, march.run(), strict=True):

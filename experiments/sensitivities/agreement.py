@@ -17,7 +17,7 @@ from snapjump.batch.derivatives import place
 from snapjump.batch.sensitivities import Slopes, apex_sensitivities
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS
-from snapjump.engine.termination.timed import TimedEnding
+from snapjump.engine.termination.timed import TimedTermination
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.runner import March
 from snapjump.scenes.sensitivities import record_sensitivities
@@ -66,7 +66,7 @@ def derivatives(jump: March, numbers: Any, steps: Any, solutions: Any, correctio
     jump.stepping = jump.stepping._replace(
         tolerance=1e9, contact_steps=1e9, newton_share=1e-9, largest=1e9
     )
-    jump.ending = TimedEnding(float(np.sum(steps)) * (1.0 - 1e-12))
+    jump.termination = TimedTermination(float(np.sum(steps)) * (1.0 - 1e-12))
     march_along(jump, steps, solutions)
     first = place(jump.models[0], "load", "acceleration")
     slopes = Slopes(flights[:, :, : numbers.shape[2]], numbers[:, first : first + 3], grazes)

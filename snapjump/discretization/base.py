@@ -27,6 +27,15 @@ NODES_COUPLED = 2  # a node couples to that many on either side, to one if nodes
 TURN_INERTIA = 1.0 / 12.0
 
 
+class NodeMotion(NamedTuple):
+    """Positions of a chain's nodes within a stage of an integrator, of which velocities are
+    ``(position - predictor) rate_factor``."""
+
+    position: Any
+    predictor: Any
+    rate_factor: Any
+
+
 class EndTangents(NamedTuple):
     """Prescribed unit tangents at both ends and the rates of their directions (rad/T).
 
@@ -81,19 +90,11 @@ class Discretization(Contract):
         """Distance from the mount, along the clamped tangent, at which the chain begins (in L)."""
 
     @required
-    def begin_chain(
-        self,
-        damping: Any,
-        position: Any,
-        origin: Any,
-        rate_factor: Any,
-        tangents: Any,
-    ) -> Any:
+    def begin_chain(self, damping: Any, nodes: NodeMotion, tangents: Any) -> Any:
         """Begin a sweep along the chain; returns what it carries and the left :class:`EndHinge`
         (empty where nodes turn: a clamp then holds the node's rotation itself).
 
         The sweep adds gradient and tangent of the elastic (and viscous) energy, node by node.
-        Velocities are ``(position - origin) * rate_factor``, as in every stage of an integrator.
         What it carries has a number ``largest``: the largest element force so far, a scale for
         residuals.
         """
@@ -102,9 +103,7 @@ class Discretization(Contract):
     def add_node_forces(
         self,
         damping: Any,
-        position: Any,
-        origin: Any,
-        rate_factor: Any,
+        nodes: NodeMotion,
         tangents: Any,
         chain: Any,
         node: Any,

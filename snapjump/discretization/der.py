@@ -17,6 +17,7 @@ from snapjump.discretization.base import (
     Discretization,
     DiscretizationOptions,
     EndHinge,
+    NodeMotion,
 )
 from snapjump.discretization.parts.der_elements import (
     Block,
@@ -96,17 +97,15 @@ class DiscreteElasticRod(DiscretizationOptions):
         def begin_chain(
             self,
             damping: Any,
-            position: Any,
-            origin: Any,
-            rate_factor: Any,
+            nodes: NodeMotion,
             tangents: Any,
         ) -> Any:
-            zero = 0.0 * rate_factor
-            edge = edge_at(0, position, origin, rate_factor)
+            zero = 0.0 * nodes.rate_factor
+            edge = edge_at(0, nodes)
             t = half_angle_tangent(tangents.left_x, tangents.left_y, edge.cx, edge.cy)
             rate = edge.turn_rate - tangents.left_rate
             density = 1.0 / self.clamp_hinge_length
-            moment, stiffness = hinge_moment(damping, t, rate, density, rate_factor)
+            moment, stiffness = hinge_moment(damping, t, rate, density, nodes.rate_factor)
             left = EndHinge(moment, stiffness, edge.slope_x, edge.slope_y)
             chain = Chain(
                 edge,
@@ -123,27 +122,25 @@ class DiscreteElasticRod(DiscretizationOptions):
         def add_node_forces(
             self,
             damping: Any,
-            position: Any,
-            origin: Any,
-            rate_factor: Any,
+            nodes: NodeMotion,
             tangents: Any,
             chain: Any,
             node: Any,
             residual: Any,
             band: Any,
         ) -> Any:
-            last = position.shape[0] // 2 - 2  # the last edge
-            zero = 0.0 * rate_factor
+            last = nodes.position.shape[0] // 2 - 2  # the last edge
+            zero = 0.0 * nodes.rate_factor
             edge = chain.edge
             if node < last:
-                after = edge_at(node + 1, position, origin, rate_factor)
+                after = edge_at(node + 1, nodes)
                 density = 1.0 / self.element_length
             else:
                 after = held_end(tangents, zero)
                 density = 1.0 / self.clamp_hinge_length
             t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
             rate = after.turn_rate - edge.turn_rate
-            moment, stiffness = hinge_moment(damping, t, rate, density, rate_factor)
+            moment, stiffness = hinge_moment(damping, t, rate, density, nodes.rate_factor)
             if node == last:
                 held = 1.0 - tangents.right_free
                 moment = held * moment + tangents.right_free * tangents.right_moment
@@ -155,7 +152,7 @@ class DiscreteElasticRod(DiscretizationOptions):
             fx = force * edge.cx - sideways * edge.cy
             fy = force * edge.cy + sideways * edge.cx
             own = edge_block(
-                stretching * damping.stiffening(rate_factor),
+                stretching * damping.stiffening(nodes.rate_factor),
                 force * edge.over,
                 sideways * edge.over,
                 edge,
@@ -190,12 +187,13 @@ class DiscreteElasticRod(DiscretizationOptions):
 
         def internal_energy(self, position: Any, tangents: Any) -> Any:
             elements = position.shape[0] // 2 - 1
+            still = NodeMotion(position, position, 0.0)
             ax = tangents.left_x
             ay = tangents.left_y
             hinge_length = self.clamp_hinge_length
             energy = 0.0 * position[0]
             for j in range(elements):
-                edge = edge_at(j, position, position, 0.0)
+                edge = edge_at(j, still)
                 t = half_angle_tangent(ax, ay, edge.cx, edge.cy)
                 energy = (
                     energy + stretching_energy(self, edge.length) + hinge_energy(t, hinge_length)

@@ -7,7 +7,7 @@ A = (v - drift) inertia_rate; a static equilibrium is the same with both rates 0
 from typing import Any, NamedTuple
 
 from snapjump.contact.base import Extremes
-from snapjump.discretization.base import TURN_INERTIA
+from snapjump.discretization.base import TURN_INERTIA, NodeMotion
 from snapjump.engine.points import add_frame_contacts, add_node_contact
 from snapjump.frame.base import Turning
 from snapjump.number.dispatch import kernel
@@ -47,11 +47,11 @@ def with_force(extremes: Extremes, force: Any) -> Extremes:
 
 
 @kernel
-def clear_border(system: Any, dofs: Any, node: Any, width: Any, zero: Any) -> None:
+def clear_border(work: Any, dofs: Any, node: Any, width: Any, zero: Any) -> None:
     """Zero the mounts' rows in the columns of a node of ``dofs`` coordinates."""
     for k in range(width):
         for i in range(dofs):
-            system.border[dofs * node + i, k] = zero
+            work.border[dofs * node + i, k] = zero
 
 
 @kernel
@@ -60,33 +60,39 @@ def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any) -> Any:
     rate = motion.rate_factor
     drag = model.damping.drag()
     diagonal = mass * ((motion.inertia_rate + drag) * rate)
-    band = work.system.band
-    residual = work.system.residual
+    band = work.band
+    residual = work.residual
     row = model.discretization.node_dofs() * node
     i = row + model.frame.dofs(work.mesh)
-    vx = (work.state[i] - work.origin[i]) * rate
-    vy = (work.state[i + 1] - work.origin[i + 1]) * rate
-    ax = (vx - work.drift[i]) * motion.inertia_rate
-    ay = (vy - work.drift[i + 1]) * motion.inertia_rate
+    vx = (work.state[i] - work.position_predictor[i]) * rate
+    vy = (work.state[i + 1] - work.position_predictor[i + 1]) * rate
+    ax = (vx - work.velocity_predictor[i]) * motion.inertia_rate
+    ay = (vy - work.velocity_predictor[i + 1]) * motion.inertia_rate
     residual[row] = mass * (ax + drag * vx - model.load.pull())
     residual[row + 1] = mass * (ay + drag * vy + model.load.gravity())
     band[row, 0] = diagonal
     band[row + 1, 0] = diagonal
     if model.discretization.node_dofs() == 3:
-        turn_rate = (work.state[i + 2] - work.origin[i + 2]) * rate
-        spin = (turn_rate - work.drift[i + 2]) * motion.inertia_rate
+        turn_rate = (work.state[i + 2] - work.position_predictor[i + 2]) * rate
+        spin = (turn_rate - work.velocity_predictor[i + 2]) * motion.inertia_rate
         residual[row + 2] = TURN_INERTIA * mass * (spin + drag * turn_rate)
         band[row + 2, 0] = TURN_INERTIA * diagonal
     return mass * (absolute(ax) + absolute(ay))
 
 
 @kernel
+def chain_motion(model: Any, motion: Any, work: Any) -> NodeMotion:
+    """The beam's nodes at the current iterate."""
+    dofs = model.frame.dofs(work.mesh)
+    return NodeMotion(work.state[dofs:], work.position_predictor[dofs:], motion.rate_factor)
+
+
+@kernel
 def begin_assembly(model: Any, motion: Any, masses: Any, work: Any) -> Sweep:
     """Start a sweep over the nodes: the frame's own forces, the clamps, the first edge."""
     mesh = work.mesh
-    dofs = model.frame.dofs(mesh)
     now = model.frame.mount_turning(mesh, work.state, work.state)
-    before = model.frame.mount_turning(mesh, work.state, work.origin)
+    before = model.frame.mount_turning(mesh, work.state, work.position_predictor)
     turning = Turning(
         (now.left - before.left) * motion.rate_factor,
         (now.right - before.right) * motion.rate_factor,
@@ -99,9 +105,8 @@ def begin_assembly(model: Any, motion: Any, masses: Any, work: Any) -> Sweep:
     elastic = model.frame.add_elasticity(model, motion, work)
     angles = model.clamp.angles(motion.time)
     tangents = model.frame.end_tangents(mesh, model.load, angles, work.state, turning)
-    chain, left = model.discretization.begin_chain(
-        model.damping, work.state[dofs:], work.origin[dofs:], motion.rate_factor, tangents
-    )
+    nodes = chain_motion(model, motion, work)
+    chain, left = model.discretization.begin_chain(model.damping, nodes, tangents)
     return Sweep(tangents, chain, left, left, with_force(extremes, elastic))
 
 
@@ -113,9 +118,6 @@ def assemble_node(
 
     The border of a node is complete when the next two nodes have been assembled.
     """
-    system = work.system
-    mesh = work.mesh
-    dofs = model.frame.dofs(mesh)
     width = model.frame.border_width()
     per_node = model.discretization.node_dofs()
     last = masses.shape[0] - 1
@@ -129,36 +131,30 @@ def assemble_node(
         if mass > 0.0:
             extremes = add_node_contact(model, motion, mass, node, work, extremes)
     if width > 0:
-        clear_border(system, per_node, node, width, 0.0 * motion.rate_factor)
+        clear_border(work, per_node, node, width, 0.0 * motion.rate_factor)
     if node < last:
         chain, right = model.discretization.add_node_forces(
             model.damping,
-            work.state[dofs:],
-            work.origin[dofs:],
-            motion.rate_factor,
+            chain_motion(model, motion, work),
             sweep.tangents,
             chain,
             node,
-            system.residual,
-            system.band,
+            work.residual,
+            work.band,
         )
     else:
-        model.discretization.end_chain(chain, node, system.residual, system.band)
+        model.discretization.end_chain(chain, node, work.residual, work.band)
         force_x, force_y, moment = model.load.tip_load()
         row = per_node * node
-        system.residual[row] -= force_x
-        system.residual[row + 1] -= force_y
+        work.residual[row] -= force_x
+        work.residual[row + 1] -= force_y
         if per_node == 3:
-            system.residual[row + 2] -= moment / model.discretization.turn_length()
+            work.residual[row + 2] -= moment / model.discretization.turn_length()
     if model.discretization.has_elements():
         if node == 2:
-            model.frame.condense_first(
-                mesh, sweep.tangents, model.discretization, sweep.left, work.state, system
-            )
+            model.frame.condense_first(model, work, sweep.tangents, sweep.left)
         if node == last:
-            model.frame.condense_last(
-                mesh, sweep.tangents, model.discretization, right, work.state, system
-            )
+            model.frame.condense_last(model, work, sweep.tangents, right)
     return Sweep(sweep.tangents, chain, sweep.left, right, extremes)
 
 

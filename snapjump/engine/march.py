@@ -47,7 +47,7 @@ from snapjump.engine.status import (
     RUNNING,
     STEP_UNDERFLOW,
 )
-from snapjump.engine.view import view_work
+from snapjump.engine.view import view_memory, view_work
 from snapjump.number.array import uncounted
 from snapjump.number.atomic import fetch_add
 from snapjump.number.dispatch import released, routine
@@ -78,11 +78,15 @@ class Queue(NamedTuple):
     carried: NDArray[np.int64]
 
 
-class Limits(NamedTuple):
-    """Newton iterations of a stage, and of a whole march."""
+class Method(NamedTuple):
+    """How a march is stepped and ended: an integrator's scheme, a step control, a termination, and
+    the most Newton iterations of a stage and of the whole march."""
 
-    of_a_stage: float
-    of_a_march: float
+    scheme: Any
+    stepping: Any
+    termination: Any
+    most_in_stage: float
+    most_in_march: float
 
 
 @routine
@@ -133,7 +137,8 @@ def find_starts(
     At most ``blocks`` times as many robots as there are lanes; True when none is left.
     """
     masses = uncounted(masses)
-    width = memory.clock.shape[1]
+    store = view_memory(memory)
+    width = store.clock.shape[1]
     robots = queue.status.shape[0]
     work = view_work(memory, lanes)
     for _ in range(blocks):
@@ -142,17 +147,17 @@ def find_starts(
             return True
         for lane in range(width):
             robot = min(first + lane, robots - 1)
-            load_robot(memory, lane, queue, robot, 1.0)
+            load_robot(store, lane, queue, robot, 1.0)
         model = with_numbers(template, work.numbers)
         work.clock[STATUS] = follow_branch(model, masses, work)
         for lane in range(width):
             robot = first + lane
             if robot < robots:
-                queue.status[robot] = memory.clock[STATUS, lane]
-                for i in range(memory.state.shape[0]):
-                    queue.state[robot, i] = memory.start[i, lane]
-                    queue.velocity[robot, i] = memory.velocity[0, i, lane]
-                    queue.acceleration[robot, i] = memory.acceleration[0, i, lane]
+                queue.status[robot] = store.clock[STATUS, lane]
+                for i in range(store.state.shape[0]):
+                    queue.state[robot, i] = store.start[i, lane]
+                    queue.velocity[robot, i] = store.velocity[0, i, lane]
+                    queue.acceleration[robot, i] = store.acceleration[0, i, lane]
     return False
 
 
@@ -160,10 +165,7 @@ def find_starts(
 def march(
     template: Any,
     masses: Any,
-    scheme: Any,
-    stepping: Any,
-    ending: Any,
-    limits: Limits,
+    method: Method,
     recorder: Any,
     memory: Any,
     queue: Queue,
@@ -177,8 +179,11 @@ def march(
     length is the number of lanes (see :func:`snapjump.number.lane.view_numbers`).
     """
     masses = uncounted(masses)
-    scheme = uncounted(scheme)
-    width = memory.clock.shape[1]
+    method = uncounted(method)
+    scheme = method.scheme
+    stepping = method.stepping
+    store = view_memory(memory)
+    width = store.clock.shape[1]
     work = view_work(memory, lanes)
     clock = work.clock
     last_stage = 1.0 * scheme.stage_count()
@@ -186,8 +191,8 @@ def march(
     if queue.counts[0] < 0:
         queue.counts[0] = 0
         for lane in range(width):
-            load_robot(memory, lane, queue, 0, step)
-            refill(memory, lane, queue, recorder, step)
+            load_robot(store, lane, queue, 0, step)
+            refill(store, lane, queue, recorder, step)
         if queue.counts[0] == 0:
             return True
         model = with_numbers(template, work.numbers)
@@ -212,7 +217,7 @@ def march(
                 work,
                 active,
                 stepping.newton_tolerance(),
-                limits.of_a_stage,
+                method.most_in_stage,
                 MOST_BACKTRACKS,
             )
         clock[ITERATIONS] = clock[ITERATIONS] + where(active, 1.0, 0.0)
@@ -234,22 +239,20 @@ def march(
             ended = converged & (clock[STAGE] >= last_stage)
             clock[STAGE] = where(converged, clock[STAGE] + 1.0, clock[STAGE])
             if any_true(ended):
-                status = finish_step(
-                    model, masses, scheme, stepping, ending, recorder, work, ended, error, status
-                )
-        exhausted = active & (clock[ITERATIONS] >= limits.of_a_march) & (status == 0.0)
+                status = finish_step(model, masses, method, recorder, work, ended, error, status)
+        exhausted = active & (clock[ITERATIONS] >= method.most_in_march) & (status == 0.0)
         status = where(exhausted, 1.0 * ITERATION_LIMIT, status)
         leaving = active & (status > 0.0)
         if any_true(leaving):
             clock[STATUS] = where(leaving, status, 0.0)
             for lane in range(width):
-                if memory.clock[STATUS, lane] > 0.0:
+                if store.clock[STATUS, lane] > 0.0:
                     recorder.record_end(model, masses, lane, queue.carried[lane])
-                    for k in range(memory.clock.shape[0]):
-                        queue.outcome[queue.carried[lane], k] = memory.clock[k, lane]
+                    for k in range(store.clock.shape[0]):
+                        queue.outcome[queue.carried[lane], k] = store.clock[k, lane]
                     queue.counts[0] -= 1
-                    refill(memory, lane, queue, recorder, step)
-                    memory.clock[STATUS, lane] = 0.0
+                    refill(store, lane, queue, recorder, step)
+                    store.clock[STATUS, lane] = 0.0
             model = with_numbers(template, work.numbers)
         if any_true(restage):
             begin_stage(model, scheme, masses, work, restage)
@@ -260,9 +263,7 @@ def march(
 def finish_step(
     model: Any,
     masses: Any,
-    scheme: Any,
-    stepping: Any,
-    ending: Any,
+    method: Method,
     recorder: Any,
     work: Any,
     ended: Any,
@@ -270,9 +271,12 @@ def finish_step(
     status: Any,
 ) -> Any:
     """Judge the steps that have just ended; returns the status of every lane."""
+    scheme = method.scheme
+    stepping = method.stepping
+    termination = method.termination
     clock = work.clock
     h = clock[STEP]
-    error = error / ending.leniency(model, work)
+    error = error / termination.tolerance_factor(model, work)
     rate = contact_frequency(work)
     good = ended & stepping.accepts(error, h, rate)
     if scheme.is_explicit():
@@ -294,7 +298,7 @@ def finish_step(
     recorder.record_step(model, masses, scheme, work, good)
     touching = good & (clock[GAP] < model.ground.clearance)
     clock[LAST_CONTACT] = where(touching, clock[TIME], clock[LAST_CONTACT])
-    verdict = ending.judge(model, masses, work, good)
+    verdict = termination.terminate(model, masses, work, good)
     status = where(good, verdict, status)
     finite = clock[TIME] + error < 1e30
     status = where(ended & negate(finite), 1.0 * NOT_FINITE, status)
@@ -306,7 +310,9 @@ def finish_step(
         smallest = minimum(clock[SMALLEST_STABLE_STEP], stable)
         clock[SMALLEST_STABLE_STEP] = where(good, smallest, clock[SMALLEST_STABLE_STEP])
         proposed = minimum(proposed, STABILITY_MARGIN * stable)
-    remaining = maximum(ending.time_limit(model) - clock[TIME], stepping.smallest_step() + 0.0 * h)
+    remaining = maximum(
+        termination.time_limit(model) - clock[TIME], stepping.smallest_step() + 0.0 * h
+    )
     clock[STEP] = where(ended, minimum(proposed, remaining), clock[STEP])
     under = bad & (clock[STEP] < stepping.smallest_step())
     return where(under, 1.0 * STEP_UNDERFLOW, status)

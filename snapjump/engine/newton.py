@@ -49,7 +49,7 @@ def largest_of(values: Any, count: Any, largest: Any) -> Any:
 
 
 class Solution(NamedTuple):
-    """Figures of a solved system: those of its assembly, the largest residual (EI/L^2) and
+    """Figures of a solved work: those of its assembly, the largest residual (EI/L^2) and
     correction (L), and the number of pivots that are not positive."""
 
     extremes: Extremes
@@ -64,7 +64,6 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
 
     A node is eliminated as soon as it is complete, while its columns are still in fast memory.
     """
-    system = work.system
     dofs = model.frame.dofs(work.mesh)
     bordered = model.frame.border_width() > 0
     turning = model.discretization.node_dofs() == 3
@@ -77,21 +76,21 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
             sweep = assemble_node(model, motion, masses, work, node, sweep)
         if node >= NODES_COUPLED:
             if turning:
-                done = eliminate_turning_node(system, node - NODES_COUPLED, bordered, done)
+                done = eliminate_turning_node(work, node - NODES_COUPLED, bordered, done)
             else:
-                done = eliminate_node(system, node - NODES_COUPLED, bordered, done)
+                done = eliminate_node(work, node - NODES_COUPLED, bordered, done)
     residual = done.largest
     negative = done.negative
     correction = zero
     if bordered:
-        residual = largest_of(system.frame_residual, dofs, residual)
-        negative = negative + model.frame.solve(work.mesh, work.state, system, done)
-        correction = largest_of(system.frame_residual, dofs, correction)
+        residual = largest_of(work.frame_residual, dofs, residual)
+        negative = negative + model.frame.solve(work, done)
+        correction = largest_of(work.frame_residual, dofs, correction)
     remains = model.frame.border_width() == 3
     if turning:
-        correction = maximum(correction, substitute_back_turning(system, remains, zero))
+        correction = maximum(correction, substitute_back_turning(work, remains, zero))
     else:
-        correction = maximum(correction, substitute_back(system, remains, zero))
+        correction = maximum(correction, substitute_back(work, remains, zero))
     return Solution(end_assembly(sweep), residual, correction, negative)
 
 
@@ -111,8 +110,8 @@ def newton_iteration(
     size = work.state.shape[0]
     dofs = model.frame.dofs(work.mesh)
     tiny = 1e-300 + 0.0 * motion.rate_factor
-    x = work.system.residual
-    y = work.system.frame_residual
+    x = work.residual
+    y = work.frame_residual
     solution = solve_linearised(model, motion, masses, work)
     extremes = solution.extremes
     correction = solution.correction
@@ -138,8 +137,8 @@ def newton_iteration(
     for i in range(size):
         step = y[i] if i < dofs else x[i - dofs]
         step = where(finite, step, 0.0)
-        work.state[i] = work.state[i] - moving * step + undoing * work.change[i]
-        work.change[i] = where(back, work.change[i], step)
+        work.state[i] = work.state[i] - moving * step + undoing * work.correction[i]
+        work.correction[i] = where(back, work.correction[i], step)
     if model.discretization.has_elements():
         angles = model.clamp.angles(motion.time)
         model.frame.place_ends(work.mesh, model.discretization, angles, work.state)

@@ -8,7 +8,7 @@ force on a point here, and nowhere else.
 from typing import Any, NamedTuple
 
 from snapjump.contact.base import ContactState, Extremes, force_if_active
-from snapjump.frame.parts.contact_rows import NodeRows
+from snapjump.linear_solver.contact_rows import NodeRows
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, any_true, maximum, minimum, where
 
@@ -168,12 +168,12 @@ def add_node_contact(
     rate = motion.rate_factor
     now = Point(
         work.state[i + 1],
-        (work.state[i] - work.origin[i]) * rate,
-        (work.state[i + 1] - work.origin[i + 1]) * rate,
+        (work.state[i] - work.position_predictor[i]) * rate,
+        (work.state[i + 1] - work.position_predictor[i + 1]) * rate,
     )
     start = Point(work.start[i + 1], work.velocity[0, i], work.velocity[0, i + 1])
     touch = Touch(now, start, mass, model.ground.node_share)
-    rows = NodeRows(work.system.residual, work.system.band, row)
+    rows = NodeRows(work.residual, work.band, row)
     return add_contact(model, motion, work, node, touch, rows, extremes)
 
 

@@ -35,7 +35,7 @@ def stage_motion(scheme: Any, work: Any) -> Motion:
     step = clock[STEP]
     rates = scheme.stage_rates(step, step_ratio(work))
     return Motion(
-        clock[TIME] + scheme.stage_node(clock[STAGE]) * step,
+        clock[TIME] + scheme.abscissa(clock[STAGE]) * step,
         rates.rate_factor,
         rates.inertia_rate,
         0.0 * step,
@@ -59,25 +59,19 @@ def reach_end(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> Any
     clock = work.clock
     mesh = work.mesh
     dofs = model.frame.dofs(mesh)
-    drop = work.system.residual
-    frame_drop = work.system.frame_residual
+    correction = work.correction
     for i in range(work.state.shape[0]):
-        if i < dofs:
-            frame_drop[i] = work.state[i]
-        else:
-            drop[i - dofs] = work.state[i]
+        correction[i] = where(mask, work.state[i], correction[i])
     scheme.end_step(work, clock[STEP], mask)
     if model.discretization.has_elements():
-        share = where(mask, 1.0, scheme.stage_node(clock[STAGE]))
+        share = where(mask, 1.0, scheme.abscissa(clock[STAGE]))
         angles = model.clamp.angles(clock[TIME] + share * clock[STEP])
         model.frame.place_ends(mesh, model.discretization, angles, work.state)
     # Of its gap at the stage every point must keep GAP_FRACTION; said of the gap at the end.
     for i in range(work.state.shape[0]):
-        if i < dofs:
-            frame_drop[i] = GAP_FRACTION * (frame_drop[i] - work.state[i])
-        else:
-            drop[i - dofs] = GAP_FRACTION * (drop[i - dofs] - work.state[i])
-    allowed = gap_safe_share(model, masses, mesh, work.state, frame_drop, drop)
+        moved = GAP_FRACTION * (correction[i] - work.state[i])
+        correction[i] = where(mask, moved, correction[i])
+    allowed = gap_safe_share(model, masses, mesh, work.state, correction, correction[dofs:])
     clock[GAP] = where(mask, smallest_gap(model, masses, mesh, work.state), clock[GAP])
     return mask & (allowed < 1.0)
 
@@ -98,7 +92,7 @@ def commit_step(scheme: Any, work: Any, mask: Any) -> None:
 
 @routine
 def begin_stage(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> None:
-    """Set origin, drift and a gap-safe first guess of every masked lane's current stage."""
+    """Set both predictors and a gap-safe first guess of every masked lane's current stage."""
     clock = work.clock
     stage = clock[STAGE]
     step = clock[STEP]
@@ -106,20 +100,20 @@ def begin_stage(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> N
     rates = scheme.stage_rates(step, ratio)
     size = work.state.shape[0]
     restart = mask & (stage == 1.0)
-    scheme.weigh_slots(stage, step, ratio, work.weights)
+    scheme.stage_coefficients(stage, step, ratio, work.coefficients)
     for i in range(size):
-        origin, drift, aim = scheme.predict(work, i, stage, rates)
+        position, velocity, aim = scheme.predict(work, i, stage, rates)
         state = where(restart, work.start[i], work.state[i])
-        work.origin[i] = where(mask, origin, work.origin[i])
-        work.drift[i] = where(mask, drift, work.drift[i])
+        work.position_predictor[i] = where(mask, position, work.position_predictor[i])
+        work.velocity_predictor[i] = where(mask, velocity, work.velocity_predictor[i])
         work.state[i] = state
-        work.change[i] = where(mask, state - aim, work.change[i])
+        work.correction[i] = where(mask, state - aim, work.correction[i])
     mesh = work.mesh
-    drop = work.change[model.frame.dofs(mesh) :]
-    allowed = gap_safe_share(model, masses, mesh, work.state, work.change, drop)
+    drop = work.correction[model.frame.dofs(mesh) :]
+    allowed = gap_safe_share(model, masses, mesh, work.state, work.correction, drop)
     allowed = where(mask, allowed, 0.0)
     for i in range(size):
-        work.state[i] = work.state[i] - allowed * work.change[i]
+        work.state[i] = work.state[i] - allowed * work.correction[i]
     for i in range(work.sliding_velocity.shape[0]):
         work.sliding_velocity[i] = where(mask, 0.0, work.sliding_velocity[i])
         work.active_set[i] = where(mask, 0.0, work.active_set[i])
@@ -128,7 +122,7 @@ def begin_stage(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> N
     clock[SHARE] = where(mask, allowed, clock[SHARE])
     clock[BACKTRACKS] = where(mask, 0.0, clock[BACKTRACKS])
     if model.discretization.has_elements():
-        time = clock[TIME] + scheme.stage_node(stage) * step
+        time = clock[TIME] + scheme.abscissa(stage) * step
         angles = model.clamp.angles(time)
         model.frame.place_ends(mesh, model.discretization, angles, work.state)
 

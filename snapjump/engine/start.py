@@ -8,7 +8,7 @@ from typing import Any
 
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clamp.constant_rate import ConstantRate
-from snapjump.engine.equilibrium import settle
+from snapjump.engine.equilibrium import solve_equilibrium
 from snapjump.engine.model import Model
 from snapjump.engine.status import NO_EQUILIBRIUM, RUNNING
 from snapjump.friction.parts.holding import Holding
@@ -80,7 +80,7 @@ def follow_branch(model: Any, masses: Any, work: Any) -> Any:
         elif k == 0:
             share = FIRST_TURN / CONTINUATION_STEPS
         partial = with_angles(model, share * clamp.start, share * clamp.delta_alpha)
-        negative, failed = settle(partial, masses, work, 0.0)
+        negative, failed = solve_equilibrium(partial, masses, work, 0.0)
         lost = lost | failed | (negative > 0.0)
         for i in range(size):
             settled = state[i]
@@ -103,12 +103,12 @@ def follow_branch(model: Any, masses: Any, work: Any) -> Any:
 
     resting = with_angles(model, clamp.start, clamp.delta_alpha)
     difference = DIFFERENCE_RAD / clamp.rate
-    negative, failed = settle(resting, masses, work, -difference)
+    negative, failed = solve_equilibrium(resting, masses, work, -difference)
     lost = lost | failed | (negative > 0.0)
     for i in range(size):
         work.velocity[0, i] = state[i]
         state[i] = work.start[i] if i < held else 2.0 * work.start[i] - state[i]
-    negative, failed = settle(resting, masses, work, difference)
+    negative, failed = solve_equilibrium(resting, masses, work, difference)
     lost = lost | failed | (negative > 0.0)
     for i in range(size):
         before = work.velocity[0, i]

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.declare.fields import Part
-from snapjump.frame.parts.contact_rows import NodeRows
+from snapjump.linear_solver.contact_rows import NodeRows
 from snapjump.number.methods import Contract, required
 
 
@@ -65,32 +65,13 @@ class Frame(Contract):
         zero = 0.0 * state[0]
         return Turning(zero, zero)
 
-    @required
     def place_ends(self, mesh: Any, discretization: Any, angles: Any, state: Any) -> Any:
         """Put the slave nodes where the frame holds them."""
 
-    @required
-    def condense_first(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> Any:
+    def condense_first(self, model: Any, work: Any, tangents: Any, hinge: Any) -> Any:
         """Move the first node's rows and columns, and its hinge, onto the frame's coordinates."""
 
-    @required
-    def condense_last(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> Any:
+    def condense_last(self, model: Any, work: Any, tangents: Any, hinge: Any) -> Any:
         """Move the last node's rows and columns, and its hinge, onto the frame's coordinates."""
 
     def add_inertia(self, model: Any, motion: Any, work: Any) -> Any:
@@ -104,7 +85,7 @@ class Frame(Contract):
         """Add the frame's own elastic forces; returns the largest (EI/L^2)."""
         return 0.0 * motion.rate_factor
 
-    def solve(self, mesh: Any, state: Any, system: Any, done: Any) -> Any:
+    def solve(self, work: Any, done: Any) -> Any:
         """Solve for the frame's coordinates once all nodes are eliminated (``done``).
 
         ``frame_residual`` becomes the solution. A border of other than three columns is moved to
@@ -134,8 +115,8 @@ class Frame(Contract):
         return zero, zero
 
     def contact_rows(self, point: Any, work: Any, rate: Any) -> Any:
-        """The :class:`~snapjump.frame.parts.contact_rows.ContactRows` of such a point."""
-        return NodeRows(work.system.frame_residual, work.system.square, 0)
+        """The :class:`~snapjump.linear_solver.contact_rows.ContactRows` of such a point."""
+        return NodeRows(work.frame_residual, work.corner_block, 0)
 
     def point_mass(self, mesh: Any, point: Any, state: Any) -> Any:
         """Mass (in rho A L) that a vertical push at such a point moves."""

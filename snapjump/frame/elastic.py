@@ -11,7 +11,7 @@ import numpy as np
 from snapjump.checks import ParameterError
 from snapjump.contact.base import PAPER_ELEMENTS
 from snapjump.declare.fields import Need, choice, flag, integer, number
-from snapjump.discretization.base import HALF_BANDWIDTH
+from snapjump.discretization.base import NodeMotion
 from snapjump.frame.base import FrameOptions, Mesh, Outline
 from snapjump.frame.parts.elastic_chain import add_chain_forces, chain_dissipation, chain_energy
 from snapjump.frame.parts.elastic_mesh import (
@@ -120,21 +120,21 @@ class ElasticFrame(FrameOptions):
         def add_inertia(self, model: Any, motion: Any, work: Any) -> Any:
             mesh = work.mesh
             state = work.state
-            residual = work.system.frame_residual
-            band = work.system.frame_band[HALF_BANDWIDTH:]
+            residual = work.frame_residual
+            band = work.frame_band
             rate = motion.rate_factor
             drag = model.damping.drag()
             fall = model.load.gravity()
             tug = model.load.pull()
             largest = 0.0 * rate
-            clear_mounts(work.system, largest)
+            clear_mounts(work, largest)
             for node in range(node_count(mesh)):
                 i = 2 * node
                 mass = node_mass(self, mesh, node)
-                vx = (state[i] - work.origin[i]) * rate
-                vy = (state[i + 1] - work.origin[i + 1]) * rate
-                ax = (vx - work.drift[i]) * motion.inertia_rate
-                ay = (vy - work.drift[i + 1]) * motion.inertia_rate
+                vx = (state[i] - work.position_predictor[i]) * rate
+                vy = (state[i + 1] - work.position_predictor[i + 1]) * rate
+                ax = (vx - work.velocity_predictor[i]) * motion.inertia_rate
+                ay = (vy - work.velocity_predictor[i + 1]) * motion.inertia_rate
                 residual[i] = mass * (ax + drag * vx - tug)
                 residual[i + 1] = mass * (ay + drag * vy + fall)
                 band[i, 0] = mass * (motion.inertia_rate + drag) * rate
@@ -145,20 +145,19 @@ class ElasticFrame(FrameOptions):
         def add_elasticity(self, model: Any, motion: Any, work: Any) -> Any:
             mesh = work.mesh
             state = work.state
-            residual = work.system.frame_residual
-            band = work.system.frame_band[HALF_BANDWIDTH:]
+            residual = work.frame_residual
+            band = work.frame_band
             # Statics leaves x undetermined: a spring that ends up without force holds the top's
             # middle.
             middle = (mesh[LEFT_CORNER] + mesh[RIGHT_CORNER]) // 2
             place = (middle - mesh[LEFT_CORNER]) * self.top_length - self.half_span
             residual[2 * middle] += motion.anchor * (state[2 * middle] - place)
             band[2 * middle, 0] += motion.anchor
-            return add_chain_forces(
-                self, mesh, model.damping, state, work.origin, motion.rate_factor, residual, band
-            )
+            nodes = NodeMotion(state, work.position_predictor, motion.rate_factor)
+            return add_chain_forces(self, mesh, model.damping, nodes, residual, band)
 
-        def solve(self, mesh: Any, state: Any, system: Any, done: Any) -> Any:
-            return solve_chain(mesh, state, system, done)
+        def solve(self, work: Any, done: Any) -> Any:
+            return solve_chain(work, done)
 
         def energy(self, mesh: Any, state: Any) -> Any:
             return chain_energy(self, mesh, state)

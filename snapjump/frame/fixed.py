@@ -46,28 +46,11 @@ class FixedFrame(FrameOptions):
                 state[2] = -discretization.turn_length() * angles.left
                 state[last + 2] = discretization.turn_length() * angles.right
 
-        def condense_first(
-            self,
-            mesh: Any,
-            tangents: Any,
-            discretization: Any,
-            hinge: Any,
-            state: Any,
-            system: Any,
-        ) -> None:
-            release_first_node(discretization.node_dofs(), system.residual, system.band)
+        def condense_first(self, model: Any, work: Any, tangents: Any, hinge: Any) -> None:
+            release_first_node(model.discretization.node_dofs(), work)
 
-        def condense_last(
-            self,
-            mesh: Any,
-            tangents: Any,
-            discretization: Any,
-            hinge: Any,
-            state: Any,
-            system: Any,
-        ) -> None:
-            dofs = discretization.node_dofs()
-            release_last_node(dofs, system.residual, system.band, state.shape[0] // dofs - 1)
+        def condense_last(self, model: Any, work: Any, tangents: Any, hinge: Any) -> None:
+            release_last_node(model.discretization.node_dofs(), work)
 
     def body(self, outline: Outline) -> Body:
         """The dimensionless frame."""

@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 
 from snapjump.discretization.base import EndTangents
 from snapjump.frame.base import Frame, FrameBox, FrameOptions, Outline, Turning
-from snapjump.frame.parts.contact_rows import CornerRows
-from snapjump.frame.parts.ends import move_first, move_last
+from snapjump.frame.parts.ends import Arm, move_first, move_last
 from snapjump.linear_solver import banded
+from snapjump.linear_solver.contact_rows import CornerRows
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, cos, maximum, sin, where
 
@@ -61,54 +61,39 @@ class RigidFrame(FrameOptions):
             tangents = self.end_tangents(mesh, 0.0, angles, state, still)
             dofs = discretization.node_dofs()
             offset = discretization.clamp_distance()
-            lx, ly = first_arm(self, offset, tangents, state[2])
-            rx, ry = last_arm(self, offset, tangents, state[2])
+            left = first_arm(self, offset, tangents, state[2])
+            right = last_arm(self, offset, tangents, state[2])
             last = state.shape[0] - dofs
-            state[3] = state[0] + lx
-            state[4] = state[1] + ly
-            state[last] = state[0] + rx
-            state[last + 1] = state[1] + ry
+            state[3] = state[0] + left.x
+            state[4] = state[1] + left.y
+            state[last] = state[0] + right.x
+            state[last + 1] = state[1] + right.y
             if dofs == 3:
                 state[5] = discretization.turn_length() * (state[2] - angles.left)
                 state[last + 2] = discretization.turn_length() * (state[2] + angles.right)
 
-        def condense_first(
-            self,
-            mesh: Any,
-            tangents: Any,
-            discretization: Any,
-            hinge: Any,
-            state: Any,
-            system: Any,
-        ) -> None:
-            arm_x, arm_y = first_arm(self, discretization.clamp_distance(), tangents, state[2])
-            move_first(discretization, hinge, arm_x, arm_y, system.frame_residual, system)
+        def condense_first(self, model: Any, work: Any, tangents: Any, hinge: Any) -> None:
+            offset = model.discretization.clamp_distance()
+            arm = first_arm(self, offset, tangents, work.state[2])
+            move_first(model.discretization, hinge, arm, work.frame_residual, work)
 
-        def condense_last(
-            self,
-            mesh: Any,
-            tangents: Any,
-            discretization: Any,
-            hinge: Any,
-            state: Any,
-            system: Any,
-        ) -> None:
-            arm_x, arm_y = last_arm(self, discretization.clamp_distance(), tangents, state[2])
-            last = (state.shape[0] - 3) // discretization.node_dofs() - 1
-            move_last(discretization, last, hinge, arm_x, arm_y, system.frame_residual, system, 0)
+        def condense_last(self, model: Any, work: Any, tangents: Any, hinge: Any) -> None:
+            offset = model.discretization.clamp_distance()
+            arm = last_arm(self, offset, tangents, work.state[2])
+            move_last(model.discretization, hinge, arm, work.frame_residual, work, 0)
 
         def add_inertia(self, model: Any, motion: Any, work: Any) -> Any:
             state = work.state
-            residual = work.system.frame_residual
-            square = work.system.square
+            residual = work.frame_residual
+            square = work.corner_block
             rate = motion.rate_factor
             drag = model.damping.drag()
             largest = 0.0 * rate
             clear(residual, square, largest)
             for k in range(3):
                 mass = self.inertia if k == 2 else self.mass
-                velocity = (state[k] - work.origin[k]) * rate
-                inertial = mass * (velocity - work.drift[k]) * motion.inertia_rate
+                velocity = (state[k] - work.position_predictor[k]) * rate
+                inertial = mass * (velocity - work.velocity_predictor[k]) * motion.inertia_rate
                 residual[k] += inertial + mass * drag * velocity
                 square[k, k] += mass * (motion.inertia_rate + drag) * rate
                 largest = maximum(largest, absolute(inertial))
@@ -126,7 +111,7 @@ class RigidFrame(FrameOptions):
 
         def stage_point(self, point: Any, work: Any, rate: Any) -> Any:
             state = work.state
-            origin = work.origin
+            origin = work.position_predictor
             rx, ry = corner_arm(self, point, cos(state[2]), sin(state[2]))
             turn = state[2] - origin[2]
             vx = (state[0] - origin[0]) * rate - ry * (turn * rate)
@@ -141,11 +126,11 @@ class RigidFrame(FrameOptions):
         def contact_rows(self, point: Any, work: Any, rate: Any) -> CornerRows:
             turn = work.state[2]
             rx, ry = corner_arm(self, point, cos(turn), sin(turn))
-            turn_rate = (turn - work.origin[2]) * rate
-            return CornerRows(work.system.frame_residual, work.system.square, rx, ry, turn_rate)
+            turn_rate = (turn - work.position_predictor[2]) * rate
+            return CornerRows(work.frame_residual, work.corner_block, rx, ry, turn_rate)
 
-        def solve(self, mesh: Any, state: Any, system: Any, done: Any) -> Any:
-            return banded.solve_frame(system, done)
+        def solve(self, work: Any, done: Any) -> Any:
+            return banded.solve_frame(work, done)
 
         def contact_points(self, mesh: Any) -> int:
             return 4
@@ -233,22 +218,22 @@ def corner_arm(frame: Any, corner: Any, c: Any, s: Any) -> Any:
 
 
 @kernel
-def first_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Any:
+def first_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Arm:
     """Vector from the centre of mass to the first node."""
     c = cos(turn)
     s = sin(turn)
-    return (
+    return Arm(
         -frame.mount_y * s - frame.half_span * c + offset * tangents.left_x,
         frame.mount_y * c - frame.half_span * s + offset * tangents.left_y,
     )
 
 
 @kernel
-def last_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Any:
+def last_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Arm:
     """Vector from the centre of mass to the last node."""
     c = cos(turn)
     s = sin(turn)
-    return (
+    return Arm(
         -frame.mount_y * s + frame.half_span * c - offset * tangents.right_x,
         frame.mount_y * c + frame.half_span * s - offset * tangents.right_y,
     )

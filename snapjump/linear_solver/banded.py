@@ -144,11 +144,11 @@ def reduce_y_border(border: Any, j: Any, factors: Any) -> Any:
 
 
 @kernel
-def eliminate_node(system: Any, node: Any, bordered: Any, done: Elimination) -> Elimination:
+def eliminate_node(work: Any, node: Any, bordered: Any, done: Elimination) -> Elimination:
     """Eliminate a node whose columns, and whose share of the border, are complete."""
-    band = system.padded_band
-    rhs = system.padded_residual
-    border = system.padded_border
+    band = work.padded_band
+    rhs = work.padded_residual
+    border = work.padded_border
     i = 2 * node + HALF_BANDWIDTH
     j = i + 1
     largest = maximum(maximum(done.largest, absolute(rhs[i])), absolute(rhs[j]))
@@ -197,10 +197,10 @@ def eliminate_node(system: Any, node: Any, bordered: Any, done: Elimination) -> 
 
 
 @kernel
-def solve_frame(system: Any, done: Elimination) -> Any:
+def solve_frame(work: Any, done: Elimination) -> Any:
     """Solve for the frame once all nodes are eliminated; returns the number of pivots <= 0."""
-    square = system.square
-    x = system.frame_residual
+    square = work.corner_block
+    x = work.frame_residual
     square[0, 0] -= done.xx
     square[0, 1] -= done.xy
     square[1, 0] -= done.xy
@@ -217,12 +217,12 @@ def solve_frame(system: Any, done: Elimination) -> Any:
 
 
 @kernel
-def substitute_back(system: Any, bordered: Any, zero: Any) -> Any:
+def substitute_back(work: Any, bordered: Any, zero: Any) -> Any:
     """Replace the nodes' right-hand side by the solution; returns its largest entry."""
-    band = system.padded_band
-    border = system.padded_border
-    rhs = system.padded_residual
-    frame = system.frame_residual
+    band = work.padded_band
+    border = work.padded_border
+    rhs = work.padded_residual
+    frame = work.frame_residual
     x0 = frame[0]
     x1 = frame[1]
     x2 = frame[2]

@@ -107,11 +107,11 @@ def take_from_frame(done: Elimination, border: Any, rhs: Any, over: Any, j: Any)
 
 
 @kernel
-def eliminate_turning_node(system: Any, node: Any, bordered: Any, done: Elimination) -> Elimination:
+def eliminate_turning_node(work: Any, node: Any, bordered: Any, done: Elimination) -> Elimination:
     """Eliminate a node whose columns, and whose share of the border, are complete."""
-    band = system.padded_band
-    rhs = system.padded_residual
-    border = system.padded_border
+    band = work.padded_band
+    rhs = work.padded_residual
+    border = work.padded_border
     i = 3 * node + HALF_BANDWIDTH
     largest = maximum(maximum(done.largest, absolute(rhs[i])), absolute(rhs[i + 1]))
     largest = maximum(largest, absolute(rhs[i + 2]))
@@ -144,12 +144,12 @@ def eliminate_turning_node(system: Any, node: Any, bordered: Any, done: Eliminat
 
 
 @kernel
-def substitute_back_turning(system: Any, bordered: Any, zero: Any) -> Any:
+def substitute_back_turning(work: Any, bordered: Any, zero: Any) -> Any:
     """Replace the nodes' right-hand side by the solution; returns its largest entry."""
-    band = system.padded_band
-    border = system.padded_border
-    rhs = system.padded_residual
-    frame = system.frame_residual
+    band = work.padded_band
+    border = work.padded_border
+    rhs = work.padded_residual
+    frame = work.frame_residual
     next_x = zero  # of the next node
     next_y = zero
     next_t = zero

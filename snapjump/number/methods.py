@@ -28,6 +28,7 @@ __all__ = ["Contract", "ContractError", "required"]
 METHODS_KEY = "snapjump.methods"
 METHODS: dict[tuple[type, str], Function] = {}
 CALLS: dict[Function, Function] = {}  # how numba writes a call of each
+FORMER_NAMES = {"approach": "state"}  # of arguments, which plug-ins may still have
 OF_TUPLES = ("_make", "_replace", "_asdict")
 
 
@@ -68,7 +69,7 @@ def methods_of(cls: type) -> dict[str, Function]:
 
 def parameters(function: Function) -> list[str]:
     """Names of a method's arguments but for itself."""
-    return list(inspect.signature(function).parameters)[1:]
+    return [FORMER_NAMES.get(name, name) for name in inspect.signature(function).parameters][1:]
 
 
 @cache

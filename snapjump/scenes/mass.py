@@ -14,7 +14,7 @@ from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.model import Model
 from snapjump.engine.recorder.trajectory import make_recorder
-from snapjump.engine.termination.timed import TimedEnding
+from snapjump.engine.termination.timed import TimedTermination
 from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.number.functions import cos, sin
 from snapjump.results import Result
@@ -76,7 +76,7 @@ def march_mass(
         velocities=np.array([velocity]),
         accelerations=np.array([beginning(model, mass_bar, state, velocity)]),
         simulation=simulation,
-        ending=TimedEnding(duration),
+        termination=TimedTermination(duration),
         recorder=make_recorder(2, duration, scene.sample_interval_s / scales.time_s),
     )
     outcome = march.run(progress)

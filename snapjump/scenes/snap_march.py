@@ -8,7 +8,7 @@ from snapjump.contact.base import ContactOptions
 from snapjump.engine.clamp.smooth_start import SmoothStart
 from snapjump.engine.load.none import NoLoad
 from snapjump.engine.model import Model
-from snapjump.engine.termination.timed import TimedEnding
+from snapjump.engine.termination.timed import TimedTermination
 from snapjump.frame.fixed import FixedFrame
 from snapjump.scenes.jump_march import no_recorder
 from snapjump.scenes.runner import March
@@ -50,6 +50,6 @@ def snap_march(
         masses=simulation.discretization.masses(),
         states=state[None, :],
         simulation=simulation,
-        ending=TimedEnding(scene.duration_s / scales.time_s),
+        termination=TimedTermination(scene.duration_s / scales.time_s),
         recorder=recorder(len(state)),
     )

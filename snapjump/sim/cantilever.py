@@ -13,11 +13,10 @@ from snapjump.declare.fields import number
 from snapjump.declare.outputs import INTEGER, output
 from snapjump.engine.clamp.base import ClampAngles
 from snapjump.engine.clamp.constant_rate import ConstantRate
-from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.load.tip import TipLoad
 from snapjump.engine.model import Model, numbers_of
-from snapjump.engine.work import make_work
+from snapjump.engine.work import make_memory, sizes_of
 from snapjump.frame.base import NO_MESH, STILL
 from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.friction.none import NoFriction
@@ -52,7 +51,7 @@ def bend_cantilever(
         TipLoad(0.0, 0.0, 0.0),
     )
     dofs = rod.node_dofs()
-    memory = make_work(elements + 1, 0, 2, ROWS, len(numbers_of(model)), 1, dofs)
+    memory = make_memory(sizes_of(model, elements + 1))
     memory.state[0::dofs, 0] = np.linspace(0.0, 1.0, elements + 1)
     masses = np.zeros(elements + 1)
     steps = max(1, int(np.ceil(max(abs(force_x), abs(force_y), abs(moment)) / LOAD_STEP)))

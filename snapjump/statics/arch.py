@@ -10,12 +10,11 @@ from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
 from snapjump.engine.clamp.base import ClampAngles
 from snapjump.engine.clamp.constant_rate import ConstantRate
-from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.load.none import NoLoad
 from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.newton import ROUNDING
-from snapjump.engine.work import make_work
+from snapjump.engine.work import make_memory, sizes_of
 from snapjump.frame.base import NO_MESH, STILL
 from snapjump.frame.fixed import FixedFrame
 from snapjump.friction.none import NoFriction
@@ -77,9 +76,7 @@ class StaticArch:
         self.rounding = ROUNDING * self.rod.axial_stiffness()
         self.negative_pivots, self.accuracy = 0, 0.0
         model = self._model(0.0, 0.0)
-        self.memory = make_work(
-            len(self.masses), 0, 2, ROWS, len(numbers_of(model)), 1, self.node_dofs
-        )
+        self.memory = make_memory(sizes_of(model, len(self.masses)))
 
     def _model(self, left: float, right: float) -> Model:
         clamp = ConstantRate(left, 10.0, 1.0, left - right)
@@ -111,7 +108,7 @@ class StaticArch:
         self.memory.state[:, 0] = state
         return equilibrate(model, numbers_of(model), self.masses, self.memory, iterate)
 
-    def settle(self, state: Array, left: float, right: float) -> Array:
+    def solve_equilibrium(self, state: Array, left: float, right: float) -> Array:
         """The equilibrium state near ``state`` at the given clamp angles (rad)."""
         negative, accuracy, failed = self._run(state, left, right, True)
         if failed:
@@ -121,7 +118,7 @@ class StaticArch:
 
     def flat(self, lag: float = 0.0, upward: bool = True) -> Array:
         """The equilibrium between a flat left clamp and a right one turned by -lag (rad)."""
-        state = self.settle(self.guess(upward), 0.0, 0.0)
+        state = self.solve_equilibrium(self.guess(upward), 0.0, 0.0)
         return self.turn(state, (0.0, 0.0), (0.0, -lag))
 
     def turn(self, state: Array, begin: Angles, end: Angles) -> Array:
@@ -135,7 +132,7 @@ class StaticArch:
             guess = state if back == 0.0 else state + (state - past) * ((ahead - done) / back)
             left, right = (b + ahead * (e - b) for b, e in zip(begin, end, strict=True))
             try:
-                settled = self.settle(guess, left, right)
+                settled = self.solve_equilibrium(guess, left, right)
             except ArithmeticError:
                 step *= 0.5
                 if step * length < SHORTEST_TURN_RAD:
@@ -148,11 +145,11 @@ class StaticArch:
     def residual(self, state: Array, left: float, right: float) -> Array:
         """Gradient of the energy with respect to the free coordinates."""
         self._run(state, left, right, False)
-        return self.memory.system.residual[self.free, 0].copy()
+        return self.memory.residual[self.free, 0].copy()
 
     def tangent_band(self) -> Array:
         """Tangent (lower band, (free, 6)) of the last state that was settled or evaluated."""
-        return np.ascontiguousarray(self.memory.system.band[self.free, :, 0])
+        return np.ascontiguousarray(self.memory.band[self.free, :, 0])
 
     def stability(self) -> tuple[float, float, int]:
         """Smallest eigenvalue of the last tangent, what rounding makes of it, and the number of

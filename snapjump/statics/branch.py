@@ -76,7 +76,7 @@ class Branch:
 
     def point(self, state: Array, left: float, towards: Array | None = None) -> Point:
         """The settled point of the branch at a given angle; by default facing larger angles."""
-        state = self.arch.settle(state, left, left - self.delta_alpha)
+        state = self.arch.solve_equilibrium(state, left, left - self.delta_alpha)
         if towards is None:
             towards = np.append(np.zeros(self.arch.size - 2 * self.arch.node_dofs), 1.0)
         return self._described(state, left, towards)

@@ -168,10 +168,10 @@ class Pendulum(NamedTuple):
 
     mass: float
 
-    def force(self, gap, approach):
+    def force(self, gap, state):
         return -self.mass * np.sin(gap)
 
-    def slope(self, gap, approach):
+    def slope(self, gap, state):
         return self.mass * np.cos(gap)
 
 
@@ -181,10 +181,10 @@ class Spring(NamedTuple):
 
     stiffness: float
 
-    def force(self, gap, approach):
+    def force(self, gap, state):
         return -self.stiffness * gap
 
-    def slope(self, gap, approach):
+    def slope(self, gap, state):
         return self.stiffness
 
 

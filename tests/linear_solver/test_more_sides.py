@@ -5,8 +5,10 @@ from typing import Any
 import numpy as np
 import pytest
 from numba import njit
+from plain_python import sizes
 
-from snapjump.engine.work import make_work
+from snapjump.engine.view import view_memory
+from snapjump.engine.work import make_memory
 from snapjump.linear_solver.more_sides import solve_more_sides
 from snapjump.number.memory import aligned_zeros
 
@@ -16,19 +18,19 @@ LANES = 4
 
 @njit(cache=True, error_model="numpy")
 def solve_compiled(
-    system: Any, sides: Any, frame_sides: Any, chosen: Any, count: int, turning: bool
+    memory: Any, sides: Any, frame_sides: Any, chosen: Any, count: int, turning: bool
 ) -> None:
-    solve_more_sides(system, sides, frame_sides, chosen, count, turning)
+    solve_more_sides(view_memory(memory), sides, frame_sides, chosen, count, turning)
 
 
 def factors(per_node: int) -> Any:
     """Random factors as an elimination leaves them: one over a pivot, L D, and the border's."""
-    system = make_work(NODES, 3, 3, 1, 1, LANES, per_node).system
+    system = make_memory(sizes(NODES, 3, per_node, LANES))
     random = np.random.default_rng(per_node)
-    for array in (system.band, system.border, system.square):
+    for array in (system.band, system.border, system.corner_block):
         array[:] = 0.3 * random.normal(size=array.shape)
     system.band[:, 0] = 1.0 + random.random(system.band[:, 0].shape)
-    system.square[:] += 3.0 * np.eye(3)[:, :, None]
+    system.corner_block[:] += 3.0 * np.eye(3)[:, :, None]
     size = len(system.band)
     for k in range(1, 6):
         system.band[size - k :, k] = 0.0
@@ -47,7 +49,7 @@ def whole(system: Any, lane: int) -> Any:
         for k in range(1, min(5, size - 1 - j) + 1):
             lower[j + k, j] = system.band[j, k, lane] * system.band[j, 0, lane]
         lower[size:, j] = system.border[j, :, lane] * system.band[j, 0, lane]
-    middle[size:, size:] = system.square[:, :, lane]
+    middle[size:, size:] = system.corner_block[:, :, lane]
     return lower @ middle @ lower.T
 
 

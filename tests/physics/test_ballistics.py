@@ -7,7 +7,7 @@ from snapjump.engine import clock as c
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.recorder.trajectory import make_recorder
 from snapjump.engine.status import NO_JUMP, OK
-from snapjump.engine.termination.timed import TimedEnding
+from snapjump.engine.termination.timed import TimedTermination
 from snapjump.scenes.flight import flight
 from snapjump.scenes.mass import mass_model
 from snapjump.scenes.runner import March
@@ -64,7 +64,7 @@ def test_free_fall(integrator, step_s, accuracy, single_mass, reference):
         models=[model], masses=np.array([4e-3 / scales.mass_kg]),
         states=np.array([[0.0, START / scales.length_m]]),
         velocities=np.array([[VX, VY]]) / scales.velocity_m_s, simulation=simulation,
-        ending=TimedEnding(duration), recorder=make_recorder(2, duration, duration),
+        termination=TimedTermination(duration), recorder=make_recorder(2, duration, duration),
     )  # fmt: skip
     march.queue.acceleration[0, 1] = -G / scales.acceleration_m_s2
     march.run()

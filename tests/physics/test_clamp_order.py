@@ -10,7 +10,7 @@ NAMES = ("ymid0", "E0", "alpha_asym", "E_asym", "ymid_asym")
 
 def figures(arch, snap, epsilon: float, elements: int, clamp: str) -> np.ndarray:
     beam = arch(epsilon, elements, clamp=clamp)
-    flat = beam.equilibrium(beam.settle(beam.guess(), 0.0, 0.0), 0.0, 0.0)
+    flat = beam.equilibrium(beam.solve_equilibrium(beam.guess(), 0.0, 0.0), 0.0, 0.0)
     found = snap(epsilon, elements, clamp=clamp)
     before = found.before
     return np.array([flat.midpoint, flat.energy, found.alpha_rad, before.energy, before.midpoint])

@@ -8,10 +8,9 @@ from scipy.linalg import eigh
 
 from snapjump.declare.members import member_class
 from snapjump.discretization.base import TURN_INERTIA
-from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import numbers_of
-from snapjump.engine.work import make_work
+from snapjump.engine.work import make_memory, sizes_of
 from snapjump.robot.robot import Robot
 
 ELEMENTS = 80
@@ -62,12 +61,12 @@ def cantilever_tangent(elements: int, name: str, ratio: float) -> tuple[np.ndarr
     rod = member_class("discretization", name)(elements).beam(Robot(thickness_m=0.02 * ratio))
     dofs = rod.node_dofs()
     model = cantilever(rod)
-    memory = make_work(elements + 1, 0, 2, ROWS, len(numbers_of(model)), 1, dofs)
+    memory = make_memory(sizes_of(model, elements + 1))
     memory.state[0::dofs, 0] = np.linspace(0.0, 1.0, elements + 1)
     equilibrate(model, numbers_of(model), np.zeros(elements + 1), memory, False)
     masses = np.full(elements, length)
     masses[-1] *= 0.5
-    return full(np.ascontiguousarray(memory.system.band[dofs:, :, 0].T)), masses
+    return full(np.ascontiguousarray(memory.band[dofs:, :, 0].T)), masses
 
 
 @discretizations

@@ -13,7 +13,7 @@ from scipy.linalg import eigh
 
 from snapjump.engine.clamp.smooth_start import SmoothStart
 from snapjump.engine.recorder.trajectory import make_recorder
-from snapjump.engine.termination.timed import TimedEnding
+from snapjump.engine.termination.timed import TimedTermination
 from snapjump.frame.fixed import FixedFrame
 from snapjump.scenes.runner import March
 from snapjump.stepping.fixed import FixedStep
@@ -52,7 +52,7 @@ def marched(straight, beam, integrator, mode, place, speed, step, steps) -> tupl
         masses=straight.beam.masses,
         states=state[None, :],
         simulation=beam(1e-5, integrator=integrator),
-        ending=TimedEnding(step * steps),
+        termination=TimedTermination(step * steps),
         recorder=make_recorder(len(state), step * steps, step * steps),
         velocities=velocity[None, :],
     )

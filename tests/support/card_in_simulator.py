@@ -37,7 +37,7 @@ def on_card(designs: Any, threads: int, robots_a_chunk: int, duration: float = 2
         masses=alone.masses,
         states=np.array([small_robot(design)[1] for design in designs]),
         simulation=replace(alone.simulation, backend=CudaBackend()),
-        ending=alone.ending,
+        termination=alone.termination,
     )
     march.plan = march.card.plan = Plan(1, threads, robots_a_chunk)
     return march

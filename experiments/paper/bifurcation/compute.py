@@ -147,7 +147,7 @@ def compared_rows(inputs: Mapping[str, Any]) -> list[Row]:
     rows = angle_rows(inputs)
     for row in rows:
         arch = StaticArch(robot, mesh, row["epsilon"])
-        flat = arch.equilibrium(arch.settle(arch.guess(), 0.0, 0.0), 0.0, 0.0)
+        flat = arch.equilibrium(arch.solve_equilibrium(arch.guess(), 0.0, 0.0), 0.0, 0.0)
         snap = find_snap(robot, mesh, row["epsilon"], MISMATCH_RAD)
         row |= {
             "midpoint_flat_bar": flat.midpoint,

@@ -6,18 +6,21 @@ sums them along the chain.
 
 from typing import Any, NamedTuple
 
+from snapjump.discretization.base import NodeMotion
 from snapjump.discretization.parts.edge import Edge, make_edge
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import fma
 
 
 @kernel
-def edge_at(j: Any, position: Any, origin: Any, rate_factor: Any) -> Edge:
-    """Edge j of the chain; velocities are ``(position - origin) * rate_factor``."""
+def edge_at(j: Any, nodes: NodeMotion) -> Edge:
+    """Edge j of the chain, which moves as its nodes do."""
+    position = nodes.position
+    predictor = nodes.predictor
     ex = position[2 * j + 2] - position[2 * j]
     ey = position[2 * j + 3] - position[2 * j + 1]
-    vx = (ex - origin[2 * j + 2] + origin[2 * j]) * rate_factor
-    vy = (ey - origin[2 * j + 3] + origin[2 * j + 1]) * rate_factor
+    vx = (ex - predictor[2 * j + 2] + predictor[2 * j]) * nodes.rate_factor
+    vy = (ey - predictor[2 * j + 3] + predictor[2 * j + 1]) * nodes.rate_factor
     return make_edge(ex, ey, vx, vy)
 
 

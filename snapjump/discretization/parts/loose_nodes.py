@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.discretization.base import ChainPowers, Discretization, EndHinge
+from snapjump.discretization.base import ChainPowers, Discretization, EndHinge, NodeMotion
 from snapjump.number.dispatch import kernel
 
 
@@ -28,27 +28,23 @@ class LooseNodes(NamedTuple):
     def begin_chain(
         self,
         damping: Any,
-        position: Any,
-        origin: Any,
-        rate_factor: Any,
+        nodes: NodeMotion,
         tangents: Any,
     ) -> Any:
-        zero = 0.0 * rate_factor
+        zero = 0.0 * nodes.rate_factor
         return Nothing(zero), EndHinge(zero, zero, zero, zero)
 
     def add_node_forces(
         self,
         damping: Any,
-        position: Any,
-        origin: Any,
-        rate_factor: Any,
+        nodes: NodeMotion,
         tangents: Any,
         chain: Any,
         node: Any,
         residual: Any,
         band: Any,
     ) -> Any:
-        zero = 0.0 * rate_factor
+        zero = 0.0 * nodes.rate_factor
         leave_uncoupled(node, band)
         return chain, EndHinge(zero, zero, zero, zero)
 

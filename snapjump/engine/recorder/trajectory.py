@@ -61,8 +61,8 @@ class TrajectoryRecorder(NamedTuple):
             assembly = assemble(model, motion, masses, work)
             left = 0.0
             if model.frame.border_width() > 0:
-                left = largest_entry(work.system.frame_residual, left)
-            left = largest_entry(work.system.residual, left) / (assembly.largest_force + 1e-300)
+                left = largest_entry(work.frame_residual, left)
+            left = largest_entry(work.residual, left) / (assembly.largest_force + 1e-300)
             work.clock[LARGEST_RESIDUAL] = maximum(work.clock[LARGEST_RESIDUAL], left)
         stage = int(work.clock[STAGE])
         step = work.clock[STEP]

@@ -33,24 +33,5 @@ class CantileverFrame(NamedTuple):
         if discretization.node_dofs() == 3:
             state[2] = -discretization.turn_length() * angles.left
 
-    def condense_first(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> None:
-        release_first_node(discretization.node_dofs(), system.residual, system.band)
-
-    def condense_last(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> None:
-        pass
+    def condense_first(self, model: Any, work: Any, tangents: Any, hinge: Any) -> None:
+        release_first_node(model.discretization.node_dofs(), work)

@@ -2,10 +2,8 @@
 
 from typing import Any
 
-from snapjump.discretization.base import HALF_BANDWIDTH
 from snapjump.discretization.parts.edge import make_edge
 from snapjump.frame.base import Frame, FrameBox
-from snapjump.frame.parts.contact_rows import NodeRows
 from snapjump.frame.parts.elastic_mesh import (
     LEFT_CORNER,
     RIGHT_CORNER,
@@ -15,6 +13,7 @@ from snapjump.frame.parts.elastic_mesh import (
     node_mass,
     weight_at,
 )
+from snapjump.linear_solver.contact_rows import NodeRows
 
 
 class ElasticBody(Frame):
@@ -36,15 +35,15 @@ class ElasticBody(Frame):
     def stage_point(self, point: Any, work: Any, rate: Any) -> Any:
         i = 2 * point
         gap = work.state[i + 1]
-        vx = (work.state[i] - work.origin[i]) * rate
-        return gap, vx, (gap - work.origin[i + 1]) * rate
+        vx = (work.state[i] - work.position_predictor[i]) * rate
+        return gap, vx, (gap - work.position_predictor[i + 1]) * rate
 
     def fall(self, mesh: Any, point: Any, state: Any, drop: Any) -> Any:
         return state[2 * point + 1], drop[2 * point + 1]
 
     def contact_rows(self, point: Any, work: Any, rate: Any) -> NodeRows:
-        band = work.system.frame_band[HALF_BANDWIDTH:]
-        return NodeRows(work.system.frame_residual, band, 2 * point)
+        band = work.frame_band
+        return NodeRows(work.frame_residual, band, 2 * point)
 
     def point_mass(self, mesh: Any, point: Any, state: Any) -> Any:
         return self.bouncing_mass

@@ -13,28 +13,3 @@ class NoFrame(NamedTuple):
     def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Any) -> Any:
         zero = 0.0 * state[0]
         return EndTangents(zero, zero, zero, zero, zero, zero, zero, zero)
-
-    def place_ends(self, mesh: Any, discretization: Any, angles: Any, state: Any) -> None:
-        pass
-
-    def condense_first(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> None:
-        pass
-
-    def condense_last(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> None:
-        pass

@@ -1,4 +1,4 @@
-"""Where a force on a point goes in the linear system: rows of a node, or of a rigid body."""
+"""Where a force on a point goes in the linear work: rows of a node, or of a rigid body."""
 
 from typing import Any, NamedTuple
 
