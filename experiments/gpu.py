@@ -202,7 +202,8 @@ def tuning(tier: str, designs: Sequence[tuple[float, ...]]) -> list[dict[str, An
             kernels.march = cuda.jit(lto=False, max_registers=registers)(source)
         tried = CardMarch(
             models=march.models, masses=march.masses, states=march.states,
-            termination=march.termination, simulation=replace(base, backend=CudaBackend(threads_per_block=block)), mesh=march.mesh,
+            termination=march.termination, mesh=march.mesh,
+            simulation=replace(base, backend=CudaBackend(threads_per_block=block)),
         )  # fmt: skip
         for target, values in zip(tried.queue[1:5], starts, strict=True):
             target[...] = values

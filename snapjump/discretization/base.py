@@ -24,7 +24,7 @@ HALF_BANDWIDTH = 5
 NODES_COUPLED = 2  # a node couples to that many on either side, to one if nodes turn
 # Rotary inertia of a node over its mass, in the unit of its third coordinate: two rigid half
 # elements of l/2 turn about the node with 2 l^3/24, in theta, and a free end has half of both.
-TURN_INERTIA = 1.0 / 12.0
+ROTARY_INERTIA = 1.0 / 12.0
 
 
 class NodeMotion(NamedTuple):
@@ -82,7 +82,7 @@ class Discretization(Contract):
         """Coordinates of a node, a constant while compiling: 2 (x, y) or 3 (x, y, l theta)."""
 
     @required
-    def turn_length(self) -> Any:
+    def rotation_length(self) -> Any:
         """The length l (in L) of a node's third coordinate l theta; 0 where nodes do not turn."""
 
     @required

@@ -88,7 +88,7 @@ class DiscreteElasticRod(DiscretizationOptions):
         def node_dofs(self) -> int:
             return 2
 
-        def turn_length(self) -> float:
+        def rotation_length(self) -> float:
             return 0.0
 
         def clamp_distance(self) -> Any:

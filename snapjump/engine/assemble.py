@@ -7,9 +7,9 @@ A = (v - drift) inertia_rate; a static equilibrium is the same with both rates 0
 from typing import Any, NamedTuple
 
 from snapjump.contact.base import Extremes
-from snapjump.discretization.base import TURN_INERTIA, NodeMotion
+from snapjump.discretization.base import ROTARY_INERTIA, NodeMotion
 from snapjump.engine.points import add_frame_contacts, add_node_contact
-from snapjump.frame.base import Turning
+from snapjump.frame.base import Rotations
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, maximum
 
@@ -75,8 +75,8 @@ def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any) -> Any:
     if model.discretization.node_dofs() == 3:
         turn_rate = (work.state[i + 2] - work.position_predictor[i + 2]) * rate
         spin = (turn_rate - work.velocity_predictor[i + 2]) * motion.inertia_rate
-        residual[row + 2] = TURN_INERTIA * mass * (spin + drag * turn_rate)
-        band[row + 2, 0] = TURN_INERTIA * diagonal
+        residual[row + 2] = ROTARY_INERTIA * mass * (spin + drag * turn_rate)
+        band[row + 2, 0] = ROTARY_INERTIA * diagonal
     return mass * (absolute(ax) + absolute(ay))
 
 
@@ -91,9 +91,9 @@ def chain_motion(model: Any, motion: Any, work: Any) -> NodeMotion:
 def begin_assembly(model: Any, motion: Any, masses: Any, work: Any) -> Sweep:
     """Start a sweep over the nodes: the frame's own forces, the clamps, the first edge."""
     mesh = work.mesh
-    now = model.frame.mount_turning(mesh, work.state, work.state)
-    before = model.frame.mount_turning(mesh, work.state, work.position_predictor)
-    turning = Turning(
+    now = model.frame.mount_rotations(mesh, work.state, work.state)
+    before = model.frame.mount_rotations(mesh, work.state, work.position_predictor)
+    rotations = Rotations(
         (now.left - before.left) * motion.rate_factor,
         (now.right - before.right) * motion.rate_factor,
     )
@@ -104,7 +104,7 @@ def begin_assembly(model: Any, motion: Any, masses: Any, work: Any) -> Sweep:
         extremes = add_frame_contacts(model, motion, masses, work, extremes)
     elastic = model.frame.add_elasticity(model, motion, work)
     angles = model.clamp.angles(motion.time)
-    tangents = model.frame.end_tangents(mesh, model.load, angles, work.state, turning)
+    tangents = model.frame.end_tangents(mesh, model.load, angles, work.state, rotations)
     nodes = chain_motion(model, motion, work)
     chain, left = model.discretization.begin_chain(model.damping, nodes, tangents)
     return Sweep(tangents, chain, left, left, with_force(extremes, elastic))
@@ -149,7 +149,7 @@ def assemble_node(
         work.residual[row] -= force_x
         work.residual[row + 1] -= force_y
         if per_node == 3:
-            work.residual[row + 2] -= moment / model.discretization.turn_length()
+            work.residual[row + 2] -= moment / model.discretization.rotation_length()
     if model.discretization.has_elements():
         if node == 2:
             model.frame.condense_first(model, work, sweep.tangents, sweep.left)

@@ -3,8 +3,9 @@
 A stage solves R(q, p) = 0, so that K dq/dp = -dR/dp, with the predictors of the stage depending
 on the parameters p as well. The tangent state takes the march's own guess of q, differentiated:
 what the guess leaves of dR/dp comes out of the residual in duals, and is corrected with the matrix
-that Newton's method has just factored. That one lacks unsymmetric parts that are small (Kelvin-Voigt's,
-and friction's at nodes): each correction shrinks what they leave by a large factor.
+that Newton's method has just factored. That one lacks unsymmetric parts that are small
+(Kelvin-Voigt's, and friction's at nodes): each correction shrinks what they leave by a large
+factor.
 """
 
 from typing import Any
@@ -14,7 +15,7 @@ from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.clock import LAST_STEP, STAGE, STEP, TIME
 from snapjump.engine.model import with_numbers
 from snapjump.engine.tangent import view_tangent
-from snapjump.linear_solver.more_sides import FOUR, solve_more_sides
+from snapjump.linear_solver.right_hand_sides import FOUR, solve_right_hand_sides
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.dual import constant, dual, slopes_of, value_of
 from snapjump.number.lane import view_numbers
@@ -108,7 +109,7 @@ def differentiate_stages(
 ) -> None:
     """Bring the tangent states of the first ``count`` lanes in ``chosen`` through the stages that
     they have just converged."""
-    turning = template.discretization.node_dofs() == 3
+    rotations = template.discretization.node_dofs() == 3
     for c in range(count):
         predict_stage(template, scheme, memory, tangent, chosen[c])
     for _ in range(corrections):
@@ -117,7 +118,9 @@ def differentiate_stages(
             model = tangent_model(template, tangent, lane)
             motion = motion_of(scheme, memory, lane)
             write_sides(model, motion, masses, memory, tangent, lane)
-        solve_more_sides(memory, tangent.slopes, tangent.frame_slopes, chosen, count, turning)
+        solve_right_hand_sides(
+            memory, tangent.slopes, tangent.frame_slopes, chosen, count, rotations
+        )
         for c in range(count):
             lane = chosen[c]
             node = scheme.abscissa(memory.clock[STAGE, lane])

@@ -13,7 +13,7 @@ from snapjump.engine.start import DIFFERENCE_RAD, stay_in_place, with_angles
 from snapjump.engine.status import RUNNING
 from snapjump.engine.tangent import view_tangent
 from snapjump.engine.view import view_memory, view_work
-from snapjump.linear_solver.more_sides import FOUR, solve_more_sides
+from snapjump.linear_solver.right_hand_sides import FOUR, solve_right_hand_sides
 from snapjump.number.array import uncounted
 from snapjump.number.dispatch import released, routine
 from snapjump.number.dual import PARAMETERS, constant, dual, slopes_of
@@ -50,10 +50,10 @@ def differentiate_equilibrium(
         twin.position_predictor[i] = constant(store.state[i, 0])
     hold_ends(twin_model, time, twin)
     still = Motion(time, 0.0, 0.0, WEAK_ANCHOR)
-    turning = model.discretization.node_dofs() == 3
+    rotations = model.discretization.node_dofs() == 3
     for _ in range(MOST_CORRECTIONS):
         write_sides(twin_model, still, masses, store, tangent, 0)
-        solve_more_sides(store, tangent.slopes, tangent.frame_slopes, chosen, 1, turning)
+        solve_right_hand_sides(store, tangent.slopes, tangent.frame_slopes, chosen, 1, rotations)
         correct(twin_model, time, store, tangent, 0)
         largest = 0.0
         for i in range(tangent.slopes.shape[1]):

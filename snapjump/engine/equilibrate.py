@@ -12,8 +12,8 @@ from snapjump.number.dispatch import compiled
 
 @compiled
 def equilibrate(template: Any, numbers: Any, masses: Any, memory: Any, iterate: bool) -> Any:
-    """Solve for the equilibrium near the state in ``memory`` at time 0, or, if not ``iterate``, only
-    assemble there.
+    """Solve for the equilibrium near the state in ``memory`` at time 0, or only assemble there if
+    not ``iterate``.
 
     Afterwards ``memory`` holds residual and band (one lane). Returns the number of
     negative pivots at the last iteration, the last correction (L), which is how well the state is

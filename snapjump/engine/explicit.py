@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from snapjump.discretization.base import HALF_BANDWIDTH, TURN_INERTIA
+from snapjump.discretization.base import HALF_BANDWIDTH, ROTARY_INERTIA
 from snapjump.engine.assemble import assemble
 from snapjump.engine.clock import FASTEST, GAP, RESIDUAL, SHARE, STABLE_STEP, STEP
 from snapjump.engine.newton import Correction
@@ -20,7 +20,7 @@ def slave_acceleration(work: Any, i: Any, step: Any) -> Any:
 @kernel
 def node_mass(mass: Any, axis: Any) -> Any:
     """Mass or rotary inertia that belongs to a coordinate of a node."""
-    return TURN_INERTIA * mass if axis == 2 else mass
+    return ROTARY_INERTIA * mass if axis == 2 else mass
 
 
 @kernel

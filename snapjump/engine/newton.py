@@ -21,7 +21,10 @@ from snapjump.engine.clock import (
 )
 from snapjump.engine.points import gap_safe_share
 from snapjump.linear_solver.banded import begin_elimination, eliminate_node, substitute_back
-from snapjump.linear_solver.banded_turning import eliminate_turning_node, substitute_back_turning
+from snapjump.linear_solver.banded_rotations import (
+    eliminate_rotating_node,
+    substitute_back_rotating,
+)
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, maximum, minimum, negate, where
 
@@ -66,7 +69,7 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
     """
     dofs = model.frame.dofs(work.mesh)
     bordered = model.frame.border_width() > 0
-    turning = model.discretization.node_dofs() == 3
+    rotations = model.discretization.node_dofs() == 3
     nodes = masses.shape[0]
     zero = 0.0 * motion.rate_factor
     sweep = begin_assembly(model, motion, masses, work)
@@ -75,8 +78,8 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
         if node < nodes:
             sweep = assemble_node(model, motion, masses, work, node, sweep)
         if node >= NODES_COUPLED:
-            if turning:
-                done = eliminate_turning_node(work, node - NODES_COUPLED, bordered, done)
+            if rotations:
+                done = eliminate_rotating_node(work, node - NODES_COUPLED, bordered, done)
             else:
                 done = eliminate_node(work, node - NODES_COUPLED, bordered, done)
     residual = done.largest
@@ -87,8 +90,8 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
         negative = negative + model.frame.solve(work, done)
         correction = largest_of(work.frame_residual, dofs, correction)
     remains = model.frame.border_width() == 3
-    if turning:
-        correction = maximum(correction, substitute_back_turning(work, remains, zero))
+    if rotations:
+        correction = maximum(correction, substitute_back_rotating(work, remains, zero))
     else:
         correction = maximum(correction, substitute_back(work, remains, zero))
     return Solution(end_assembly(sweep), residual, correction, negative)

@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.discretization.base import TURN_INERTIA
+from snapjump.discretization.base import ROTARY_INERTIA
 from snapjump.engine.points import contact_powers
 from snapjump.number.dispatch import routine
 
@@ -33,7 +33,7 @@ def powers(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity
         i = dofs * node + offset
         speed_squared = velocity[i] * velocity[i] + velocity[i + 1] * velocity[i + 1]
         if dofs == 3:
-            speed_squared = speed_squared + TURN_INERTIA * velocity[i + 2] * velocity[i + 2]
+            speed_squared = speed_squared + ROTARY_INERTIA * velocity[i + 2] * velocity[i + 2]
         damping = damping + drag * masses[node] * speed_squared
     for k in range(offset):
         mass = model.frame.mass_of(mesh, k)
@@ -41,8 +41,8 @@ def powers(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity
     damping = damping + model.frame.dissipation(model.damping, mesh, state, velocity)
     if model.discretization.has_elements():
         angles = model.clamp.angles(motion.time)
-        turning = model.frame.mount_turning(mesh, state, velocity)
-        tangents = model.frame.end_tangents(mesh, model.load, angles, state, turning)
+        rotations = model.frame.mount_rotations(mesh, state, velocity)
+        tangents = model.frame.end_tangents(mesh, model.load, angles, state, rotations)
         chain = model.discretization.chain_powers(
             model.damping, state[offset:], velocity[offset:], tangents
         )

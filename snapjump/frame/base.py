@@ -19,14 +19,14 @@ from snapjump.linear_solver.contact_rows import NodeRows
 from snapjump.number.methods import Contract, required
 
 
-class Turning(NamedTuple):
+class Rotations(NamedTuple):
     """Turning of the left and of the right mount: rates (rad/T), or increments (rad)."""
 
     left: Any
     right: Any
 
 
-STILL = Turning(0.0, 0.0)
+STILL = Rotations(0.0, 0.0)
 
 
 class FrameBox(NamedTuple):
@@ -57,13 +57,15 @@ class Frame(Contract):
         return 0
 
     @required
-    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Turning) -> Any:
+    def end_tangents(
+        self, mesh: Any, load: Any, angles: Any, state: Any, rotations: Rotations
+    ) -> Any:
         """The :class:`~snapjump.discretization.base.EndTangents` of a state whose mounts turn."""
 
-    def mount_turning(self, mesh: Any, state: Any, vector: Any) -> Any:
+    def mount_rotations(self, mesh: Any, state: Any, vector: Any) -> Any:
         """Turning of the mounts when coordinates move by ``vector``, in which it is linear."""
         zero = 0.0 * state[0]
-        return Turning(zero, zero)
+        return Rotations(zero, zero)
 
     def place_ends(self, mesh: Any, discretization: Any, angles: Any, state: Any) -> Any:
         """Put the slave nodes where the frame holds them."""

@@ -22,7 +22,9 @@ class FixedFrame(FrameOptions):
         half_span: float
         mount_height: float
 
-        def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Any) -> Any:
+        def end_tangents(
+            self, mesh: Any, load: Any, angles: Any, state: Any, rotations: Any
+        ) -> Any:
             return EndTangents(
                 cos(angles.left),
                 -sin(angles.left),
@@ -43,8 +45,8 @@ class FixedFrame(FrameOptions):
             state[last] = self.half_span - offset * cos(angles.right)
             state[last + 1] = self.mount_height - offset * sin(angles.right)
             if dofs == 3:
-                state[2] = -discretization.turn_length() * angles.left
-                state[last + 2] = discretization.turn_length() * angles.right
+                state[2] = -discretization.rotation_length() * angles.left
+                state[last + 2] = discretization.rotation_length() * angles.right
 
         def condense_first(self, model: Any, work: Any, tangents: Any, hinge: Any) -> None:
             release_first_node(model.discretization.node_dofs(), work)

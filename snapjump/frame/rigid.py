@@ -6,7 +6,7 @@ The clamped end nodes of the beam belong to it, so that its mass matrix is diago
 from typing import Any, NamedTuple
 
 from snapjump.discretization.base import EndTangents
-from snapjump.frame.base import Frame, FrameBox, FrameOptions, Outline, Turning
+from snapjump.frame.base import Frame, FrameBox, FrameOptions, Outline, Rotations
 from snapjump.frame.parts.ends import Arm, move_first, move_last
 from snapjump.linear_solver import banded
 from snapjump.linear_solver.contact_rows import CornerRows
@@ -37,27 +37,27 @@ class RigidFrame(FrameOptions):
         def border_width(self) -> int:
             return 3
 
-        def mount_turning(self, mesh: Any, state: Any, vector: Any) -> Turning:
-            return Turning(vector[2], vector[2])
+        def mount_rotations(self, mesh: Any, state: Any, vector: Any) -> Rotations:
+            return Rotations(vector[2], vector[2])
 
         def end_tangents(
-            self, mesh: Any, load: Any, angles: Any, state: Any, turning: Turning
+            self, mesh: Any, load: Any, angles: Any, state: Any, rotations: Rotations
         ) -> Any:
             left = state[2] - angles.left
             right = state[2] + angles.right
             return EndTangents(
                 cos(left),
                 sin(left),
-                turning.left - angles.left_rate,
+                rotations.left - angles.left_rate,
                 cos(right),
                 sin(right),
-                turning.right + angles.right_rate,
+                rotations.right + angles.right_rate,
                 0.0 * left,
                 0.0 * left,
             )
 
         def place_ends(self, mesh: Any, discretization: Any, angles: Any, state: Any) -> None:
-            still = Turning(0.0 * state[2], 0.0 * state[2])
+            still = Rotations(0.0 * state[2], 0.0 * state[2])
             tangents = self.end_tangents(mesh, 0.0, angles, state, still)
             dofs = discretization.node_dofs()
             offset = discretization.clamp_distance()
@@ -69,8 +69,8 @@ class RigidFrame(FrameOptions):
             state[last] = state[0] + right.x
             state[last + 1] = state[1] + right.y
             if dofs == 3:
-                state[5] = discretization.turn_length() * (state[2] - angles.left)
-                state[last + 2] = discretization.turn_length() * (state[2] + angles.right)
+                state[5] = discretization.rotation_length() * (state[2] - angles.left)
+                state[last + 2] = discretization.rotation_length() * (state[2] + angles.right)
 
         def condense_first(self, model: Any, work: Any, tangents: Any, hinge: Any) -> None:
             offset = model.discretization.clamp_distance()

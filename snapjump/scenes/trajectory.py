@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
-from snapjump.discretization.base import TURN_INERTIA
+from snapjump.discretization.base import ROTARY_INERTIA
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.model import Model
@@ -153,7 +153,7 @@ def energy_arrays(
     model, mesh, masses = march.models[0], march.mesh, march.masses
     dofs = model.frame.dofs(mesh)
     stride = model.discretization.node_dofs()
-    weights = np.outer(masses, [1.0, 1.0, TURN_INERTIA][:stride]).ravel()
+    weights = np.outer(masses, [1.0, 1.0, ROTARY_INERTIA][:stride]).ravel()
     kinetic = 0.5 * (velocities[:, dofs:] ** 2) @ weights
     fall = model.load.gravity()
     tug = model.load.pull()

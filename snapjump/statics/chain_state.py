@@ -31,5 +31,5 @@ def chain_state(discretization: Any, x: Array, y: Array) -> Array:
     state[0::dofs] = x
     state[1::dofs] = y
     if dofs == 3:
-        state[5:-3:3] = discretization.turn_length() * chord_angles(x, y)
+        state[5:-3:3] = discretization.rotation_length() * chord_angles(x, y)
     return state

@@ -74,7 +74,7 @@ class Rod:
         return np.arctan((q[-1] - q[-3]) / (q[-2] - q[-4]))
 
 
-class Turning:
+class Rotations:
     """Elements whose nodes turn: the third coordinate is the rotation times the length."""
 
     dofs, close, closest = 3, 1e-9, 1e-10
@@ -125,8 +125,8 @@ def kinked(rng: Any, nodes: int, kink: float) -> Any:
 
 RODS = {clamp: Rod(clamp) for clamp in ("half_element", "two_nodes")}
 TURNING = {
-    "corotational": Turning(Corotational.Beam(LENGTH, 2e5)),
-    "geometrically_exact": Turning(GeometricallyExact.Beam(LENGTH, 2e5, 6e4)),
+    "corotational": Rotations(Corotational.Beam(LENGTH, 2e5)),
+    "geometrically_exact": Rotations(GeometricallyExact.Beam(LENGTH, 2e5, 6e4)),
 }
 CHAINS = RODS | TURNING
 chains = pytest.mark.parametrize("chain", CHAINS.values(), ids=CHAINS)

@@ -141,7 +141,7 @@ def test_mounts_turn_with_their_edges():
 
     slopes = complex_step(directions, [0.0]).ravel()
     values = directions([0.0])
-    turning = case.model.frame.mount_turning(case.mesh, state, vector)
+    turning = case.model.frame.mount_rotations(case.mesh, state, vector)
     np.testing.assert_allclose(turning, slopes / (1.0 + values**2), rtol=1e-10)
 
 

@@ -83,7 +83,7 @@ class Case:
         if self.dofs == 3:
             directions = turn + np.linspace(0.4, -0.4, self.nodes)[1:-1]
             directions = directions + rng.uniform(-0.1, 0.1, inner)
-            turned = np.column_stack([turned, self.beam.turn_length() * directions])
+            turned = np.column_stack([turned, self.beam.rotation_length() * directions])
         return np.concatenate([[0.05, height, turn], turned.ravel()])
 
     def in_the_barrier(self, turn: float) -> Any:
@@ -218,7 +218,7 @@ def test_internal_forces_have_no_resultant(clamp, damping):
     resultant = force[:2] + nodes[:, :2].sum(axis=0)
     moment = force[2] + state[0] * force[1] - state[1] * force[0]
     moment += np.sum(places[:, 0] * nodes[:, 1] - places[:, 1] * nodes[:, 0])
-    moment += case.beam.turn_length() * nodes[:, 2:].sum()
+    moment += case.beam.rotation_length() * nodes[:, 2:].sum()
     assert scale > 1.0
     assert np.abs(resultant).max() < 1e-11 * scale * len(nodes)
     assert abs(moment) < 1e-11 * scale * len(nodes)
@@ -271,7 +271,7 @@ def test_ends_are_where_the_frame_holds_them(clamp):
         expected = mount - side * case.offset * np.array([np.cos(direction), np.sin(direction)])
         np.testing.assert_allclose(node[:2], expected, atol=1e-14)
         if case.dofs == 3:
-            assert node[2] == pytest.approx(case.beam.turn_length() * direction)
+            assert node[2] == pytest.approx(case.beam.rotation_length() * direction)
 
 
 @pytest.mark.parametrize("turn", [-3.0, -0.2, 0.0, 1.5])

@@ -15,7 +15,10 @@ from snapjump.linear_solver.banded import (
     solve_frame,
     substitute_back,
 )
-from snapjump.linear_solver.banded_turning import eliminate_turning_node, substitute_back_turning
+from snapjump.linear_solver.banded_rotations import (
+    eliminate_rotating_node,
+    substitute_back_rotating,
+)
 from snapjump.number.dispatch import routine
 
 NODES = 12
@@ -25,29 +28,29 @@ dofs_of_nodes = pytest.mark.parametrize("per_node", [2, 3])
 
 
 @routine
-def solve(work: Any, bordered: Any, turning: Any) -> Any:
+def solve(work: Any, bordered: Any, rotations: Any) -> Any:
     """Number of pivots that are not positive; the solution replaces the residual."""
     zero = 0.0 * work.corner_block[0, 0]
     done = begin_elimination(zero)
     for node in range(NODES):
-        if turning:
-            done = eliminate_turning_node(work, node, bordered, done)
+        if rotations:
+            done = eliminate_rotating_node(work, node, bordered, done)
         else:
             done = eliminate_node(work, node, bordered, done)
     negative = done.negative
     if bordered:
         negative = negative + solve_frame(work, done)
-    if turning:
-        substitute_back_turning(work, bordered, zero)
+    if rotations:
+        substitute_back_rotating(work, bordered, zero)
     else:
         substitute_back(work, bordered, zero)
     return negative
 
 
 @njit(cache=True, error_model="numpy")
-def solve_compiled(memory: Any, lanes: Any, bordered: bool, turning: bool) -> None:
+def solve_compiled(memory: Any, lanes: Any, bordered: bool, rotations: bool) -> None:
     work = view_work(memory, lanes)
-    work.clock[0] = solve(work, bordered, turning)
+    work.clock[0] = solve(work, bordered, rotations)
 
 
 def fill(work: Any, seed: int, shift: float, unsymmetric: bool = False) -> tuple[Any, Any]:
@@ -118,7 +121,7 @@ def test_pivots_count_negative_eigenvalues(bordered, per_node):
 @dofs_of_nodes
 @pytest.mark.parametrize("bordered", [False, True])
 def test_lanes_and_scalars_solve_alike(bordered, per_node):
-    turning = per_node == 3
+    rotations = per_node == 3
     plain = [plain_work(NODES, 3, per_node=per_node) for _ in range(WIDTH)]
     lanes = make_memory(sizes(NODES, 3, per_node, WIDTH))
     singles = [make_memory(sizes(NODES, 3, per_node)) for _ in range(WIDTH)]
@@ -128,11 +131,11 @@ def test_lanes_and_scalars_solve_alike(bordered, per_node):
             values = getattr(work, name)
             getattr(lanes, name)[..., lane] = values
             getattr(singles[lane], name)[..., 0] = values
-    solve_compiled(lanes, (0,) * WIDTH, bordered, turning)
+    solve_compiled(lanes, (0,) * WIDTH, bordered, rotations)
     for lane, work in enumerate(plain):
-        negative = solve(work, bordered, turning)
+        negative = solve(work, bordered, rotations)
         single = singles[lane]
-        solve_compiled(single, (0,), bordered, turning)
+        solve_compiled(single, (0,), bordered, rotations)
         assert lanes.clock[0, lane] == single.clock[0, 0] == negative
         for name in ("residual", "frame_residual"):
             scalar = getattr(single, name)[..., 0]

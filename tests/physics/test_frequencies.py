@@ -7,7 +7,7 @@ from families import FAMILIES
 from scipy.linalg import eigh
 
 from snapjump.declare.members import member_class
-from snapjump.discretization.base import TURN_INERTIA
+from snapjump.discretization.base import ROTARY_INERTIA
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import numbers_of
 from snapjump.engine.work import make_memory, sizes_of
@@ -34,7 +34,7 @@ def frequencies(tangent: np.ndarray, masses: np.ndarray, count: int) -> np.ndarr
 
 def inertias(masses: np.ndarray, dofs: int) -> np.ndarray:
     """The lumped inertia of every coordinate, shape (nodes, dofs)."""
-    return np.outer(masses, [1.0, 1.0, TURN_INERTIA][:dofs])
+    return np.outer(masses, [1.0, 1.0, ROTARY_INERTIA][:dofs])
 
 
 def split(tangent: np.ndarray, masses: np.ndarray, count: int) -> tuple[np.ndarray, float]:

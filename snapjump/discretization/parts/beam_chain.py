@@ -104,7 +104,7 @@ class BeamElements(Discretization):
     def node_dofs(self) -> int:
         return 3
 
-    def turn_length(self) -> Any:
+    def rotation_length(self) -> Any:
         return self.element_length
 
     def clamp_distance(self) -> float:

@@ -16,7 +16,7 @@ from snapjump.engine.points import point_at, point_count, share_of
 from snapjump.engine.recorder.base import Recorder
 from snapjump.engine.tangent import TangentState, view_tangent
 from snapjump.engine.view import view_memory
-from snapjump.linear_solver.more_sides import FOUR
+from snapjump.linear_solver.right_hand_sides import FOUR
 from snapjump.number.array import uncounted
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.dual import PARAMETERS, constant, dual, slope_at, slopes_of, value_of

@@ -12,7 +12,7 @@ from snapjump.number.functions import cos, sin
 class CantileverFrame(NamedTuple):
     """The left end clamped at the origin."""
 
-    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Any) -> Any:
+    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, rotations: Any) -> Any:
         zero = 0.0 * state[0]
         _, _, moment = load.tip_load()
         return EndTangents(
@@ -31,7 +31,7 @@ class CantileverFrame(NamedTuple):
         state[0] = offset * cos(angles.left)
         state[1] = -offset * sin(angles.left)
         if discretization.node_dofs() == 3:
-            state[2] = -discretization.turn_length() * angles.left
+            state[2] = -discretization.rotation_length() * angles.left
 
     def condense_first(self, model: Any, work: Any, tangents: Any, hinge: Any) -> None:
         release_first_node(model.discretization.node_dofs(), work)

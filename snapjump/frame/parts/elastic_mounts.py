@@ -7,7 +7,7 @@ back the same way.
 from typing import Any
 
 from snapjump.discretization.base import HALF_BANDWIDTH, EndTangents
-from snapjump.frame.base import Turning
+from snapjump.frame.base import Rotations
 from snapjump.frame.parts.elastic_body import ElasticBody
 from snapjump.frame.parts.elastic_mesh import DOFS, LEFT_MOUNT, Mount, mount_at, right_mount
 from snapjump.frame.parts.ends import Arm, move_first, move_last
@@ -16,7 +16,7 @@ from snapjump.number.functions import cos, sin, sqrt
 
 
 @kernel
-def turning_of(edge: Any, state: Any, vector: Any) -> Any:
+def rotation_of(edge: Any, state: Any, vector: Any) -> Any:
     """Turning of an edge whose nodes move by ``vector``."""
     mount = mount_at(edge, 1.0, state)
     i = 2 * edge
@@ -85,23 +85,25 @@ class ElasticMounts(ElasticBody):
     inset: Any
     right_follow: Any
 
-    def mount_turning(self, mesh: Any, state: Any, vector: Any) -> Turning:
-        return Turning(
-            turning_of(mesh[LEFT_MOUNT], state, vector),
-            turning_of(right_mount(mesh), state, vector),
+    def mount_rotations(self, mesh: Any, state: Any, vector: Any) -> Rotations:
+        return Rotations(
+            rotation_of(mesh[LEFT_MOUNT], state, vector),
+            rotation_of(right_mount(mesh), state, vector),
         )
 
-    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Turning) -> Any:
+    def end_tangents(
+        self, mesh: Any, load: Any, angles: Any, state: Any, rotations: Rotations
+    ) -> Any:
         left_x, left_y = turned(mount_at(mesh[LEFT_MOUNT], 1.0, state), -angles.left)
         right_x, right_y = right_tangent(self, mesh, angles.right, state)
         zero = 0.0 * left_x
         return EndTangents(
             left_x,
             left_y,
-            turning.left - angles.left_rate,
+            rotations.left - angles.left_rate,
             right_x,
             right_y,
-            turning.right + angles.right_rate,
+            rotations.right + angles.right_rate,
             zero,
             zero,
         )

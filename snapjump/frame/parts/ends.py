@@ -68,8 +68,8 @@ def end_node(discretization: Any, row: Any, hinge: Any, sign: Any, work: Any) ->
     cx = coupling * hinge.slope_x
     cy = coupling * hinge.slope_y
     if discretization.node_dofs() == 3:
-        length = discretization.turn_length()
-        zero = 0.0 * length
+        length = discretization.rotation_length()
+        zero = 0.0 * hinge.stiffness
         moment = length * residual[row + 2]
         hinge = EndHinge(moment, length * length * band[row + 2, 0], zero, zero)
         cx = length * band[row, 2]
@@ -100,8 +100,8 @@ def add_end(
     block[k + 2, k] += tx
     block[k + 1, k + 2] += ty
     block[k + 2, k + 1] += ty
-    turning = sx * tx + sy * ty + sx * node.cx + sy * node.cy + hinge.stiffness
-    block[k + 2, k + 2] += turning - arm.x * node.x - arm.y * node.y
+    rotational = sx * tx + sy * ty + sx * node.cx + sy * node.cy + hinge.stiffness
+    block[k + 2, k + 2] += rotational - arm.x * node.x - arm.y * node.y
 
 
 @kernel
@@ -127,7 +127,7 @@ def move_first(discretization: Any, hinge: Any, arm: Arm, residual: Any, work: A
     for row in range(dofs, 6):
         add_border(band[0, row], band[1, row - 1], arm, border, row, 0)
         if dofs == 3:
-            border[row, 2] += discretization.turn_length() * band[2, row - 2]
+            border[row, 2] += discretization.rotation_length() * band[2, row - 2]
     if dofs == 2:
         border[2, 2] -= hinge.stiffness * hinge.slope_x
         border[3, 2] -= hinge.stiffness * hinge.slope_y
@@ -150,7 +150,7 @@ def move_last(
         j = row - k
         add_border(band[j, k], band[j, k + 1], arm, border, j, column)
         if dofs == 3:
-            border[j, column + 2] += discretization.turn_length() * band[j, k + 2]
+            border[j, column + 2] += discretization.rotation_length() * band[j, k + 2]
     if dofs == 2:
         border[row - 2, column + 2] += hinge.stiffness * hinge.slope_x
         border[row - 1, column + 2] += hinge.stiffness * hinge.slope_y

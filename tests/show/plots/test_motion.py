@@ -40,7 +40,7 @@ def test_flight_ends_at_the_apex_and_keeps_shape_and_turning(jump):
 
 
 def test_middle_height_is_measured_in_the_frame(jump):
-    """Turning and moving everything changes nothing."""
+    """Rotations and moving everything changes nothing."""
     motion = read_motion(jump)
     assert motion is not None
     height = middle_height(motion)

@@ -115,27 +115,27 @@ def return_rows(band: Any, border: Any, every: Any, frames: Any, chosen: Any, co
 
 
 @routine
-def solve_more_sides(
-    work: Any, padded_sides: Any, frame_sides: Any, chosen: Any, count: int, turning: bool
+def solve_right_hand_sides(
+    work: Any, padded_sides: Any, frame_sides: Any, chosen: Any, count: int, rotations: bool
 ) -> None:
     """Replace the right-hand sides of the first ``count`` lanes in ``chosen`` by solutions.
 
     work: memory (..., W) of an eliminated :class:`~snapjump.engine.work.System` with a border of
     three columns; padded_sides (W, B + 10, 4) of the nodes, whose first and last five rows are
-    zero; frame_sides (W, F, 4) of the frame; turning: whether nodes have three coordinates.
+    zero; frame_sides (W, F, 4) of the frame; rotations: whether nodes have three coordinates.
     """
     band = uncounted(work.padded_band)
     border = uncounted(work.padded_border)
     every = view_numbers(padded_sides, FOUR)
     frames = view_numbers(frame_sides, FOUR)
-    if turning:
+    if rotations:
         reduce_rows(band, border, every, frames, chosen, count)
     else:
         reduce_nodes(band, border, every, frames, chosen, count)
     for c in range(count):
         lane = chosen[c]
         solve_square(work.corner_block[:, :, lane], frames[lane])
-    if turning:
+    if rotations:
         return_rows(band, border, every, frames, chosen, count)
     else:
         return_nodes(band, border, every, frames, chosen, count)

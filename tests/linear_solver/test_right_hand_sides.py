@@ -9,7 +9,7 @@ from plain_python import sizes
 
 from snapjump.engine.view import view_memory
 from snapjump.engine.work import make_memory
-from snapjump.linear_solver.more_sides import solve_more_sides
+from snapjump.linear_solver.right_hand_sides import solve_right_hand_sides
 from snapjump.number.memory import aligned_zeros
 
 NODES = 9
@@ -18,9 +18,9 @@ LANES = 4
 
 @njit(cache=True, error_model="numpy")
 def solve_compiled(
-    memory: Any, sides: Any, frame_sides: Any, chosen: Any, count: int, turning: bool
+    memory: Any, sides: Any, frame_sides: Any, chosen: Any, count: int, rotations: bool
 ) -> None:
-    solve_more_sides(view_memory(memory), sides, frame_sides, chosen, count, turning)
+    solve_right_hand_sides(view_memory(memory), sides, frame_sides, chosen, count, rotations)
 
 
 def factors(per_node: int) -> Any:

@@ -107,7 +107,7 @@ def take_from_frame(done: Elimination, border: Any, rhs: Any, over: Any, j: Any)
 
 
 @kernel
-def eliminate_turning_node(work: Any, node: Any, bordered: Any, done: Elimination) -> Elimination:
+def eliminate_rotating_node(work: Any, node: Any, bordered: Any, done: Elimination) -> Elimination:
     """Eliminate a node whose columns, and whose share of the border, are complete."""
     band = work.padded_band
     rhs = work.padded_residual
@@ -144,7 +144,7 @@ def eliminate_turning_node(work: Any, node: Any, bordered: Any, done: Eliminatio
 
 
 @kernel
-def substitute_back_turning(work: Any, bordered: Any, zero: Any) -> Any:
+def substitute_back_rotating(work: Any, bordered: Any, zero: Any) -> Any:
     """Replace the nodes' right-hand side by the solution; returns its largest entry."""
     band = work.padded_band
     border = work.padded_border
