@@ -24,7 +24,7 @@ from snapjump.backend.lanes import LanesBackend
 from snapjump.batch import prepare_designs, variant
 from snapjump.batch.simulate import marches
 from snapjump.composition import Simulation, with_tier
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.cuda.availability import check_card
 from snapjump.engine.status import NAMES
 from snapjump.scenes.card_march import CardMarch

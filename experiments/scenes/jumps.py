@@ -15,7 +15,7 @@ from snapjump.batch import simulate_batch, variants
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.declare.members import make_member
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.status import NAMES, OK
 from snapjump.engine.termination.apex import ApexTermination
 from snapjump.run.studies.base import Row

@@ -7,6 +7,7 @@ import numpy as np
 from numba import njit
 
 from snapjump.engine import clock as c
+from snapjump.engine import outcome as outcomes
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.differentiate import hold_ends, motion_of
@@ -156,11 +157,12 @@ def exact_jump(jump: March, steps: Any, guide: Any = None, tolerance: float = 1e
 
 
 def outcome_of(jump: March) -> Any:
-    """The outcome (1, ROWS) of a robot that flies after the last step."""
-    memory, outcome = jump.memory, np.zeros((1, c.ROWS))
+    """The outcome (1, COLUMNS) of a robot that flies after the last step."""
+    memory, outcome = jump.memory, np.zeros((1, outcomes.COLUMNS))
     state, velocity = memory.start[:, 0], memory.velocity[0, :, 0]
     flying = centre_of_mass(jump.models[0], jump.masses, jump.mesh, state, velocity)
-    outcome[0, [c.STATUS, c.COM_X, c.COM_Y, c.COM_VX, c.COM_VY]] = OK, *flying
+    columns = (outcomes.STATUS, outcomes.COM_X, outcomes.COM_Y, outcomes.COM_VX, outcomes.COM_VY)
+    outcome[0, columns] = OK, *flying
     return outcome
 
 
@@ -186,4 +188,4 @@ def march_along(jump: March, steps: Any, solutions: Any) -> None:
             memory.correction[:] = 0.0
             march(*arguments, 1)
             count += 1
-    assert jump.queue.outcome[0, c.STEPS] == len(steps)
+    assert jump.queue.outcome[0, outcomes.STEPS] == len(steps)

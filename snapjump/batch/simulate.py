@@ -17,7 +17,7 @@ from snapjump.batch.sensitivities import Slopes
 from snapjump.checks import ParameterError, check_integer
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS, check_inputs
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.model import Model
 from snapjump.engine.status import RUNNING
 from snapjump.scenes.card_march import check_backend
@@ -65,7 +65,7 @@ def march_all(
     """What becomes of prepared jumps; with slopes (M, P, I) of the models' ``numbers`` also those
     of the flights."""
     count = len(ready.models)
-    outcome, slopes = np.zeros((count, c.ROWS)), None
+    outcome, slopes = np.zeros((count, c.COLUMNS)), None
     if numbers is not None:
         inputs = numbers.shape[2]
         slopes = Slopes(

@@ -104,14 +104,14 @@ def differentiate_starts(
         model = with_angles(moving, moving.clamp.start, moving.clamp.delta_alpha)
         dual_model = tangent_model(template, tangent, 0)
         twin_start = dual_model.clamp.start
-        lag = dual_model.clamp.delta_alpha
-        twin_model = with_angles(dual_model, twin_start, lag)
+        delta_alpha = dual_model.clamp.delta_alpha
+        twin_model = with_angles(dual_model, twin_start, delta_alpha)
         difference = DIFFERENCE_RAD / moving.clamp.rate
         # Faster clamps pass the same angles on both sides, only sooner.
         passing = DIFFERENCE_RAD / dual_model.clamp.rate
         sooner = difference * (dual_model.clamp.rate - moving.clamp.rate)
-        earlier = with_angles(dual_model, twin_start + sooner, lag)
-        later = with_angles(dual_model, twin_start - sooner, lag)
+        earlier = with_angles(dual_model, twin_start + sooner, delta_alpha)
+        later = with_angles(dual_model, twin_start - sooner, delta_alpha)
 
         guess_at(memory, queue, robot, 0.0)
         differentiate_equilibrium(model, twin_model, masses, memory, tangent, chosen, 0.0)

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.engine import outcome
 from snapjump.engine.clock import (
     ACTIVE,
     COARSEST,
@@ -32,6 +33,7 @@ from snapjump.engine.clock import (
 from snapjump.engine.explicit import evaluate_forces
 from snapjump.engine.model import with_numbers
 from snapjump.engine.newton import newton_iteration
+from snapjump.engine.outcome import COLUMNS, ROWS_OF_CLOCK
 from snapjump.engine.stage import (
     begin_stage,
     commit_step,
@@ -61,7 +63,8 @@ class Queue(NamedTuple):
     """Robots to be simulated and what became of them, R in all.
 
     numbers (R, P): of each model; state, velocity, acceleration (R, D): at its beginning;
-    status (R): 0 to march, else skipped; outcome (R, ROWS): the lane's clock at its end;
+    status (R): 0 to march, else skipped; outcome (R, COLUMNS): see
+    :mod:`snapjump.engine.outcome`;
     cursor (2): next robot to find the start of, and to march. Threads share all these. Each has
     its own counts (2): robots under way (-1 before the first pass), passes done; and carried (W):
     which robot each lane carries.
@@ -125,7 +128,7 @@ def refill(memory: Any, lane: int, queue: Any, recorder: Any, step: float) -> No
             queue.carried[lane] = robot
             queue.counts[0] += 1
             return
-        queue.outcome[robot, STATUS] = queue.status[robot]
+        queue.outcome[robot, outcome.STATUS] = queue.status[robot]
 
 
 @released
@@ -208,9 +211,9 @@ def march(
         h = clock[STEP]
         motion = stage_motion(scheme, work)
         if scheme.is_explicit():
-            outcome = evaluate_forces(model, motion, masses, work, active)
+            correction = evaluate_forces(model, motion, masses, work, active)
         else:
-            outcome = newton_iteration(
+            correction = newton_iteration(
                 model,
                 motion,
                 masses,
@@ -221,8 +224,8 @@ def march(
                 MOST_BACKTRACKS,
             )
         clock[ITERATIONS] = clock[ITERATIONS] + where(active, 1.0, 0.0)
-        converged = outcome.converged & active
-        failed = outcome.failed & active
+        converged = correction.converged & active
+        failed = correction.failed & active
         restage = failed
         status = 0.0 * h
         if any_true(failed):
@@ -248,8 +251,9 @@ def march(
             for lane in range(width):
                 if store.clock[STATUS, lane] > 0.0:
                     recorder.record_end(model, masses, lane, queue.carried[lane])
-                    for k in range(store.clock.shape[0]):
-                        queue.outcome[queue.carried[lane], k] = store.clock[k, lane]
+                    for k in range(COLUMNS):
+                        row = ROWS_OF_CLOCK[k]
+                        queue.outcome[queue.carried[lane], k] = store.clock[row, lane]
                     queue.counts[0] -= 1
                     refill(store, lane, queue, recorder, step)
                     store.clock[STATUS, lane] = 0.0

@@ -36,7 +36,8 @@ SHRINKING = 0.5  # of the last correction: a smaller one still converges
 
 
 class Correction(NamedTuple):
-    """Masks and figures of an iteration: converged, failed lanes, and the sign of the pivots."""
+    """Of an iteration: masks of the lanes that have converged and that have failed, and how many
+    pivots are not positive."""
 
     converged: Any
     failed: Any

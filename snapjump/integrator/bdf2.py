@@ -59,11 +59,11 @@ class Bdf2(IntegratorOptions):
             total = 0.0 * rate
             for i in range(work.state.shape[0]):
                 v = (work.state[i] - work.position_predictor[i]) * rate
-                begun = work.velocity[0, i]
+                before = work.velocity[0, i]
                 work.velocity[1, i] = v
                 work.acceleration[1, i] = (v - work.velocity_predictor[i]) * rate
-                past = 2.0 * ratio * (begun - work.velocity[HISTORY, i])
-                error = v - begun - past
+                past = 2.0 * ratio * (before - work.velocity[HISTORY, i])
+                error = v - before - past
                 total = fma(error, error, total)
             return sqrt(total / work.state.shape[0]) * (scale * step)
 

@@ -112,7 +112,7 @@ class CardMarch(March):
         self.crew[0].kernel_seconds += self.card.kernel_seconds - begun
 
     def run(self, progress: Progress | None = None) -> Array:
-        """Simulate all robots; returns the outcome (robots, ROWS).
+        """Simulate all robots; returns the outcome (robots, COLUMNS).
 
         ``progress`` is told the share of the robots that are done.
         """

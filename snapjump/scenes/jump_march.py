@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from snapjump.composition import Simulation
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.model import Model
 from snapjump.engine.recorder.none import NoRecorder
 from snapjump.engine.termination.flight import FlightTermination
@@ -49,7 +49,7 @@ def jump_march(
 
 
 def jumped(march: March, progress: Progress | None = None) -> tuple[Model, Array]:
-    """What becomes of a march's robots: their models side by side, and their outcomes (R, ROWS),
+    """What becomes of a march's robots: their models side by side, and their outcomes (R, COLUMNS),
     in which a flight that cannot be true is no success."""
     outcome = march.run(progress)
     side = side_by_side(march.models, range(len(march.models)), len(march.models))

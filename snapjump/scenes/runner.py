@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
-from snapjump.engine.clock import ROWS, TIME
+from snapjump.engine.clock import TIME
 from snapjump.engine.march import Method, Queue, find_starts, march
 from snapjump.engine.model import Model, numbers_of
+from snapjump.engine.outcome import COLUMNS
 from snapjump.engine.recorder.none import NoRecorder
 from snapjump.engine.work import Sizes, make_memory, sizes_of
 from snapjump.frame.base import NO_MESH
@@ -56,7 +57,7 @@ class March:
             velocity=zeros if self.velocities is None else self.velocities.copy(),
             acceleration=zeros.copy() if self.accelerations is None else self.accelerations.copy(),
             status=np.zeros(robots),
-            outcome=np.zeros((robots, ROWS)),
+            outcome=np.zeros((robots, COLUMNS)),
             cursor=np.zeros(2, dtype=np.int64),
             counts=np.zeros(2, dtype=np.int64),
             carried=np.zeros(self.lanes, dtype=np.int64),
@@ -117,7 +118,7 @@ class March:
         run_crew(self.crew, advance, report)
 
     def run(self, progress: Progress | None = None) -> Array:
-        """Simulate all robots; returns the outcome (robots, ROWS).
+        """Simulate all robots; returns the outcome (robots, COLUMNS).
 
         ``progress`` is told the share of the robots that are done, or of one robot's time limit.
         """

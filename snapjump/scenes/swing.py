@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.clamp.smooth_start import SmoothStart
 from snapjump.engine.recorder.trajectory import make_recorder
 from snapjump.engine.status import NAMES

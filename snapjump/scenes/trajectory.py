@@ -28,7 +28,7 @@ def samples_of(march: March) -> tuple[Array, Array, Array, Array]:
     count = int(recorder.filled[0])
     times, states = recorder.times[:count], recorder.states[:count]
     velocities, works = recorder.velocities[:count], recorder.works[:count]
-    # The lane's clock has been reset if the march is over; the recorder's has not.
+    # The last step has no sample where it ended too soon after the one before.
     if recorder.clock[0] > times[-1]:
         times = np.append(times, recorder.clock[0])
         states = np.vstack([states, march.memory.start[:, 0]])

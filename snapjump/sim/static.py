@@ -153,10 +153,10 @@ class Static(SceneOptions):
         """Critical angle and snapped state to 1e-8, and the branches around them."""
         begun = time.perf_counter()
         robot, discretization = simulation.robot, simulation.discretization
-        epsilon, lag = simulation.design.epsilon, simulation.design.delta_alpha
-        snap = find_snap(robot, discretization, epsilon, lag)
+        epsilon, delta_alpha = simulation.design.epsilon, simulation.design.delta_alpha
+        snap = find_snap(robot, discretization, epsilon, delta_alpha)
         arch = StaticArch(robot, discretization, epsilon)
-        branch = Branch(arch, lag)
+        branch = Branch(arch, delta_alpha)
         tables = []
         for upward in (True, False):
             tables.append(
@@ -164,7 +164,7 @@ class Static(SceneOptions):
             )
             if progress is not None:
                 progress(0.5 * len(tables), "branches")
-        if lag == 0.0:
+        if delta_alpha == 0.0:
             tables.append(_asymmetric(arch, snap, simulation.sim.steps))
         shapes = [tables[0]["start"], snap.before, snap.after]
         arrays: dict[str, NDArray[Any]] = {

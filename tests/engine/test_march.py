@@ -5,8 +5,9 @@ import pytest
 from numba.core.runtime import _nrt_python, rtsys
 from robots import DESIGNS, number_of, small_march
 
-from snapjump.engine import clock as c
+from snapjump.engine import clock
 from snapjump.engine import march as loop
+from snapjump.engine import outcome as c
 from snapjump.engine.status import (
     ITERATION_LIMIT,
     NAMES,
@@ -58,7 +59,7 @@ def test_nothing_is_allocated_in_the_loop(starts, lanes):
         if not enabled:
             _nrt_python.memsys_disable_stats()
     assert few == many
-    assert march.memory.clock[c.STEPS].sum() > 0
+    assert march.memory.clock[clock.STEPS].sum() > 0
 
 
 def test_slices_of_passes_are_one_march(starts):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.recorder.trajectory import make_recorder
 from snapjump.engine.status import NO_JUMP, OK
@@ -18,7 +18,7 @@ EULER = pytest.param("implicit_euler", marks=pytest.mark.compiles)
 
 def test_apex(reference):
     exact = reference("B1_ballistic")
-    outcome = np.zeros(c.ROWS)
+    outcome = np.zeros(c.COLUMNS)
     outcome[c.STATUS] = OK
     outcome[c.COM_Y], outcome[c.COM_VX], outcome[c.COM_VY] = START, VX, VY
     found = flight(2.0, Gravity(G), outcome)
@@ -31,7 +31,7 @@ def test_liftoff():
     """Thrown at t = 0.5 from (0.2, 0.1) at (VX, VY), seen 0.03 later; and one still on the ground,
     of the same flights."""
     later = 0.03
-    outcome = np.zeros((2, c.ROWS))
+    outcome = np.zeros((2, c.COLUMNS))
     outcome[:, c.STATUS] = OK, NO_JUMP
     outcome[:, c.LAST_CONTACT] = 0.5
     outcome[:, c.TIME] = 0.5 + later

@@ -14,8 +14,8 @@ from plain_march import without_compiling
 from robots import DESIGNS, small_march, small_robot
 
 from snapjump.backend.cuda import CudaBackend
-from snapjump.engine.clock import STATUS
 from snapjump.engine.cuda.plan import Plan
+from snapjump.engine.outcome import STATUS
 from snapjump.scenes.card_march import CardMarch
 
 ROBOTS = (DESIGNS[1], DESIGNS[3])

@@ -11,7 +11,7 @@ import pytest
 from before_the_strike import go_on, to_the_strike
 from robots import DESIGNS, small_march
 
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.status import NO_EQUILIBRIUM, OK, TIME_LIMIT
 
 ROOT = Path(__file__).resolve().parents[3]
