@@ -69,11 +69,11 @@ def end_node(discretization: Any, row: Any, hinge: Any, sign: Any, work: Any) ->
     cy = coupling * hinge.slope_y
     if discretization.node_dofs() == 3:
         length = discretization.rotation_length()
-        zero = 0.0 * hinge.stiffness
-        moment = length * residual[row + 2]
-        hinge = EndHinge(moment, length * length * band[row + 2, 0], zero, zero)
-        cx = length * band[row, 2]
-        cy = length * band[row + 1, 1]
+        zero = 0.0 * hinge.stiffness  # where no matrix is wanted, too, of the type of all numbers
+        moment = zero + length * residual[row + 2]
+        hinge = EndHinge(moment, zero + length * length * band[row + 2, 0], zero, zero)
+        cx = zero + length * band[row, 2]
+        cy = zero + length * band[row + 1, 1]
     node = EndNode(
         residual[row], residual[row + 1], band[row, 0], band[row, 1], band[row + 1, 0], cx, cy
     )
