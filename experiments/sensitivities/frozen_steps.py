@@ -13,8 +13,9 @@ from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.differentiate import hold_ends, motion_of
 from snapjump.engine.march import march
 from snapjump.engine.model import with_numbers
-from snapjump.engine.stage import begin_stage, commit_step, keep_stage, stage_motion
+from snapjump.engine.stage import begin_stage, keep_stage, stage_motion
 from snapjump.engine.status import OK
+from snapjump.engine.step import commit_step
 from snapjump.engine.tangent import make_tangent_state, view_tangent
 from snapjump.engine.view import view_work
 from snapjump.number.dual import PARAMETERS, constant

@@ -27,34 +27,20 @@ from snapjump.discretization.parts.der_elements import (
     edge_at,
     edge_block,
     edge_force,
+    held_end,
     hinge_block,
     hinge_coupling,
     hinge_energy,
     hinge_moment,
     hinge_power,
+    moving_edge,
     put_columns,
+    put_last_node,
     stretching_energy,
 )
-from snapjump.discretization.parts.edge import Edge, half_angle_tangent, make_edge
-from snapjump.number.dispatch import kernel
+from snapjump.discretization.parts.edge import half_angle_tangent, make_edge
 from snapjump.number.functions import absolute, maximum
 from snapjump.robot.robot import Robot
-
-
-@kernel
-def held_end(tangents: Any, zero: Any) -> Edge:
-    """The clamp on the right as an edge that follows the last one and does not give way."""
-    return Edge(
-        zero + 1.0,
-        zero,
-        tangents.right_x + zero,
-        tangents.right_y + zero,
-        zero,
-        zero,
-        tangents.right_rate + zero,
-        zero,
-    )
-
 
 CLAMPS = ("half_element", "two_nodes")
 
@@ -175,15 +161,8 @@ class DiscreteElasticRod(DiscretizationOptions):
             ), EndHinge(moment, stiffness, edge.slope_x, edge.slope_y)
 
         def end_chain(self, chain: Any, node: Any, residual: Any, band: Any) -> Any:
-            i = 2 * node
-            band[i, 0] += chain.before.xx
-            band[i, 1] = chain.before.xy
-            band[i + 1, 0] += chain.before.yy
-            for k in range(2, 6):
-                band[i, k] = 0.0
-                band[i + 1, k - 1] = 0.0
-            residual[i] += chain.force_x
-            residual[i + 1] += chain.force_y
+            end = (chain.force_x, chain.force_y)
+            put_last_node(node, chain.before, end, residual, band)
 
         def internal_energy(self, position: Any, tangents: Any) -> Any:
             elements = position.shape[0] // 2 - 1
@@ -219,12 +198,7 @@ class DiscreteElasticRod(DiscretizationOptions):
             left_y = zero
             force = zero
             for j in range(elements):
-                after = make_edge(
-                    position[2 * j + 2] - position[2 * j],
-                    position[2 * j + 3] - position[2 * j + 1],
-                    velocity[2 * j + 2] - velocity[2 * j],
-                    velocity[2 * j + 3] - velocity[2 * j + 1],
-                )
+                after = moving_edge(j, position, velocity)
                 t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
                 bending, next_moment = hinge_power(damping, t, after.turn_rate - rate, hinge_length)
                 if j == 0:

@@ -19,7 +19,7 @@ from snapjump.engine.clock import (
     SHARE,
     SIZE,
 )
-from snapjump.engine.points import gap_safe_share
+from snapjump.engine.gaps import gap_safe_share
 from snapjump.linear_solver.banded import begin_elimination, eliminate_node, substitute_back
 from snapjump.linear_solver.banded_rotations import (
     eliminate_rotating_node,

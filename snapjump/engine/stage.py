@@ -5,8 +5,6 @@ from typing import Any
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import (
     BACKTRACKS,
-    FASTEST,
-    GAP,
     ITERATION,
     LAST_STEP,
     SHARE,
@@ -15,10 +13,10 @@ from snapjump.engine.clock import (
     STEP,
     TIME,
 )
-from snapjump.engine.points import GAP_FRACTION, gap_safe_share, smallest_gap
+from snapjump.engine.gaps import gap_safe_share
 from snapjump.integrator.base import Rates
 from snapjump.number.dispatch import kernel, routine
-from snapjump.number.functions import maximum, sqrt, where
+from snapjump.number.functions import maximum, where
 
 
 @kernel
@@ -48,46 +46,6 @@ def keep_stage(scheme: Any, work: Any, motion: Any, mask: Any) -> Any:
     clock = work.clock
     rates = Rates(motion.rate_factor, motion.inertia_rate)
     return scheme.store_stage(work, clock[STAGE], clock[STEP], step_ratio(work), rates, mask)
-
-
-@routine
-def reach_end(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> Any:
-    """Move from the last stage to the end of the step, where that is no stage.
-
-    Returns the mask of lanes whose step must be repeated: the end closed a gap.
-    """
-    clock = work.clock
-    mesh = work.mesh
-    dofs = model.frame.dofs(mesh)
-    correction = work.correction
-    for i in range(work.state.shape[0]):
-        correction[i] = where(mask, work.state[i], correction[i])
-    scheme.end_step(work, clock[STEP], mask)
-    if model.discretization.has_elements():
-        share = where(mask, 1.0, scheme.abscissa(clock[STAGE]))
-        angles = model.clamp.angles(clock[TIME] + share * clock[STEP])
-        model.frame.place_ends(mesh, model.discretization, angles, work.state)
-    # Of its gap at the stage every point must keep GAP_FRACTION; said of the gap at the end.
-    for i in range(work.state.shape[0]):
-        moved = GAP_FRACTION * (correction[i] - work.state[i])
-        correction[i] = where(mask, moved, correction[i])
-    allowed = gap_safe_share(model, masses, mesh, work.state, correction, correction[dofs:])
-    clock[GAP] = where(mask, smallest_gap(model, masses, mesh, work.state), clock[GAP])
-    return mask & (allowed < 1.0)
-
-
-@routine
-def commit_step(scheme: Any, work: Any, mask: Any) -> None:
-    """Make the last stage the beginning of the next step."""
-    last = scheme.stage_count()
-    clock = work.clock
-    scheme.keep_history(work, clock[STEP], mask)
-    clock[TIME] = where(mask, clock[TIME] + clock[STEP], clock[TIME])
-    clock[LAST_STEP] = where(mask, clock[STEP], clock[LAST_STEP])
-    for i in range(work.state.shape[0]):
-        work.start[i] = where(mask, work.state[i], work.start[i])
-        work.velocity[0, i] = where(mask, work.velocity[last, i], work.velocity[0, i])
-        work.acceleration[0, i] = where(mask, work.acceleration[last, i], work.acceleration[0, i])
 
 
 @routine
@@ -125,9 +83,3 @@ def begin_stage(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> N
         time = clock[TIME] + scheme.abscissa(stage) * step
         angles = model.clamp.angles(time)
         model.frame.place_ends(mesh, model.discretization, angles, work.state)
-
-
-@kernel
-def contact_frequency(work: Any) -> Any:
-    """Fastest contact frequency of the last assembly (1/T)."""
-    return sqrt(work.clock[FASTEST])

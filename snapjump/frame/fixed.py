@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 from snapjump.discretization.base import EndTangents
 from snapjump.frame.base import Frame, FrameOptions, Outline
 from snapjump.frame.parts.ends import release_first_node, release_last_node
-from snapjump.number.functions import cos, sin
+from snapjump.number.trigonometry import cos, sin
 
 
 class FixedFrame(FrameOptions):

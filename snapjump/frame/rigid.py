@@ -11,7 +11,8 @@ from snapjump.frame.parts.ends import Arm, move_first, move_last
 from snapjump.linear_solver import banded
 from snapjump.linear_solver.contact_rows import CornerRows
 from snapjump.number.dispatch import kernel
-from snapjump.number.functions import absolute, cos, maximum, sin, where
+from snapjump.number.functions import absolute, maximum, where
+from snapjump.number.trigonometry import cos, sin
 
 LIFTED = 0.05  # of the anchor's stiffness, against rise and turn
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from snapjump.discretization.base import HALF_BANDWIDTH
 from snapjump.linear_solver.banded import Elimination
+from snapjump.linear_solver.schur import with_column
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, fma, maximum, where
 
@@ -82,31 +83,6 @@ def reduce_entries(values: Any, i: Any, first: Any, second: Any, third: Any) -> 
 
 
 @kernel
-def take_from_frame(done: Elimination, border: Any, rhs: Any, over: Any, j: Any) -> Elimination:
-    """Add what the eliminated column j takes from the frame; ``over`` is one over its pivot."""
-    x = border[j, 0]
-    y = border[j, 1]
-    t = border[j, 2]
-    fx = x * over
-    fy = y * over
-    ft = t * over
-    r = rhs[j]
-    return Elimination(
-        done.negative,
-        done.largest,
-        fma(fx, x, done.xx),
-        fma(fx, y, done.xy),
-        fma(fy, y, done.yy),
-        fma(fx, t, done.xt),
-        fma(fy, t, done.yt),
-        fma(ft, t, done.tt),
-        fma(fx, r, done.x),
-        fma(fy, r, done.y),
-        fma(ft, r, done.t),
-    )
-
-
-@kernel
 def eliminate_rotating_node(work: Any, node: Any, bordered: Any, done: Elimination) -> Elimination:
     """Eliminate a node whose columns, and whose share of the border, are complete."""
     band = work.padded_band
@@ -122,25 +98,14 @@ def eliminate_rotating_node(work: Any, node: Any, bordered: Any, done: Eliminati
     negative = done.negative
     for k in range(3):
         negative = negative + where(band[i + k, 0] > 0.0, 0.0, 1.0)
-    done = Elimination(
-        negative,
-        largest,
-        done.xx,
-        done.xy,
-        done.yy,
-        done.xt,
-        done.yt,
-        done.tt,
-        done.x,
-        done.y,
-        done.t,
-    )
+    schur = done.schur
     if bordered:
         for k in range(3):
             reduce_entries(border[:, k], i, first, second, third)
-        for k in range(3):
-            done = take_from_frame(done, border, rhs, band[i + k, 0], i + k)
-    return done
+        for j in range(i, i + 3):
+            column = (border[j, 0], border[j, 1], border[j, 2])
+            schur = with_column(schur, column, band[j, 0], rhs[j])
+    return Elimination(negative, largest, schur)
 
 
 @kernel

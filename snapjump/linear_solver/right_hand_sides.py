@@ -8,7 +8,7 @@ divided by its pivot, which leaves the factors as they are stored.
 from typing import Any
 
 from snapjump.discretization.base import HALF_BANDWIDTH
-from snapjump.linear_solver.banded import solve_square
+from snapjump.linear_solver.schur import solve_block
 from snapjump.number.array import uncounted
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import fma
@@ -134,7 +134,7 @@ def solve_right_hand_sides(
         reduce_nodes(band, border, every, frames, chosen, count)
     for c in range(count):
         lane = chosen[c]
-        solve_square(work.corner_block[:, :, lane], frames[lane])
+        solve_block(work.corner_block[:, :, lane], frames[lane])
     if rotations:
         return_rows(band, border, every, frames, chosen, count)
     else:

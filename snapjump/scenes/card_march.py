@@ -12,7 +12,7 @@ from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.engine.cuda.availability import check_card
 from snapjump.engine.cuda.plan import make_plan
-from snapjump.engine.march import Queue
+from snapjump.engine.queue import Queue
 from snapjump.engine.recorder.none import NoRecorder
 from snapjump.engine.work import FIELDS, count_of, make_memory
 from snapjump.scenes.runner import March, Progress

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from threading import Event
 from typing import Any
 
-from snapjump.engine.march import Queue
+from snapjump.engine.queue import Queue
 from snapjump.engine.recorder.none import NoRecorder
 from snapjump.engine.work import Memory
 

@@ -16,7 +16,7 @@ from snapjump.engine.model import Model
 from snapjump.engine.recorder.trajectory import make_recorder
 from snapjump.engine.termination.timed import TimedTermination
 from snapjump.frame.parts.no_frame import NoFrame
-from snapjump.number.functions import cos, sin
+from snapjump.number.trigonometry import cos, sin
 from snapjump.results import Result
 from snapjump.scenes.march_outputs import GroundOutputs, RecordedOutputs, side_by_side
 from snapjump.scenes.runner import March, Progress

@@ -9,10 +9,12 @@ from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
 from snapjump.engine.clock import TIME
-from snapjump.engine.march import Method, Queue, find_starts, march
+from snapjump.engine.march import find_starts, march
 from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.outcome import COLUMNS
+from snapjump.engine.queue import Queue
 from snapjump.engine.recorder.none import NoRecorder
+from snapjump.engine.step import Method
 from snapjump.engine.work import Sizes, make_memory, sizes_of
 from snapjump.frame.base import NO_MESH
 from snapjump.number.announcement import load

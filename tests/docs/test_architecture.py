@@ -1,4 +1,4 @@
-"""The page on architecture is true: its rooms and floors, its walks; and the house keeps its rules."""
+"""The page on architecture is true: rooms, floors and walks; and the house keeps its rules."""
 
 import ast
 import re
@@ -72,7 +72,9 @@ def test_three_numbers_walk():
     ]
 
 
-SOURCES = [p for d in ("snapjump", "experiments", "tests") for p in sorted((ROOT / d).rglob("*.py"))]
+SOURCES = [
+    p for d in ("snapjump", "experiments", "tests") for p in sorted((ROOT / d).rglob("*.py"))
+]
 
 
 def test_no_function_takes_too_many_arguments():

@@ -19,8 +19,8 @@ from snapjump.discretization.geometrically_exact import GeometricallyExact
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clamp.constant_rate import ConstantRate
+from snapjump.engine.gaps import gap_safe_share
 from snapjump.engine.load.gravity import Gravity
-from snapjump.engine.points import gap_safe_share
 from snapjump.engine.powers import powers
 from snapjump.frame.base import NO_MESH
 from snapjump.frame.base import STILL as NOT_TURNING

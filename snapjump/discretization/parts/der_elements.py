@@ -25,6 +25,33 @@ def edge_at(j: Any, nodes: NodeMotion) -> Edge:
 
 
 @kernel
+def moving_edge(j: Any, position: Any, velocity: Any) -> Edge:
+    """Edge j of a chain whose nodes have these places and velocities."""
+    i = 2 * j
+    return make_edge(
+        position[i + 2] - position[i],
+        position[i + 3] - position[i + 1],
+        velocity[i + 2] - velocity[i],
+        velocity[i + 3] - velocity[i + 1],
+    )
+
+
+@kernel
+def held_end(tangents: Any, zero: Any) -> Edge:
+    """The clamp on the right as an edge that follows the last one and does not give way."""
+    return Edge(
+        zero + 1.0,
+        zero,
+        tangents.right_x + zero,
+        tangents.right_y + zero,
+        zero,
+        zero,
+        tangents.right_rate + zero,
+        zero,
+    )
+
+
+@kernel
 def stretching_energy(rod: Any, length: Any) -> Any:
     """Energy of one edge of the given length."""
     xi = length / rod.element_length - 1.0
@@ -163,3 +190,18 @@ def edge_force(force: Any, turning: Any, edge: Any) -> Any:
     """Gradient of the energy with respect to the edge vector."""
     sideways = turning * edge.over
     return force * edge.cx - sideways * edge.cy, force * edge.cy + sideways * edge.cx
+
+
+@kernel
+def put_last_node(node: Any, before: Block, force: Any, residual: Any, band: Any) -> None:
+    """Complete the last node's columns and its residual: ``before`` and ``force`` (x, y) are those
+    of the last edge."""
+    i = 2 * node
+    band[i, 0] += before.xx
+    band[i, 1] = before.xy
+    band[i + 1, 0] += before.yy
+    for k in range(2, 6):
+        band[i, k] = 0.0
+        band[i + 1, k - 1] = 0.0
+    residual[i] += force[0]
+    residual[i + 1] += force[1]

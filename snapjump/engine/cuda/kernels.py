@@ -12,7 +12,7 @@ from numba import cuda
 
 from snapjump.engine import march as engine
 from snapjump.engine.cuda.availability import simulated
-from snapjump.engine.march import Queue
+from snapjump.engine.queue import Queue
 from snapjump.engine.work import Memory
 
 # Optimised once more when it is linked, a program would be compiled with roundings merged (see

@@ -17,9 +17,11 @@ from snapjump.discretization.parts.der_elements import (
     edge_block,
     hinge_block,
     hinge_coupling,
+    moving_edge,
     put_columns,
+    put_last_node,
 )
-from snapjump.discretization.parts.edge import half_angle_tangent, make_edge
+from snapjump.discretization.parts.edge import half_angle_tangent
 from snapjump.frame.parts.elastic_mesh import (
     LEFT_CORNER,
     RIGHT_CORNER,
@@ -105,15 +107,7 @@ def add_chain_forces(
         coupling = next_coupling
         moment = next_moment
         edge = after
-    last = 2 * (count - 1)
-    band[last, 0] += before.xx
-    band[last, 1] = before.xy
-    band[last + 1, 0] += before.yy
-    for k in range(2, 6):
-        band[last, k] = zero
-        band[last + 1, k - 1] = zero
-    residual[last] += before_x
-    residual[last + 1] += before_y
+    put_last_node(count - 1, before, (before_x, before_y), residual, band)
     return largest
 
 
@@ -143,13 +137,7 @@ def chain_dissipation(frame: Any, damping: Any, mesh: Any, state: Any, velocity:
     still = edge_at(0, NodeMotion(state, state, zero))
     edge = still
     for j in range(node_count(mesh) - 1):
-        i = 2 * j
-        after = make_edge(
-            state[i + 2] - state[i],
-            state[i + 3] - state[i + 1],
-            velocity[i + 2] - velocity[i],
-            velocity[i + 3] - velocity[i + 1],
-        )
+        after = moving_edge(j, state, velocity)
         resting = edge_at(j, NodeMotion(state, state, zero))
         if j > 0:
             moving, _ = hinge(frame, mesh, damping, j, edge, after, zero)

@@ -12,7 +12,8 @@ from snapjump.frame.parts.elastic_body import ElasticBody
 from snapjump.frame.parts.elastic_mesh import DOFS, LEFT_MOUNT, Mount, mount_at, right_mount
 from snapjump.frame.parts.ends import Arm, move_first, move_last
 from snapjump.number.dispatch import kernel
-from snapjump.number.functions import cos, sin, sqrt
+from snapjump.number.functions import sqrt
+from snapjump.number.trigonometry import cos, sin
 
 
 @kernel

@@ -17,6 +17,7 @@ from snapjump.linear_solver.banded import (
     reduce_x_entry,
     reduce_y_entry,
 )
+from snapjump.linear_solver.schur import subtract_schur
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import fma, where
 
@@ -51,18 +52,7 @@ def take_beam(work: Any, done: Any) -> None:
     """
     square = work.corner_block
     mounts = work.mount_residual
-    square[0, 0] -= done.xx
-    square[0, 1] -= done.xy
-    square[1, 0] -= done.xy
-    square[1, 1] -= done.yy
-    square[0, 2] -= done.xt
-    square[2, 0] -= done.xt
-    square[1, 2] -= done.yt
-    square[2, 1] -= done.yt
-    square[2, 2] -= done.tt
-    mounts[0] -= done.x
-    mounts[1] -= done.y
-    mounts[2] -= done.t
+    subtract_schur(done.schur, square, mounts)
     band = work.padded_band
     border = work.padded_border
     end = band.shape[0] - HALF_BANDWIDTH - 2
