@@ -111,9 +111,9 @@ def test_arches(name, arch, snap, reference):
         if vanishing.any():
             alpha = snap(row["eps"], ELEMENTS, ratio=ratio, name=name).alpha_rad
         beam = arch(row["eps"], ELEMENTS, ratio, name=name)
-        state = beam.settle(beam.guess(row.get("state", "up") == "up"), 0.0, 0.0)
+        state = beam.solve_equilibrium(beam.guess(row.get("state", "up") == "up"), 0.0, 0.0)
         for share in np.linspace(0.0, 1.0, steps)[1:]:
-            state = beam.settle(state, share * alpha, share * alpha)
+            state = beam.solve_equilibrium(state, share * alpha, share * alpha)
         beam.residual(state, alpha, alpha)
         inertia = inertias(beam.masses[1:-1], beam.node_dofs).ravel()
         found = frequencies(full(beam.tangent_band().T), inertia, 4)
