@@ -5,7 +5,8 @@ from dataclasses import asdict
 from typing import Any
 
 from snapjump.composition import Simulation
-from snapjump.declare.members import FAMILIES, make_member, member_group
+from snapjump.declare.families import FAMILIES
+from snapjump.declare.members import make_member, member_group
 from snapjump.simulation import PLAIN, build
 
 Groups = dict[str, dict[str, Any]]

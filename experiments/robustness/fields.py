@@ -11,8 +11,9 @@ from typing import Any
 
 import numpy as np
 
+from snapjump.declare.families import FAMILIES
 from snapjump.declare.fields import Integer, Number
-from snapjump.declare.members import FAMILIES, member_class, member_group, member_names
+from snapjump.declare.members import member_class, member_group, member_names
 from snapjump.simulation import PLAIN
 
 NOT_NUMBERS: tuple[Any, ...] = ("much", "", "1e-5", None, [1.0], {"a": 1.0}, True, 1j, 10**400)

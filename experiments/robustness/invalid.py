@@ -9,7 +9,7 @@ import numpy as np
 from experiments.robustness.combinations import COMBINATIONS
 from experiments.robustness.fields import NOT_FINITE, Field, all_fields, one_of, outside, wrong_type
 from snapjump.checks import ParameterError
-from snapjump.declare.members import FAMILIES
+from snapjump.declare.families import FAMILIES
 from snapjump.run.studies.base import REFUSED, Row
 from snapjump.simulation import PLAIN, build
 

@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable
 
-Progress = Callable[[float, str], None]
+from snapjump.declare.scenes import Progress
 
 
 def duration(seconds: float) -> str:

@@ -7,21 +7,9 @@ range), before any work. What a field may be stands in its ``metadata["allowed"]
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, dataclass, field, fields, replace
-from importlib import import_module
-from pathlib import Path
-from typing import (
-    Any,
-    ClassVar,
-    NamedTuple,
-    Self,
-    TypedDict,
-    Unpack,
-    dataclass_transform,
-)
+from typing import Any, ClassVar, NamedTuple, Self, TypedDict, Unpack, dataclass_transform
 
 from snapjump.checks import ParameterError, check_group, check_integer, check_number
-from snapjump.declare.plugins import load_plugins
-from snapjump.files.sources import PLUGINS
 
 
 class Number(NamedTuple):
@@ -161,11 +149,6 @@ class Part:
         object.__setattr__(part, "given", frozenset((*names[: len(values)], *named)))
         return part
 
-    def __reduce__(self) -> Any:
-        """Another process may not know the member yet: it loads the plug-in first."""
-        cls = type(self)
-        return revived, (list(PLUGINS), cls.__module__, cls.__qualname__, self.__dict__)
-
     @property
     def name(self) -> str:
         """The member's name in its family: that of its file."""
@@ -195,16 +178,6 @@ class Part:
             value, allowed = getattr(self, declared.name), declared.metadata.get("allowed")
             if allowed is not None and not (value is None and declared.default is None):
                 allowed.check(f"{self.group}.{declared.name}", value)
-
-
-def revived(plugins: list[Path], module: str, name: str, state: dict[str, Any]) -> Any:
-    """A part from its pickle. Raises ParameterError where a plug-in's folder is not there."""
-    for folder in plugins:
-        load_plugins(folder)
-    cls = getattr(import_module(module), name)
-    part = cls.__new__(cls)
-    part.__dict__.update(state)
-    return part
 
 
 def settings(part: Any) -> list[str]:

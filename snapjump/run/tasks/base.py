@@ -1,12 +1,11 @@
 """The contract of a task: what ``task=<name>`` does with a configuration."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
+from snapjump.declare.scenes import Progress
 from snapjump.files.result_folder import ResultFolder
-
-Progress = Callable[[float, str], None]
 
 # Statuses that any task may end in, beside those of its own that name a failure.
 OK = "ok"

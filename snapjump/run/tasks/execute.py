@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from snapjump.checks import ParameterError, check_choice, check_integer
-from snapjump.declare.members import FAMILIES
+from snapjump.declare.families import FAMILIES
 from snapjump.files.atomic import write_text
 from snapjump.files.json_file import finite
 from snapjump.files.provenance import now, provenance

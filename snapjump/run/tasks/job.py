@@ -14,10 +14,10 @@ from omegaconf.errors import OmegaConfBaseException
 
 from snapjump.checks import ParameterError
 from snapjump.declare.members import make_member
+from snapjump.declare.plugins import load_all
 from snapjump.files.provenance import now, source_hash
 from snapjump.files.result_folder import ResultFolder
 from snapjump.run.tasks.base import BAD_INPUT, FINISHED, INTERRUPTED, Outcome, Task
-from snapjump.run.tasks.command_line import load_all
 from snapjump.run.tasks.execute import execute, write_outcome
 from snapjump.run.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_OK, EXIT_UNTRACKED, exit_code
 from snapjump.run.tasks.hydra_errors import one_line

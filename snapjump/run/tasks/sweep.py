@@ -59,15 +59,6 @@ class Sweep:
         else:
             os.environ[PARENT_RUN] = self.parent_id
 
-    def finish(self, stopped_by: BaseException | None) -> int:
-        """Summarise what the cells left, print the table, complete the records; the exit code."""
-        from snapjump.run.tasks.sweep_summary import summarise
-
-        try:
-            return summarise(self, stopped_by)
-        finally:
-            self.lock.release()
-
 
 _current: list[Sweep] = []
 
@@ -77,8 +68,9 @@ def current_sweep() -> Sweep | None:
     return _current[0] if _current else None
 
 
-def leave_sweep() -> None:
-    """Forget a sweep that has ended."""
+def leave_sweep(sweep: Sweep) -> None:
+    """Let another process have the folder of a sweep that has ended."""
+    sweep.lock.release()
     _current.clear()
 
 

@@ -5,7 +5,7 @@ import sys
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from snapjump.files.atomic import write_text
 from snapjump.files.provenance import git_state, now, source_hash
@@ -18,13 +18,11 @@ from snapjump.run.tasks.exit_codes import (
     sweep_exit_code,
 )
 from snapjump.run.tasks.names import cell_name
+from snapjump.run.tasks.sweep import Sweep
 from snapjump.run.tasks.sweep_figure import sweep_figure
 from snapjump.show.terminal.block import markdown_table, number, table
 from snapjump.tracking.base import Record, TrackingError
 from snapjump.tracking.parts.tracked import milliseconds, numbers_of, record_folder
-
-if TYPE_CHECKING:
-    from snapjump.run.tasks.sweep import Sweep
 
 NOT_STARTED = "not_started"
 # Results worth a column and an axis where a scene has them; else its first numbers.
@@ -51,7 +49,7 @@ class Cell:
         return numbers_of(self.result)
 
 
-def summarise(sweep: "Sweep", stopped_by: BaseException | None) -> int:
+def summarise(sweep: Sweep, stopped_by: BaseException | None) -> int:
     """Write and print the table, complete the records; returns the exit code of the sweep."""
     cells = read_cells(sweep)
     mark_lost(cells)
@@ -74,7 +72,7 @@ def summarise(sweep: "Sweep", stopped_by: BaseException | None) -> int:
     return code or (0 if recorded else EXIT_UNTRACKED)
 
 
-def read_cells(sweep: "Sweep") -> list[Cell]:
+def read_cells(sweep: Sweep) -> list[Cell]:
     """Every cell of the sweep, as its folder tells."""
     names = [cell_name(overrides) for overrides in sweep.cells]
     folders = [ResultFolder(sweep.folder / name) for name in names]
@@ -145,7 +143,7 @@ def full_csv(cells: Sequence[Cell]) -> str:
     return str(table.to_csv(index=False))
 
 
-def draw(sweep: "Sweep", cells: Sequence[Cell]) -> bool:
+def draw(sweep: Sweep, cells: Sequence[Cell]) -> bool:
     """Draw the inputs against the main results, if there is anything to draw."""
     done = [cell for cell in cells if cell.status in FINISHED]
     results = [key for key in main_results(cells) if any(key in cell.numbers() for cell in done)]
@@ -161,7 +159,7 @@ def draw(sweep: "Sweep", cells: Sequence[Cell]) -> bool:
     return True
 
 
-def _record(sweep: "Sweep", cells: Sequence[Cell], files: Sequence[str], interrupted: bool) -> bool:
+def _record(sweep: Sweep, cells: Sequence[Cell], files: Sequence[str], interrupted: bool) -> bool:
     """Record cells whose own process could not, then complete the parent; False if in vain."""
     if sweep.parent_id is None:
         return True
