@@ -114,7 +114,7 @@ class _Maker:
         jobs = [job_of(self.folder, specification, self.backend, number) for number in missing]
         try:
             answers = self.executor.answers(
-                make_shard, jobs, lambda share: pace.show(share * specification.shard_size)
+                make_shard, jobs, lambda share, _: pace.show(share * specification.shard_size)
             )
             pace.show()
             for entry in answers:

@@ -13,7 +13,7 @@ from snapjump.dataset.shard import Entry, write_shard
 from snapjump.dataset.simulate import Simulator
 from snapjump.dataset.specification import Specification, restored
 from snapjump.declare.plugins import load_plugins
-from snapjump.executor.base import Progress
+from snapjump.declare.scenes import Progress
 from snapjump.files.sources import PLUGINS
 
 

@@ -12,7 +12,8 @@ from urllib.parse import urlsplit
 
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import integer
-from snapjump.executor.base import Answer, Executor, ExecutorOptions, Job, Progress, Work
+from snapjump.declare.scenes import Progress
+from snapjump.executor.base import Answer, Executor, ExecutorOptions, Job, Work
 
 CONNECT_TIMEOUT_S = 10.0
 ADDRESS = re.compile(r"(tcp|tls)://[^\s:/]+:\d{1,5}")
@@ -93,7 +94,7 @@ class DaskExecutor(Executor):
             try:
                 done, left = wait(waiting, timeout=PATIENCE_S, return_when="FIRST_COMPLETED")
             except TimeoutError:
-                progress(0.0)
+                progress(0.0, "")
                 continue
             waiting = list(left)
             for future in done:

@@ -23,7 +23,6 @@ PACKAGES = (
     "matplotlib",
     "pyarrow",
     "torch",
-    "pytorch-lightning",
 )
 # Packages that only show, keep or ask for results: a change in them changes no number.
 NOT_PHYSICS = ("executor", "files", "run", "show", "tracking")

@@ -27,9 +27,8 @@ from snapjump.learning.checkpoint import (
     write_checkpoint,
 )
 from snapjump.learning.data import RULE, JumpData
-from snapjump.learning.fit import STATE, Fitted, descend
+from snapjump.learning.fit import STATE, Fitted, descend, torch_threads
 from snapjump.learning.measures import measures
-from snapjump.learning.threads import torch_threads
 from snapjump.surrogate.base import Surrogate, SurrogateOptions
 
 DEFAULT = Path("outputs/training")
@@ -39,8 +38,6 @@ FORWARD_MODEL, CURVES = "forward_model.safetensors", "curves.json"
 DETERMINES = (
     "learning/data.py",
     "learning/fit.py",
-    "learning/keeper.py",
-    "learning/lightning_module.py",
     "learning/training.py",
     "surrogate/base.py",
     "surrogate/parts/layers.py",
