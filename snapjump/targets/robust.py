@@ -99,7 +99,7 @@ def scatter(
     """The distribution of a design's apex, from samples that no design was chosen by."""
     points = sobol_points(REPORTED, problem.seed + 1)
     apexes = forward.predict(built(problem, forward, tolerance, controls, points))
-    misses = np.hypot(*(apexes - problem.target).T)
+    misses = problem.misses(apexes)
     return Scatter(
         apexes,
         apexes.mean(axis=0),
@@ -121,7 +121,7 @@ def robust_solution(
     def expected_miss(share: Array) -> float:
         controls = problem.unscaled(share)
         apexes = forward.predict(built(problem, forward, tolerance, controls, points))
-        return float(np.hypot(*(apexes - problem.target).T).mean())
+        return float(problem.misses(apexes).mean())
 
     found = []
     for solution in solutions[:MOST_STARTS]:
