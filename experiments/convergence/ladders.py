@@ -64,7 +64,6 @@ class Ladder:
     declared: float | None = None
 
     def cell(self, value: float) -> str:
-        """Name of the cell of a level."""
         return f"{self.name} {value:.4g}"
 
 

@@ -35,11 +35,9 @@ class Convergence(Study):
         return cells
 
     def compute(self, cell: Cell) -> list[Row]:
-        """One jump."""
         return [observed_row(cell.inputs)]
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
-        """Orders, limits and what they are worth."""
         verdicts = [judged(ladder, done, key) for ladder in self.ladders for key in OBSERVABLES]
         base = {k: self.config[k]["name"] for k in ("integrator", "stepping", "discretization")}
         return Conclusion(

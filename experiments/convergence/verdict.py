@@ -32,7 +32,6 @@ class Verdict:
     doubt: float
 
     def row(self) -> Row:
-        """A line of the table."""
         return {
             "refined": self.ladder.name,
             "observable": self.observable,

@@ -39,7 +39,6 @@ class Released(Study):
     sources = ("experiments.released.data", "experiments.released.settings")
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
-        """The released settings, the converged answer, and every quirk left out."""
         many, few = (config["task"][key] for key in self.options)
         check_integer("task.rows", many, 4, 300)
         check_integer("task.quirk_rows", few, 4, 300)
@@ -55,11 +54,9 @@ class Released(Study):
         ]
 
     def compute(self, cell: Cell) -> list[Row]:
-        """A row for each jump."""
         return measure(cell.inputs["groups"], cell.inputs["rows"])
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
-        """Differences over all rows, by quirk, and by parameter."""
         full, limit = done[ALL], done[CONVERGED]
         if full.status != OK:
             raise RuntimeError(f"the released settings could not be run: {full.message}")

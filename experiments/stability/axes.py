@@ -57,7 +57,6 @@ class Map:
         return {self.name: self.up.values}
 
     def groups(self, base: Groups, across: Any, up: Any) -> Groups:
-        """The composition at a pair of values."""
         return changed(base, CHANGES[self.name](across, up))
 
 

@@ -26,7 +26,6 @@ class Check:
     holds: bool
 
     def row(self) -> Row:
-        """A line of the table."""
         verdict = "yes" if self.holds else "NO"
         return {"case": self.name, "expected": self.expected, "found": self.found, "holds": verdict}
 

@@ -58,12 +58,10 @@ class Stability(Study):
         return found
 
     def compute(self, cell: Cell) -> list[Row]:
-        """A row for each jump."""
         inputs = cell.inputs
         return jump_rows(inputs["points"], inputs["designs"], inputs["most_iterations"])
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
-        """Rules, physics, and how well the estimate keeps."""
         found = {one.name: map_rows(one, done) for one in self.maps}
         violations = [
             {"map": name, "rule": rule, **shortened(row)}

@@ -50,7 +50,6 @@ class Compared:
 
     @property
     def colours(self) -> dict[str, str]:
-        """By method."""
         names = dict.fromkeys(self.methods.values())
         return {name: COLOURS[k % len(COLOURS)] for k, name in enumerate(names)}
 

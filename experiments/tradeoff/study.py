@@ -70,11 +70,9 @@ class Tradeoff(Study):
         ]
 
     def compute(self, cell: Cell) -> list[Row]:
-        """A row for each jump."""
         return jump_rows(cell.inputs)
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
-        """Fronts, tiers, and what the model contributes."""
         limit = done[LIMIT]
         if limit.status != OK:
             raise RuntimeError(f"no limit to compare with: {limit.message}")

@@ -57,5 +57,4 @@ class BatchProgress:
         return told
 
     def finish(self, count: int) -> None:
-        """Count ``count`` more jumps as done."""
         self._finished += count

@@ -91,7 +91,6 @@ class DatasetFolder:
                     left.unlink(missing_ok=True)
 
     def refused(self, allowed: str) -> ParameterError:
-        """What is wrong with the folder, as an error."""
         return ParameterError("dataset.path", str(self.path), allowed)
 
     def _check_empty(self) -> None:

@@ -135,7 +135,6 @@ class Pace:
 
     @property
     def seconds(self) -> float:
-        """Since it began."""
         return time.perf_counter() - self._begun
 
     def show(self, under_way: float = 0.0) -> None:

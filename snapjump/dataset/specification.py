@@ -41,7 +41,6 @@ class Specification:
 
     @property
     def sensitivities(self) -> bool:
-        """Whether rows have the derivatives of their apexes."""
         return bool(self.plain["sensitivities"])
 
     @property

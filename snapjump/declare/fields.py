@@ -22,7 +22,6 @@ class Number(NamedTuple):
     words: tuple[str, ...] = ()
 
     def check(self, key: str, value: Any) -> None:
-        """Raises ParameterError."""
         if self.words and isinstance(value, str):
             if value not in self.words:
                 allowed = f"a number ({self.unit}), or one of {', '.join(self.words)}"
@@ -38,7 +37,6 @@ class Integer(NamedTuple):
     high: int
 
     def check(self, key: str, value: Any) -> None:
-        """Raises ParameterError."""
         check_integer(key, value, self.low, self.high)
 
 
@@ -48,7 +46,6 @@ class Choice(NamedTuple):
     words: tuple[str | int, ...]
 
     def check(self, key: str, value: Any) -> None:
-        """Raises ParameterError."""
         if type(value) is not type(self.words[0]) or value not in self.words:
             raise ParameterError(key, value, "one of " + ", ".join(map(str, self.words)))
 
@@ -57,7 +54,6 @@ class Flag(NamedTuple):
     """True or false."""
 
     def check(self, key: str, value: Any) -> None:
-        """Raises ParameterError."""
         if not isinstance(value, bool):
             raise ParameterError(key, value, "true or false")
 

@@ -31,7 +31,6 @@ class DaskExecutor(Executor):
         self.scheduler, self.workers = scheduler, workers
 
     def check(self) -> None:
-        """The package must be there, and a scheduler must listen."""
         if find_spec("distributed") is None:
             raise ParameterError("executor", "dask", "local, or pip install 'snapjump[cluster]'")
         if self.scheduler is None:

@@ -26,7 +26,6 @@ class FiniteDifferenceOptions(InverseOptions):
     needs_forward: ClassVar[bool] = False
 
     def solve(self, problem: Problem) -> list[Solution]:
-        """The best of all simulated designs: those of a coarse grid, then a descent (L-BFGS-B)."""
         search = Search(problem, problem.simulator)
         squared_miss = SquaredMiss(search, self.simulations, self.step)
         ticks = (np.arange(SIDE) + 0.5) / SIDE

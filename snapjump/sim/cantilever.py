@@ -115,7 +115,6 @@ class Cantilever(SceneOptions):
     load_bar: float = number(1.0, least=-20.0, most=20.0, unit="EI/L^2")
 
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
-        """Deflection, tip angle and energy of the bent cantilever."""
         begun = time.perf_counter()
         elements = simulation.discretization.moving_elements
         rod = simulation.discretization.beam(simulation.robot)

@@ -150,7 +150,6 @@ class Static(SceneOptions):
     steps: int = integer(120, least=10, most=100_000)
 
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
-        """Critical angle and snapped state to 1e-8, and the branches around them."""
         begun = time.perf_counter()
         robot, discretization = simulation.robot, simulation.discretization
         epsilon, lag = simulation.design.epsilon, simulation.design.delta_alpha

@@ -30,7 +30,6 @@ class Tolerance(Part):
 
     @property
     def deviations(self) -> Array:
-        """All four (4,)."""
         return np.array(astuple(self))
 
 

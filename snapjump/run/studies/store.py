@@ -30,7 +30,6 @@ class CellStore:
         self._lock.release()
 
     def file(self, cell: Cell) -> Path:
-        """Where a cell is kept."""
         readable = re.sub(r"[^\w.=,+-]", "_", cell.name)
         if readable != cell.name or len(readable) > LONGEST:
             digest = hashlib.sha256(cell.name.encode()).hexdigest()[:8]

@@ -120,7 +120,6 @@ class Study(ABC):
         return Outcome(OK, "", summary)
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
-        """The closing block."""
         return self._told
 
     def _attempt(self, cell: Cell, folder: ResultFolder, failures: list[str]) -> Done:

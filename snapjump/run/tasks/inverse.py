@@ -51,7 +51,6 @@ class InverseDesign:
     _warning: str
 
     def prepare(self, config: Mapping[str, Any]) -> None:
-        """Check every value, the forward model, and that it is one of this physical model."""
         self._config = config
         self._target = request.checked_target(config.get("target"))
         self._method = make_member("inverse", config.get("inverse"))
@@ -71,7 +70,6 @@ class InverseDesign:
         )
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
-        """Search, simulate the design at the configured tier, and draw."""
         if self._warning:
             print(f"warning: {self._warning}", file=sys.stderr)
         problem = problem_of(

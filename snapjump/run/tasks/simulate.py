@@ -21,14 +21,12 @@ class Simulate:
     _simulation: Simulation
 
     def prepare(self, config: Mapping[str, Any]) -> None:
-        """Build the simulation, which checks every value; then that none was left out."""
         self._config = config
         self._simulation = build(config)
         check_complete(config, self._simulation)
         self._simulation.sim.check_start(self._simulation)
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
-        """Simulate, and leave the trajectory and the figures."""
         share = SIMULATION_SHARE if self._config["figures"] else 1.0
         result = simulate(self._simulation, lambda done, text: progress(share * done, text))
         outcome = Outcome(result.status, result.message, dict(result.summary))
@@ -45,5 +43,4 @@ class Simulate:
         return outcome
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
-        """The closing block of this scene."""
         return scene_report(self._config, outcome.summary)

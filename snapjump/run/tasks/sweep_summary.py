@@ -45,7 +45,6 @@ class Cell:
         return str(self.result["status"])
 
     def numbers(self) -> dict[str, float]:
-        """The results that are numbers."""
         return numbers_of(self.result)
 
 

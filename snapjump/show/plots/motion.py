@@ -44,7 +44,6 @@ class Motion(Poses):
 
     @property
     def is_beam(self) -> bool:
-        """Whether it is more than a point."""
         return self.nodes.shape[1] > 2
 
     @property

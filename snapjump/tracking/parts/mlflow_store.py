@@ -72,7 +72,6 @@ class MlflowStore(Tracker):
             return self._create(name, None, {"sweep": "true"})
 
     def close_parent(self, run_id: str, record: Record) -> None:
-        """Complete the run of a whole sweep."""
         with tracking_errors(self.place):
             self._complete(run_id, record)
 
