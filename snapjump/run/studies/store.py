@@ -4,7 +4,6 @@ import hashlib
 import re
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from snapjump.checks import ParameterError
 from snapjump.files.json_file import finite, read_json, write_json
@@ -49,18 +48,6 @@ class CellStore:
         rows, _ = finite(done.rows)
         clean = replace(done, rows=rows)
         if done.status != FAILED:
-            write_json(self.file(done.cell), _contents(clean))
+            own = {key: value for key, value in vars(clean).items() if key != "cell"}
+            write_json(self.file(done.cell), {**vars(done.cell), **own})
         return clean
-
-
-def _contents(done: Done) -> dict[str, Any]:
-    return {
-        "name": done.cell.name,
-        "inputs": done.cell.inputs,
-        "status": done.status,
-        "message": done.message,
-        "rows": done.rows,
-        "run": done.run,
-        "started_at": done.started_at,
-        "finished_at": done.finished_at,
-    }
