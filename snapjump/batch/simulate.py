@@ -12,11 +12,12 @@ from snapjump.batch.alike import check_alike
 from snapjump.batch.derivatives import model_derivatives, place
 from snapjump.batch.outcome import Batch, Marched, batch_of
 from snapjump.batch.prepare import Prepared, prepare_designs
-from snapjump.batch.progress import BatchProgress, Progress
+from snapjump.batch.progress import BatchProgress
 from snapjump.batch.sensitivities import Slopes
 from snapjump.checks import ParameterError, check_integer
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS, check_inputs
+from snapjump.declare.scenes import Progress
 from snapjump.engine import clock as c
 from snapjump.engine.model import Model
 from snapjump.engine.status import RUNNING

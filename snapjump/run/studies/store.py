@@ -1,7 +1,5 @@
 """Finished cells on disk, each in a file of its own, so that no finished work is done twice."""
 
-import hashlib
-import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,8 +7,7 @@ from snapjump.checks import ParameterError
 from snapjump.files.json_file import finite, read_json, write_json
 from snapjump.files.lock import FileLock
 from snapjump.run.studies.base import FAILED, Cell, Done
-
-LONGEST = 100
+from snapjump.run.tasks.names import readable_name
 
 
 class CellStore:
@@ -29,11 +26,7 @@ class CellStore:
         self._lock.release()
 
     def file(self, cell: Cell) -> Path:
-        readable = re.sub(r"[^\w.=,+-]", "_", cell.name)
-        if readable != cell.name or len(readable) > LONGEST:
-            digest = hashlib.sha256(cell.name.encode()).hexdigest()[:8]
-            readable = f"{readable[:LONGEST]}-{digest}"
-        return self.path / f"{readable}.json"
+        return self.path / f"{readable_name(cell.name)}.json"
 
     def load(self, cell: Cell) -> Done | None:
         """What became of this very cell, unless it is still to be done."""
