@@ -29,7 +29,7 @@ def changed(groups: Mapping[str, Mapping[str, Any]], changes: Mapping[str, Any])
 
 
 def has_field(groups: Mapping[str, Mapping[str, Any]], group: str, key: str) -> bool:
-    """Whether the member that is chosen in a family has such a value."""
+    """Whether the chosen member of a family has a field."""
     return key in member_group(make_member(group, {"name": groups[group]["name"]}))
 
 

@@ -34,7 +34,7 @@ CHOSEN: Any = None  # by the accuracy tier, or by the scene
 
 @dataclass(frozen=True)
 class Simulation:
-    """Everything that determines a result. Raises ParameterError where parts do not fit.
+    """Everything that determines a simulation. Raises ParameterError where parts do not fit.
 
     A part that is left out is chosen by the scene or the accuracy tier, and a field of a part that
     is left out, where the tier has a value for it, by the tier. A part may be the name of a member.

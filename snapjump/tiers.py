@@ -12,7 +12,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Tier:
-    """What a tier chooses.
+    """An accuracy tier: members, numbers and its promise.
 
     ``members``: by family. ``numbers``: by the path of a field; one whose member has no such field
     is of none. ``promise_percent``: error of x and y that 95 % of the designs keep; a result whose
@@ -25,7 +25,7 @@ class Tier:
     known_error: str
 
     def numbers_of(self, family: str) -> dict[str, Any]:
-        """Those of a family, by field."""
+        """The numbers of a family, by field."""
         paths = {path: path.partition(".") for path in self.numbers}
         return {key: self.numbers[p] for p, (group, _, key) in paths.items() if group == family}
 

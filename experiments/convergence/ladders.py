@@ -1,5 +1,5 @@
-"""What is refined, one thing at a time, by what the finest levels are judged, and what is seen of
-every level's jump."""
+"""Refinement ladders: levels of one refined thing each, their reference cells, and the observables
+of every level's jump."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -68,7 +68,7 @@ class Ladder:
 
 
 def resolved(groups: Groups) -> Groups:
-    """The same with time resolved tightly, by the method itself if it is of second order."""
+    """The composition with time resolved tightly, by its own method if that is of second order."""
     if make_member("integrator", groups["integrator"]).order >= 2:
         tight = changed(groups, {"stepping": TIGHT})
         try:

@@ -78,7 +78,7 @@ def level_row(done: Done) -> Row:
 
 
 def finding(ladder: Ladder, verdicts: list[Verdict]) -> str:
-    """What a ladder shows, in a sentence."""
+    """A sentence on the orders that a ladder shows."""
     own = [v for v in verdicts if v.ladder is ladder]
     orders = ", ".join(f"{v.observable} {v.fitted:.2g}" for v in own)
     irregular = [v.observable for v in own if not v.limit.asymptotic]

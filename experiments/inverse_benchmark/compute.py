@@ -96,7 +96,7 @@ def solve_block(inputs: Mapping[str, Any]) -> list[Row]:
 
 
 def misses_mm(simulator: JumpSimulator, designs: Array, targets: Array) -> Array:
-    """How far from their targets designs really get."""
+    """Simulated distances (mm) between the apexes of designs and their targets."""
     misses: Array = np.hypot(*(simulator.apexes(designs) - targets).T) * LENGTH_MM
     return misses
 
@@ -132,7 +132,7 @@ def make_problem(
 
 
 def answered(hidden: Array, problem: Problem, solution: Solution, forward: ForwardModel) -> Row:
-    """What was asked, what was found, and what the forward model says of it."""
+    """Target, hidden design, answer and predicted apex as columns of a row."""
     delta_alpha, epsilon = (float(value) for value in solution.controls)
     predicted = forward.predict(problem.designs(solution.controls[None]))[0]
     return {

@@ -44,7 +44,7 @@ class Field:
 
 
 def all_fields() -> list[Field]:
-    """Of the robot, the design, the environment and every member of every family."""
+    """Every field of robot, design, environment and every member of every family."""
     found = []
     for group, cls in PLAIN.items():
         found += _fields(group, "", cls)

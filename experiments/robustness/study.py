@@ -119,7 +119,7 @@ class Robustness(Study):
 
 
 def random_designs(count: int, seed: Sequence[int]) -> list[tuple[float, ...]]:
-    """So many designs (delta_alpha, epsilon, m_bar, mu), uniform in their ranges."""
+    """Random designs (delta_alpha, epsilon, m_bar, mu), uniform in their ranges."""
     random = np.random.default_rng(list(seed))
     values = random.uniform(LOW, HIGH, (count, 4))
     grid = np.linspace(LOW[1], HIGH[1], EPSILONS)
@@ -128,7 +128,7 @@ def random_designs(count: int, seed: Sequence[int]) -> list[tuple[float, ...]]:
 
 
 def failure(row: Row) -> Row:
-    """What a table of failures shows."""
+    """The columns of the table of failures."""
     return {key: row[key] for key in (*COLUMNS, "status", "newton_iterations") if key in row}
 
 

@@ -35,7 +35,7 @@ Both = tuple[Callable[[], list[Row]], Callable[[], list[Row]]]  # with everythin
 
 
 def timed(both: Both, repeats: int) -> list[Row]:
-    """Both, in turn, after one run each that compiles: see :func:`compared`."""
+    """Rows of :func:`compared` from repeated runs of both in turn, after one each that compiles."""
     full, scene = (run() for run in both)
     seconds: tuple[list[float], list[float]] = ([], [])
     for _ in range(repeats):

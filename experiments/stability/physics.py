@@ -1,4 +1,4 @@
-"""What physics says about cells of the maps (the extremes of the references), and what came out."""
+"""Expectations from physics for cells of the maps (the extremes), and what was found."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -31,7 +31,7 @@ class Check:
 
 
 def known(rows: Rows) -> list[Row]:
-    """Those with an apex."""
+    """The rows with an apex."""
     return [row for row in rows if row["status"] in ENDED]
 
 

@@ -170,7 +170,7 @@ def shares(rows: Sequence[Row]) -> dict[str, int]:
 
 
 def shortened(row: Row) -> Row:
-    """What a table of violations shows of a row."""
+    """The columns of the table of violations."""
     keys = ("across", "up", "design", "status", "x_bar", "y_bar", "true_error_percent",
             "x_error_estimate_percent", "min_gap_m", "newton_iterations", "seconds")  # fmt: skip
     return {key: row[key] for key in keys if key in row}

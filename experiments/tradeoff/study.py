@@ -156,7 +156,7 @@ def recommendations(points: list[Point]) -> list[str]:
 
 
 def confirmed(check: Done, limit: Done) -> dict[str, Any]:
-    """How far another method's limit is from the limit."""
+    """The distance of another method's limit from the limit."""
     if check.status != OK:
         return {"finding": f"The limit is not confirmed: {check.message}."}
     x, y = split(check)["design"]

@@ -38,7 +38,7 @@ def marches(
     threads: int,
     most_iterations: float,
 ) -> list[tuple[list[int], March]]:
-    """Which jumps march together: those whose frames have one mesh, and one step control."""
+    """Marches of jumps that go together: those with one mesh of the frame and one step control."""
     groups: dict[tuple[Any, ...], list[int]] = {}
     for k, (simulation, model) in enumerate(zip(simulations, models, strict=True)):
         # A fixed step in seconds is another one for a robot of another scale of time.
@@ -63,8 +63,8 @@ def march_all(
     progress: Progress | None,
     numbers: Array | None = None,
 ) -> Marched:
-    """What becomes of prepared jumps; with slopes (M, P, I) of the models' ``numbers`` also those
-    of the flights."""
+    """Outcomes of prepared jumps; with slopes (M, P, I) of the models' ``numbers`` also those of
+    the flights."""
     count = len(ready.models)
     outcome, slopes = np.zeros((count, c.ROWS)), None
     if numbers is not None:
@@ -90,7 +90,7 @@ def march_all(
 
 
 def gravity_slopes(ready: Prepared, numbers: Array) -> Array:
-    """Of the models' gravity (M, 3, I), among the slopes (M, P, I) of all their numbers."""
+    """Slopes of the models' gravity (M, 3, I), among those (M, P, I) of all their numbers."""
     if not ready.models:
         return np.zeros((0, 3, numbers.shape[2]))
     first = place(ready.models[0], "load", "acceleration")

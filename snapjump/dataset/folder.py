@@ -37,7 +37,7 @@ class DatasetFolder:
         return self.path / SHARDS / f"shard-{number:05d}.parquet"
 
     def entry(self, number: int) -> Path:
-        """What is known of a shard that is done."""
+        """The entry of a finished shard: checksums and statuses."""
         return self.path / SHARDS / f"shard-{number:05d}.json"
 
     def claim(self, part: int, parts: int) -> list[FileLock]:

@@ -23,8 +23,8 @@ class GenerationError(RuntimeError):
 
 @dataclass
 class Generation:
-    """How it went. ``made``: new rows, in ``seconds`` on ``cores``; ``damaged``: what was wrong
-    with shards that were there, and have been made again; ``manifest`` at its end."""
+    """The outcome of a run. ``made``: new rows, in ``seconds`` on ``cores``; ``damaged``: what was
+    wrong with shards that were there, and have been made again; ``manifest`` at its end."""
 
     kept: int = 0
     made: int = 0
@@ -66,7 +66,7 @@ def generate(
 def look(
     folder: DatasetFolder, specification: Specification, numbers: list[int], damaged: list[str]
 ) -> list[int]:
-    """Those of the shards that are to be made; adds what is wrong to ``damaged``."""
+    """The shards that are missing or damaged; adds the damage to ``damaged``."""
     missing = []
     for number in numbers:
         entry, reason = read_entry(folder, number, specification.sha256)

@@ -59,7 +59,7 @@ class Flag(NamedTuple):
 
 
 class About(TypedDict, total=False):
-    """What plans, plots and reports need to know of a number beside unit, range and meaning.
+    """Attributes of a number for plans, plots and reports, beside unit, range and meaning.
 
     ``symbol`` as in formulas; ``plan``: low and high of a dataset; ``kind``: of whom it is, one of
     control, environment, property; ``column``: its name in files, where that is not the field's.
@@ -115,7 +115,7 @@ def required(function: Any) -> Any:
 
 
 class Need(NamedTuple):
-    """What a member asks of another family's: an attribute of its class that is true, and why."""
+    """A capability that a member needs of another family's, and why: an attribute that is true."""
 
     family: str
     capability: str
@@ -124,7 +124,7 @@ class Need(NamedTuple):
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 class Part:
-    """What a user chooses and sets of one group; subclasses are frozen dataclasses.
+    """Options of one group, checked; subclasses are frozen dataclasses.
 
     ``given``: names of the fields that were set, and not left to their defaults.
     ``differentiable``: whether sensitivities know the member.
@@ -154,13 +154,13 @@ class Part:
         """Raises ParameterError for a simulation whose other parts do not suit this one."""
 
     def changed(self, **values: Any) -> Self:
-        """The same with other values of some fields, which are given. Raises ParameterError."""
+        """A copy with other values of some fields, which are given. Raises ParameterError."""
         part = replace(self, **values)  # type: ignore[type-var]
         object.__setattr__(part, "given", self.given | frozenset(values))
         return part
 
     def with_defaults(self, values: Mapping[str, Any]) -> Self:
-        """The same with other values of fields that were not given. Raises ParameterError."""
+        """A copy with other values of fields that were not given. Raises ParameterError."""
         names = [declared.name for declared in fields(self)]  # type: ignore[arg-type]
         other = {k: v for k, v in values.items() if k in names and k not in self.given}
         if not other:

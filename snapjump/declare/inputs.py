@@ -89,7 +89,7 @@ def column_names(inputs: Sequence[Input]) -> list[str]:
 
 
 def slope_names(inputs: Sequence[Input]) -> list[str]:
-    """What derivatives by them are called after: the last word of the path, if it is enough."""
+    """Names of inputs in those of derivatives: the last word of the path, if it is enough."""
     uses = Counter(one.name for one in inputs)
     return [one.name if uses[one.name] == 1 else flat(one.path) for one in inputs]
 

@@ -33,7 +33,7 @@ def member_names(family: str) -> tuple[str, ...]:
 
 
 def member_class(family: str, name: Any) -> Callable[..., Any]:
-    """What makes a member's options from its fields. Raises ParameterError for another name."""
+    """The constructor of a member's options. Raises ParameterError for another name."""
     files = files_of(family)
     if not isinstance(name, str) or name not in files:
         allowed = f"one of {', '.join(files)}, or of a plug-in that is loaded (plugins=<folder>)"

@@ -69,7 +69,7 @@ class DaskExecutor(Executor):
 
     @property
     def cores(self) -> int:
-        """Of the workers that are there now, each machine's counted once."""
+        """Cores of the workers that are there now, each machine's counted once."""
         machines: dict[str, set[int]] = {}
         for machine, cores in self._client.run(own_cores).values():
             machines.setdefault(machine, set()).update(cores)

@@ -1,4 +1,4 @@
-"""Where a result comes from: code, versions, machine, seed and the command that repeats it."""
+"""Provenance of a result: code, versions, machine, seed and the command that repeats it."""
 
 import os
 import platform

@@ -109,7 +109,7 @@ class Solution:
 
 @dataclass
 class Search:
-    """What was simulated: ``shares`` (N, 2) of the controls' ranges, and their apexes (N, 2)."""
+    """Simulated designs: ``shares`` (N, 2) of the controls' ranges, and their apexes (N, 2)."""
 
     problem: Problem
     simulator: Simulator
@@ -164,8 +164,8 @@ class InverseOptions(Part):
 
 
 def one_percent_bar(designs: Array, slopes: Array) -> Array:
-    """How far (L) one percent of each parameter moves an apex: (N, 4), from designs (N, 4) and
-    derivatives (N, 2, 4)."""
+    """Distances (N, 4) in L that one percent of each parameter moves apexes by, from designs (N, 4)
+    and derivatives (N, 2, 4)."""
     return 0.01 * np.abs(designs) * np.hypot(slopes[:, 0], slopes[:, 1])
 
 

@@ -32,7 +32,7 @@ class Split(NamedTuple):
 
 
 def split(count: int, training: Training, seed: int) -> Split:
-    """By :data:`RULE`. The test set depends on seed, count and test_share alone."""
+    """A split by :data:`RULE`. The test set depends on seed, count and test_share alone."""
     order = np.random.default_rng(seed).permutation(count)
     tested = round(training.test_share * count)
     rest = order[tested:]
@@ -56,7 +56,7 @@ def split(count: int, training: Training, seed: int) -> Split:
 
 
 class Batches:
-    """All rows once, in a random order that a seed determines, or as they are without one."""
+    """Batches of all rows, in a random order that a seed determines, or as they are without one."""
 
     def __init__(self, rows: Rows, size: int, seed: tuple[int, int] | None = None):
         self.rows, self.size, self.seed = rows, size, seed

@@ -128,7 +128,7 @@ def _fitted(
 
 
 def _about(data: JumpData, network: Surrogate, fitted: Fitted) -> dict[str, Any]:
-    """What a checkpoint says of itself."""
+    """The metadata of a checkpoint."""
     dataset = data.dataset
     return {
         "dataset": {
@@ -147,7 +147,7 @@ def _about(data: JumpData, network: Surrogate, fitted: Fitted) -> dict[str, Any]
 
 
 def _finished(folder: Path) -> Learned | None:
-    """What an earlier run has finished, if it is whole."""
+    """The forward model that an earlier run has finished, if it is whole."""
     kept = read_sealed(folder / CURVES)
     try:
         found: Checkpoint = read_checkpoint(folder / FORWARD_MODEL)

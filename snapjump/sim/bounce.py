@@ -11,7 +11,7 @@ from snapjump.sim.base import HELD, ONE_AT_A_TIME, Progress, SceneOptions, check
 
 
 class BounceOutputs(MassOutputs):
-    """Of a bounce."""
+    """Outputs of a bounce."""
 
     @output("m/s")
     def rebound_speed_m_s(self) -> float:

@@ -72,7 +72,7 @@ def bend_cantilever(
 
 @dataclass(frozen=True)
 class CantileverOutputs(RunOutputs):
-    """Of a bent cantilever; see :func:`bend_cantilever`."""
+    """Outputs of a bent cantilever; see :func:`bend_cantilever`."""
 
     nodes: np.ndarray
     energy: float

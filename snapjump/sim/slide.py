@@ -10,7 +10,7 @@ from snapjump.statics.resting_gap import resting_gap
 
 
 class SlideOutputs(MassOutputs):
-    """Of a mass that slides."""
+    """Outputs of a mass that slides."""
 
     @output("m")
     def distance_m(self) -> float:

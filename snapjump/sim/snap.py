@@ -50,7 +50,7 @@ class SnapOutputs(RecordedOutputs):
         return int(np.argmax(self.height < 0.0))
 
     def at_crossing(self, values: Array) -> float:
-        """What values (S) are as the midpoint crosses the line."""
+        """The value, of samples (S), as the midpoint crosses the line."""
         k, height = self.crossed, self.height
         if k == 0:
             return math.nan
@@ -99,7 +99,7 @@ class SnapOutputs(RecordedOutputs):
 
 
 def middle(values: Array) -> Array:
-    """Of values (S, N + 1) at nodes those at the midpoint (S)."""
+    """Values at the midpoint (S) from values (S, N + 1) at nodes."""
     last = values.shape[1] - 1
     return np.asarray(0.5 * (values[:, last // 2] + values[:, (last + 1) // 2]))
 

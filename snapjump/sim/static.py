@@ -32,7 +32,7 @@ LENGTH = 6.0  # of a branch, in the norm of its free coordinates and angle
 
 @dataclass(frozen=True)
 class StaticOutputs(RunOutputs):
-    """Of the equilibria before and after a slow snap."""
+    """Outputs of the equilibria before and after a slow snap."""
 
     snap: Snap
 

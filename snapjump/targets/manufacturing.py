@@ -1,4 +1,4 @@
-"""What errors of one percent in building a robot, or in knowing where it will jump, cost."""
+"""Manufacturing errors: changes of the apex by one percent of each parameter."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ PERCENT = 0.01
 
 
 def one_percent_costs_bar(problem: Problem, solution: Solution) -> Array:
-    """How far (L) one percent of each of a solution's parameters moves its apex: (4,).
+    """Distances (4,) in L that one percent of each of a solution's parameters moves its apex by.
 
     Half the distance between the simulated apexes at 1 % more and at 1 % less; NaN where one of
     them does not jump. Order: delta_alpha, epsilon, mass_bar, mu. (An exact derivative is that of

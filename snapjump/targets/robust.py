@@ -35,7 +35,7 @@ class Tolerance(Part):
 
 @dataclass(frozen=True)
 class Scatter:
-    """Where the robots of one design come down to: ``apexes`` (S, 2) in L.
+    """The distribution of the apexes (S, 2), in L, of robots of one design.
 
     ``mean``, ``deviation`` (2,): of them; ``expected_miss_bar``: mean distance from the target;
     ``radius90_bar``: of the circle about the target that holds 90 % of them.

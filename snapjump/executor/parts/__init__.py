@@ -1,1 +1,1 @@
-"""What executors are made of."""
+"""Parts of executors."""

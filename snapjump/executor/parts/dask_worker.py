@@ -1,4 +1,4 @@
-"""What dask calls in every worker that is started here."""
+"""Set-up of every dask worker that is started here."""
 
 import signal
 from typing import Any

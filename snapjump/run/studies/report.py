@@ -1,4 +1,4 @@
-"""What a study leaves: each table as CSV and Markdown, figures, report.md and report.html."""
+"""The report of a study: each table as CSV and Markdown, figures, report.md and report.html."""
 
 import math
 from pathlib import Path

@@ -29,7 +29,7 @@ class CellStore:
         return self.path / f"{readable_name(cell.name)}.json"
 
     def load(self, cell: Cell) -> Done | None:
-        """What became of this very cell, unless it is still to be done."""
+        """This very cell as it was finished, or None."""
         kept = read_json(self.file(cell))
         inputs, _ = finite(cell.inputs)
         if kept is None or kept.pop("name") != cell.name or kept.pop("inputs") != inputs:

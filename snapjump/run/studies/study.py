@@ -137,7 +137,7 @@ class Study(ABC):
 
 
 def _counts(done: Any, run: str) -> dict[str, int]:
-    """How many cells ended how, and how many had been done by an earlier run."""
+    """Counts of cells by status, and of those that had been done by an earlier run."""
     found = {f"cells_{status}": 0 for status in (base.OK, base.REFUSED, base.FAILED)}
     kept = 0
     for one in done:

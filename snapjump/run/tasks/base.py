@@ -21,7 +21,7 @@ FINISHED = frozenset({OK, NO_JUMP, UNREACHABLE})
 
 @dataclass
 class Outcome:
-    """How a task ended: a status, one line why, and the flat numbers of ``result.json``."""
+    """The outcome of a task: a status, one line why, and the flat numbers of ``result.json``."""
 
     status: str
     message: str = ""
@@ -42,4 +42,4 @@ class Task(Protocol):
         """Work, and leave arrays and figures in the folder; ``result.json`` is the caller's."""
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
-        """What to tell a reader at the end, as (heading, text); the first is the title."""
+        """The closing block, as (heading, text); the first is the title."""

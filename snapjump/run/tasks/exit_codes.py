@@ -1,4 +1,4 @@
-"""What the shell is told."""
+"""Exit codes by status."""
 
 from collections.abc import Sequence
 
@@ -14,7 +14,7 @@ EXIT_INTERRUPTED = 130
 
 
 def exit_code(status: str) -> int:
-    """Of one job."""
+    """The exit code of one job."""
     special = {
         BAD_INPUT: EXIT_BAD_INPUT,
         ERROR: EXIT_ERROR,
@@ -25,7 +25,7 @@ def exit_code(status: str) -> int:
 
 
 def sweep_exit_code(statuses: Sequence[str]) -> int:
-    """Of a whole sweep: any cell that failed counts before any that had bad input."""
+    """The exit code of a sweep: a cell that failed counts before one that had bad input."""
     if all(status in FINISHED for status in statuses):
         return EXIT_OK
     bad = {status for status in statuses if status not in FINISHED}

@@ -115,7 +115,7 @@ class InverseDesign:
 
 
 def outcome_of(designed: Designed) -> Outcome:
-    """What to tell the shell of it."""
+    """The outcome of a designed jump."""
     summary, jump = designed.summary(), designed.jump
     if designed.answer.reachable:
         if jump.status != OK:

@@ -1,4 +1,4 @@
-"""What Hydra calls for a run or a cell of a sweep: one job, recorded, told, and its exit code."""
+"""One job of Hydra's, a run or a cell of a sweep: done, recorded, told, and its exit code."""
 
 import os
 import shlex

@@ -23,7 +23,7 @@ def cell_name(overrides: Sequence[str]) -> str:
 
 
 def task_overrides(hydra: DictConfig) -> list[str]:
-    """What the command line, or the sweep, sets; text such as ``${...}`` is left as it is."""
+    """Overrides of the command line or the sweep; text such as ``${...}`` is left as it is."""
     overrides = OmegaConf.to_container(hydra.overrides.task, resolve=False)
     assert isinstance(overrides, list)
     return overrides

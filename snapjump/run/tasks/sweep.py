@@ -75,7 +75,7 @@ def leave_sweep(sweep: Sweep) -> None:
 
 
 class SweepCallback(Callback):
-    """What Hydra calls when a sweep starts."""
+    """Hydra's callback at the start of a sweep."""
 
     def on_multirun_start(self, config: DictConfig, **others: Any) -> None:
         """Start the sweep; Hydra would turn any Exception from here into a mere warning."""

@@ -31,7 +31,7 @@ def sweep_figure(
 
 
 def positions(texts: Sequence[str]) -> tuple[list[float], list[str]]:
-    """Where the values of an input stand on its axis, and the words to write there if any."""
+    """Positions of an input's values on its axis, and the words to write there if any."""
     try:
         return [float(text) for text in texts], []
     except ValueError:

@@ -1,4 +1,4 @@
-"""What a sweep came to: a table on the terminal and on disk, a figure, and the parent record."""
+"""The summary of a sweep: a table on the terminal and on disk, a figure, and the parent record."""
 
 import os
 import sys
@@ -32,7 +32,7 @@ SECONDS = "wall_seconds"
 
 @dataclass
 class Cell:
-    """What one cell left on disk."""
+    """A cell of a sweep, as its folder tells."""
 
     name: str
     folder: ResultFolder

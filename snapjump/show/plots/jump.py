@@ -34,7 +34,7 @@ def apex_of(result: Any) -> tuple[float, float] | None:
 
 
 def headline(result: Any) -> str:
-    """What was simulated: scene, design, environment, and how it ended if not well."""
+    """A title: scene, design, environment, and the status if it did not end well."""
     simulation = result.simulation
     scene, design, environment = simulation.sim.name, simulation.design, simulation.environment
     parts = []

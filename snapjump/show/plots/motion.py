@@ -1,4 +1,4 @@
-"""What the pictures show: a result's arrays in units of L and ms, and poses at any time."""
+"""Motion for pictures: a result's arrays in units of L and ms, and poses at any time."""
 
 from dataclasses import dataclass
 from typing import Any

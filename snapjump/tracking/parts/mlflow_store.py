@@ -1,4 +1,4 @@
-"""What all MLflow trackers share: one run per record, written in one batch at the end."""
+"""The base of all MLflow trackers: one run per record, written in one batch at the end."""
 
 import json
 import logging
