@@ -46,13 +46,11 @@ def marches(
         kind = (stepping, *simulation.frame.mesh(model.frame))
         groups.setdefault(kind, []).append(k)
     crew: dict[str, Any] = {"lanes": lanes, "threads": threads, "most_iterations": most_iterations}
-    return [
-        (
-            members,
-            jump_march([simulations[k] for k in members], [models[k] for k in members], **crew),
-        )
-        for members in groups.values()
-    ]
+    found = []
+    for alike in groups.values():
+        together = [simulations[k] for k in alike], [models[k] for k in alike]
+        found.append((alike, jump_march(*together, **crew)))
+    return found
 
 
 def march_all(
@@ -74,16 +72,16 @@ def march_all(
         )
     told = BatchProgress(count, progress or (lambda share, text: None))
     kernel_seconds, lane_passes = 0.0, 0
-    for members, march in marches(ready.simulations, ready.models, lanes, threads, most_iterations):
-        march.find_starts(told.starts(len(members)))
+    for alike, march in marches(ready.simulations, ready.models, lanes, threads, most_iterations):
+        march.find_starts(told.starts(len(alike)))
         recorded = None
         if numbers is not None:
-            recorded = record_sensitivities(march, numbers[members])
-        outcome[members] = march.run(told.jumps(len(members)))
+            recorded = record_sensitivities(march, numbers[alike])
+        outcome[alike] = march.run(told.jumps(len(alike)))
         if slopes is not None and recorded is not None:
-            slopes.flights[members] = recorded[0][:, :, : slopes.flights.shape[2]]
-            slopes.grazes[members] = recorded[1]
-        told.finish(len(members))
+            slopes.flights[alike] = recorded[0][:, :, : slopes.flights.shape[2]]
+            slopes.grazes[alike] = recorded[1]
+        told.finish(len(alike))
         kernel_seconds += march.kernel_seconds
         lane_passes += march.lanes * march.passes
     return Marched(outcome, kernel_seconds, lane_passes, slopes)

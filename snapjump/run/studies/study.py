@@ -26,7 +26,7 @@ CELLS_FAILED = "cells_failed"
 
 
 class Study(ABC):
-    """Base of all studies. A member plans cells, computes one, and concludes from all.
+    """Base of all studies. A study plans cells, computes one, and concludes from all.
 
     ``sources``: the modules that a cell's rows depend on, if not just the study's own; when one
     of them changes, or a module of the experiments that it imports, cells are done again.
