@@ -16,9 +16,6 @@ AT_REST = {**WITHOUT_GROUND, "damping": "none"}
 def check_samples(duration_s: float, interval_s: float) -> None:
     """Require no more samples than fit in memory."""
     if duration_s > MOST_SAMPLES * interval_s:
-        raise ParameterError(
-            "sim.sample_interval_s",
-            interval_s,
-            f"at least {duration_s / MOST_SAMPLES:g} s for {duration_s:g} s, which are "
-            f"{MOST_SAMPLES} samples",
-        )
+        least = f"{duration_s / MOST_SAMPLES:g} s for {duration_s:g} s"
+        allowed = f"at least {least}, which are {MOST_SAMPLES} samples"
+        raise ParameterError("sim.sample_interval_s", interval_s, allowed)
