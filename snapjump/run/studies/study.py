@@ -2,7 +2,8 @@
 
 import traceback
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -136,11 +137,8 @@ class Study(ABC):
         return Done(cell, status, message, rows, folder.path.name, started_at, now())
 
 
-def _counts(done: Any, run: str) -> dict[str, int]:
+def _counts(done: Collection[Done], run: str) -> dict[str, int]:
     """Counts of cells by status, and of those that had been done by an earlier run."""
-    found = {f"cells_{status}": 0 for status in (base.OK, base.REFUSED, base.FAILED)}
-    kept = 0
-    for one in done:
-        found[f"cells_{one.status}"] += 1
-        kept += one.run != run
-    return {**found, "cells_kept": kept}
+    counts = Counter(one.status for one in done)
+    found = {f"cells_{status}": counts[status] for status in (base.OK, base.REFUSED, base.FAILED)}
+    return {**found, "cells_kept": sum(one.run != run for one in done)}

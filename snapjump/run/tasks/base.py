@@ -1,6 +1,6 @@
-"""The contract of a task: what ``task=<name>`` does with a configuration."""
+"""The contract of a task (``task=<name>``), its statuses and their exit codes."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
@@ -17,6 +17,14 @@ UNREACHABLE = "unreachable"
 ERROR = "error"
 # An unreachable target is an answer: no restart of a sweep would find another.
 FINISHED = frozenset({OK, NO_JUMP, UNREACHABLE})
+
+EXIT_OK = 0
+EXIT_ERROR = 1
+EXIT_BAD_INPUT = 2
+EXIT_FAILED = 3
+EXIT_UNREACHABLE = 4
+EXIT_UNTRACKED = 5
+EXIT_INTERRUPTED = 130
 
 
 @dataclass
@@ -43,3 +51,22 @@ class Task(Protocol):
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
         """The closing block, as (heading, text); the first is the title."""
+
+
+def exit_code(status: str) -> int:
+    """The exit code of one job."""
+    special = {
+        BAD_INPUT: EXIT_BAD_INPUT,
+        ERROR: EXIT_ERROR,
+        INTERRUPTED: EXIT_INTERRUPTED,
+        UNREACHABLE: EXIT_UNREACHABLE,
+    }
+    return special.get(status, EXIT_OK if status in FINISHED else EXIT_FAILED)
+
+
+def sweep_exit_code(statuses: Sequence[str]) -> int:
+    """The exit code of a sweep: a cell that failed counts before one that had bad input."""
+    if all(status in FINISHED for status in statuses):
+        return EXIT_OK
+    bad = {status for status in statuses if status not in FINISHED}
+    return EXIT_BAD_INPUT if bad == {BAD_INPUT} else EXIT_FAILED

@@ -9,7 +9,7 @@ from typing import Any
 from snapjump.checks import ParameterError
 from snapjump.declare.former_options import check_arguments
 from snapjump.declare.plugins import load_all, load_installed
-from snapjump.run.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_ERROR, EXIT_INTERRUPTED
+from snapjump.run.tasks.base import EXIT_BAD_INPUT, EXIT_ERROR, EXIT_INTERRUPTED
 
 FLAGS = frozenset(
     "-m --multirun -r --run -c --cfg -p --package --resolve -i --info -cd --config-dir "

@@ -17,9 +17,18 @@ from snapjump.declare.members import make_member
 from snapjump.declare.plugins import load_all
 from snapjump.files.provenance import now, source_hash
 from snapjump.files.result_folder import ResultFolder
-from snapjump.run.tasks.base import BAD_INPUT, FINISHED, INTERRUPTED, Outcome, Task
+from snapjump.run.tasks.base import (
+    BAD_INPUT,
+    EXIT_BAD_INPUT,
+    EXIT_OK,
+    EXIT_UNTRACKED,
+    FINISHED,
+    INTERRUPTED,
+    Outcome,
+    Task,
+    exit_code,
+)
 from snapjump.run.tasks.execute import execute, write_outcome
-from snapjump.run.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_OK, EXIT_UNTRACKED, exit_code
 from snapjump.run.tasks.hydra_errors import one_line
 from snapjump.run.tasks.interrupts import uninterrupted
 from snapjump.run.tasks.names import cell_name, register_resolvers, task_overrides
@@ -80,8 +89,12 @@ def run_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[st
         print(f"{name}: {result['status']} (kept)", flush=True)
         return EXIT_OK
     folder.forget()
-    started_at = now()
-    outcome = _do_cell(config, folder, overrides)
+    started_at, published = now(), config.get("publish")
+    if published is None:
+        outcome, _ = execute(config, folder, command(overrides), ProgressBar(visible=False))
+    else:
+        allowed = "null in a sweep, whose cells would replace each other's"
+        outcome = Outcome(BAD_INPUT, str(ParameterError("publish", published, allowed)))
     if outcome.status == BAD_INPUT:
         write_outcome(config, folder, command(overrides), started_at, outcome)
     _record(tracker, folder, name, parent_id)
@@ -91,15 +104,6 @@ def run_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[st
     if outcome.status == INTERRUPTED:
         raise KeyboardInterrupt
     return exit_code(outcome.status)
-
-
-def _do_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[str]) -> Outcome:
-    if config.get("publish") is not None:
-        wrong = ParameterError(
-            "publish", config["publish"], "null in a sweep, whose cells would replace each other's"
-        )
-        return Outcome(BAD_INPUT, str(wrong))
-    return execute(config, folder, command(overrides), ProgressBar(visible=False))[0]
 
 
 def command(overrides: list[str]) -> str:

@@ -14,7 +14,7 @@ from snapjump.declare.members import make_member
 from snapjump.files.json_file import read_json, write_json
 from snapjump.files.lock import FileLock
 from snapjump.files.provenance import now
-from snapjump.run.tasks.exit_codes import EXIT_BAD_INPUT
+from snapjump.run.tasks.base import EXIT_BAD_INPUT
 from snapjump.run.tasks.names import cell_name, register_resolvers, sweep_name, task_overrides
 from snapjump.tracking.base import Tracker, TrackingError
 
