@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from experiments.convergence.ladders import Ladder
+from experiments.errors import scale_of_x
 from experiments.order import Array, Limit, fitted_order, richardson
 from snapjump.run.studies.base import Done, Row
 
@@ -91,5 +92,5 @@ def value_of(cell: Done, key: str) -> float:
 def scale_of(cell: Done, key: str, reference: float) -> float:
     """The scale that errors of an observable are relative to."""
     if key == "x_bar":
-        return max(abs(reference), 0.1 * value_of(cell, "y_bar"))
+        return float(scale_of_x(reference, value_of(cell, "y_bar")))
     return abs(reference)
