@@ -9,14 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from snapjump.checks import ParameterError, check_group
-from snapjump.declare.families import (
-    FAMILIES,
-    class_in,
-    files_in,
-    numbers_alone,
-    numbers_in,
-    of_numbers,
-)
+from snapjump.declare import families
+from snapjump.declare.families import FAMILIES
 from snapjump.declare.fields import construct, settings
 from snapjump.declare.plugins import load_installed
 
@@ -24,7 +18,7 @@ from snapjump.declare.plugins import load_installed
 def files_of(family: str) -> dict[str, Path]:
     """The file of every member, those of installed packages included."""
     load_installed()
-    return files_in(family)
+    return families.files_in(family)
 
 
 def member_names(family: str) -> tuple[str, ...]:
@@ -39,8 +33,8 @@ def member_class(family: str, name: Any) -> Callable[..., Any]:
         allowed = f"one of {', '.join(files)}, or of a plug-in that is loaded (plugins=<folder>)"
         raise ParameterError(family, name, allowed)
     if files[name].suffix == ".yaml":
-        return partial(of_numbers, family, name, numbers_in(files[name]))
-    return class_in(family, name)
+        return partial(families.of_numbers, family, name, families.numbers_in(files[name]))
+    return families.class_in(family, name)
 
 
 def members_with(family: str, capability: str) -> tuple[str, ...]:
@@ -58,8 +52,8 @@ def make_member(family: str, group: Any) -> Any:
     values = dict(group)
     name = values.pop("name", None)
     if isinstance(name, str) and name.isidentifier() and name not in files_of(family):
-        if values and numbers_alone(family):
-            return of_numbers(family, name, values)
+        if values and families.numbers_alone(family):
+            return families.of_numbers(family, name, values)
     cls = member_class(family, name)
     return cls(**values) if isinstance(cls, partial) else construct(family, cls, values)
 

@@ -18,14 +18,7 @@ from typing import Any
 import yaml
 
 from snapjump.checks import ParameterError
-from snapjump.declare.families import (
-    BASE,
-    class_in,
-    files_in,
-    numbers_alone,
-    numbers_in,
-    of_numbers,
-)
+from snapjump.declare import families
 from snapjump.declare.fields import Part, settings
 from snapjump.files import sources
 from snapjump.tiers import TIERS
@@ -97,7 +90,7 @@ def load_installed() -> None:
 def members_in(group: Path) -> list[Path]:
     """The files of members in a folder: Python, and tableaux of Runge-Kutta methods."""
     files_there = sorted(set(group.glob("*.py")) - {group / "__init__.py"})
-    if _is_family(group) and numbers_alone(group.name):
+    if _is_family(group) and families.numbers_alone(group.name):
         known = {file.stem for file in files_there}
         files_there += [file for file in sorted(group.glob("*.yaml")) if file.stem not in known]
     return files_there
@@ -113,9 +106,8 @@ def _package(group: Path) -> Any:
 
 def _hash(place: Path) -> str:
     sources.forget(place)
-    return sources.combined_hash(
-        source for source in sources.plugin_files() if place in source.path.parents
-    )
+    own = (source for source in sources.plugin_files() if place in source.path.parents)
+    return sources.combined_hash(own)
 
 
 def _check_unchanged(place: Path) -> None:
@@ -135,8 +127,9 @@ def _check_group(group: Path) -> None:
     """Require a family, and names that no member has."""
     if not _is_family(group):
         raise ParameterError("plugins", str(group), "a folder named like a group of conf/")
+    taken = (*families.files_in(group.name), families.BASE, "parts")
     for file in members_in(group):
-        if file.stem in (*files_in(group.name), BASE, "parts") or not file.stem.isidentifier():
+        if file.stem in taken or not file.stem.isidentifier():
             raise ParameterError("plugins", str(file), f"a name that no {group.name} has yet")
 
 
@@ -145,9 +138,9 @@ def _check_member(file: Path) -> None:
     family, name = file.parent.name, file.stem
     try:
         if file.suffix == ".yaml":
-            of_numbers(family, name, numbers_in(file))
+            families.of_numbers(family, name, families.numbers_in(file))
             return
-        cls = class_in(family, name)
+        cls = families.class_in(family, name)
     except ParameterError as error:
         raise ParameterError("plugins", str(file), error.allowed) from error
     except Exception as error:

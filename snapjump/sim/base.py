@@ -9,6 +9,8 @@ MOST_SAMPLES = 200_000
 ONE_AT_A_TIME = Need("backend", "one_at_a_time")
 NO_GROUND = (Need("contact", "absent"), Need("friction", "absent"))
 HELD = Need("frame", "held")
+NEEDS_NO_GROUND = (*NO_GROUND, HELD, ONE_AT_A_TIME)
+NEEDS_A_GROUND = (Need("contact", "pushes"), HELD, ONE_AT_A_TIME)
 WITHOUT_GROUND = {"frame": "fixed", "contact": "none", "friction": "none"}
 AT_REST = {**WITHOUT_GROUND, "damping": "none"}
 

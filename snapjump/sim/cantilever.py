@@ -23,14 +23,7 @@ from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.friction.none import NoFriction
 from snapjump.results import Result
 from snapjump.scenes.march_outputs import RunOutputs
-from snapjump.sim.base import (
-    AT_REST,
-    HELD,
-    NO_GROUND,
-    ONE_AT_A_TIME,
-    Progress,
-    SceneOptions,
-)
+from snapjump.sim.base import AT_REST, NEEDS_NO_GROUND, Progress, SceneOptions
 
 LOAD_STEP = 0.25  # EI/L^2 and EI/L
 
@@ -110,7 +103,7 @@ class Cantilever(SceneOptions):
 
     chooses = AT_REST
     outputs = CantileverOutputs
-    needs = (*NO_GROUND, HELD, ONE_AT_A_TIME)
+    needs = NEEDS_NO_GROUND
 
     load_bar: float = number(1.0, least=-20.0, most=20.0, unit="EI/L^2")
 

@@ -17,15 +17,7 @@ from snapjump.results import Result
 from snapjump.scenes.march_outputs import RecordedOutputs, side_by_side
 from snapjump.scenes.snap_march import snap_march
 from snapjump.scenes.trajectory import trajectory_arrays
-from snapjump.sim.base import (
-    HELD,
-    NO_GROUND,
-    ONE_AT_A_TIME,
-    WITHOUT_GROUND,
-    Progress,
-    SceneOptions,
-    check_samples,
-)
+from snapjump.sim.base import NEEDS_NO_GROUND, WITHOUT_GROUND, Progress, SceneOptions, check_samples
 
 Array = NDArray[np.float64]
 
@@ -114,7 +106,7 @@ class Snap(SceneOptions):
     tells = ("design.epsilon", "design.delta_alpha")
     chooses = WITHOUT_GROUND
     outputs = SnapOutputs
-    needs = (*NO_GROUND, HELD, ONE_AT_A_TIME)
+    needs = NEEDS_NO_GROUND
 
     duration_s: float = number(0.06, above=0.0, unit="s")
     rise_time_s: float = number(1.0e-3, above=0.0, unit="s")

@@ -14,14 +14,7 @@ from snapjump.declare.fields import integer
 from snapjump.declare.outputs import output
 from snapjump.results import Result
 from snapjump.scenes.march_outputs import RunOutputs
-from snapjump.sim.base import (
-    AT_REST,
-    HELD,
-    NO_GROUND,
-    ONE_AT_A_TIME,
-    Progress,
-    SceneOptions,
-)
+from snapjump.sim.base import AT_REST, NEEDS_NO_GROUND, Progress, SceneOptions
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch, Point
 from snapjump.statics.critical import Snap, find_snap, start_point
@@ -118,7 +111,7 @@ class Static(SceneOptions):
     tells = ("design.epsilon", "design.delta_alpha")
     chooses = AT_REST
     outputs = StaticOutputs
-    needs = (*NO_GROUND, HELD, ONE_AT_A_TIME)
+    needs = NEEDS_NO_GROUND
 
     steps: int = integer(120, least=10, most=100_000)
 

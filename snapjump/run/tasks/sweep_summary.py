@@ -11,14 +11,8 @@ from typing import Any
 from snapjump.files.atomic import write_text
 from snapjump.files.provenance import git_state, now, source_hash
 from snapjump.files.result_folder import ResultFolder
-from snapjump.run.tasks.base import (
-    EXIT_BAD_INPUT,
-    EXIT_INTERRUPTED,
-    EXIT_UNTRACKED,
-    FINISHED,
-    INTERRUPTED,
-    sweep_exit_code,
-)
+from snapjump.run.tasks import base
+from snapjump.run.tasks.base import FINISHED
 from snapjump.run.tasks.names import cell_name
 from snapjump.run.tasks.sweep import Sweep
 from snapjump.show.terminal.block import markdown_table, number, table
@@ -58,7 +52,7 @@ def summarise(sweep: Sweep, stopped_by: BaseException | None) -> int:
     interrupted = isinstance(stopped_by, KeyboardInterrupt)
     if stopped_by is not None and all(cell.status == NOT_STARTED for cell in cells):
         _record(sweep, [], [], interrupted)
-        return EXIT_INTERRUPTED if interrupted else EXIT_BAD_INPUT
+        return base.EXIT_INTERRUPTED if interrupted else base.EXIT_BAD_INPUT
     header, rows = summary_table(cells)
     write_text(sweep.folder / "summary.csv", full_csv(cells))
     write_text(sweep.folder / "summary.md", markdown_table(header, rows) + "\n")
@@ -70,9 +64,9 @@ def summarise(sweep: Sweep, stopped_by: BaseException | None) -> int:
     counts = ", ".join(f"{n} {status}" for status, n in by_status(cells).items())
     print(f"{len(cells)} cells: {counts}; files in {os.path.relpath(sweep.folder)}")
     if interrupted:
-        return EXIT_INTERRUPTED
-    code = sweep_exit_code([cell.status for cell in cells])
-    return code or (0 if recorded else EXIT_UNTRACKED)
+        return base.EXIT_INTERRUPTED
+    code = base.sweep_exit_code([cell.status for cell in cells])
+    return code or (0 if recorded else base.EXIT_UNTRACKED)
 
 
 def by_status(cells: Sequence[Cell]) -> Counter[str]:
@@ -100,7 +94,7 @@ def mark_lost(cells: Sequence[Cell]) -> None:
     """Give a status to cells whose process was killed before it could write one."""
     for cell in cells:
         if cell.folder.config() is not None and cell.folder.result() is None:
-            cell.result = {"status": INTERRUPTED, "message": "ended without a result"}
+            cell.result = {"status": base.INTERRUPTED, "message": "ended without a result"}
             cell.folder.write_result(cell.result)
 
 
