@@ -2,6 +2,7 @@
 of every level's jump."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -69,15 +70,12 @@ class Ladder:
 
 def resolved(groups: Groups) -> Groups:
     """The composition with time resolved tightly, by its own method if that is of second order."""
+    tight = changed(groups, {"stepping": TIGHT})
     if make_member("integrator", groups["integrator"]).order >= 2:
-        tight = changed(groups, {"stepping": TIGHT})
-        try:
+        with suppress(ParameterError):  # not every method can adapt its steps
             composed(tight)
-        except ParameterError:
-            pass  # not every method can adapt its steps
-        else:
             return tight
-    return changed(groups, {"stepping": TIGHT, "integrator": {"name": ACCURATE}})
+    return changed(tight, {"integrator": {"name": ACCURATE}})
 
 
 def ladders(groups: Groups, count: int) -> list[Ladder]:

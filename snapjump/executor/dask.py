@@ -4,10 +4,12 @@ import logging
 import os
 import platform
 import re
+import signal
 import socket
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from importlib.util import find_spec
+from typing import Any
 from urllib.parse import urlsplit
 
 from snapjump.checks import ParameterError
@@ -55,7 +57,7 @@ class DaskExecutor(Executor):
                 threads_per_worker=1,
                 host="127.0.0.1",
                 dashboard_address=None,
-                preload=["snapjump.executor.parts.dask_worker"],
+                preload=[__name__],
             )
         self._client = Client(self._cluster or self.scheduler, timeout=CONNECT_TIMEOUT_S)
         return self
@@ -98,6 +100,12 @@ class DaskExecutor(Executor):
             waiting = list(left)
             for future in done:
                 yield future.result()
+
+
+def dask_setup(worker: Any) -> None:
+    """Set up a worker that is started here, as dask calls it: Ctrl-C, which a terminal sends to all
+    processes, is left to the one that started them."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def own_cores() -> tuple[str, list[int]]:

@@ -45,13 +45,11 @@ def split(count: int, training: Training, seed: int) -> Split:
     found = Split(rest[validated:], rest[:validated], order[:tested])
     for name, part in found._asdict().items():
         if len(part) < SMALLEST_PART:
-            given = count if training.rows is None else training.rows
-            allowed = (
-                f"more jumps: training, validation and test set need {SMALLEST_PART} each, and "
-                f"the {name} set of these has {len(part)}"
-            )
-            key = "dataset.path" if training.rows is None else "training.rows"
-            raise ParameterError(key, given, allowed)
+            need = f"training, validation and test set need {SMALLEST_PART} each"
+            allowed = f"more jumps: {need}, and the {name} set of these has {len(part)}"
+            if training.rows is None:
+                raise ParameterError("dataset.path", count, allowed)
+            raise ParameterError("training.rows", training.rows, allowed)
     return found
 
 

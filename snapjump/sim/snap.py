@@ -78,10 +78,7 @@ class SnapOutputs(RecordedOutputs):
     @output("rad")
     def theta_max_rad(self) -> float:
         """Largest absolute tangent angle at the midpoint."""
-        x, y = self.arrays["node_x_m"], self.arrays["node_y_m"]
-        last = y.shape[1] - 1
-        before, after = (last + 1) // 2 - 1, last // 2 + 1
-        tangent = np.arctan2(y[:, after] - y[:, before], x[:, after] - x[:, before])
+        tangent = middle_angle(self.arrays["node_x_m"], self.arrays["node_y_m"])
         return float(np.abs(tangent).max())
 
     @output("m")
@@ -94,6 +91,14 @@ def middle(values: Array) -> Array:
     """Values at the midpoint (S) from values (S, N + 1) at nodes."""
     last = values.shape[1] - 1
     return np.asarray(0.5 * (values[:, last // 2] + values[:, (last + 1) // 2]))
+
+
+def middle_angle(x: Array, y: Array) -> Array:
+    """Tangent angle (S) at the midpoint of nodes (S, N + 1): over the two elements that meet there,
+    or over the middle one of an odd number."""
+    last = y.shape[1] - 1
+    before, after = (last + 1) // 2 - 1, last // 2 + 1
+    return np.asarray(np.arctan2(y[:, after] - y[:, before], x[:, after] - x[:, before]))
 
 
 class Snap(SceneOptions):

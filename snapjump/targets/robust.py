@@ -67,11 +67,9 @@ def compare(
     begun = time.perf_counter()
     robust = robust_solution(problem, forward, tolerance, solutions)
     seconds = time.perf_counter() - begun
-    scatters = [
-        scatter(problem, forward, tolerance, solution.controls)
-        for solution in (robust, solutions[0])
-    ]
-    return Comparison(seconds, robust, scatters[0], solutions[0], scatters[1])
+    pair = robust, solutions[0]
+    ours, plain = (scatter(problem, forward, tolerance, one.controls) for one in pair)
+    return Comparison(seconds, robust, ours, solutions[0], plain)
 
 
 def sobol_points(count: int, seed: int) -> Array:
@@ -126,15 +124,10 @@ def robust_solution(
     for solution in solutions[:MOST_STARTS]:
         start = problem.scaled(solution.controls)
         inwards = np.diag(np.where(start > 0.5, -FIRST_STEP, FIRST_STEP))
-        options = {
-            "initial_simplex": np.vstack([start, start + inwards]),
-            "xatol": 1e-4,
-            "fatol": 1e-5,
-        }
-        bounds = [(0.0, 1.0)] * 2
-        found.append(
-            minimize(expected_miss, start, method="Nelder-Mead", bounds=bounds, options=options)
-        )
+        simplex = np.vstack([start, start + inwards])
+        how = {"initial_simplex": simplex, "xatol": 1e-4, "fatol": 1e-5}
+        box = [(0.0, 1.0)] * 2
+        found.append(minimize(expected_miss, start, method="Nelder-Mead", bounds=box, options=how))
     best = min(found, key=lambda result: float(result.fun))
     controls = problem.unscaled(best.x)
     return Solution(controls, forward.predict(problem.designs(controls[None, :]))[0], False)

@@ -53,6 +53,11 @@ class Task(Protocol):
         """The closing block, as (heading, text); the first is the title."""
 
 
+def stretch(progress: Progress, begin: float, end: float) -> Progress:
+    """The progress of a stretch of the work, from one share of it to another."""
+    return lambda done, text: progress(begin + (end - begin) * done, text)
+
+
 def exit_code(status: str) -> int:
     """The exit code of one job."""
     special = {

@@ -16,7 +16,7 @@ from snapjump.declare.members import make_member
 from snapjump.executor.base import Executor
 from snapjump.files.lock import FileLock
 from snapjump.files.result_folder import ResultFolder
-from snapjump.run.tasks.base import INTERRUPTED, OK, Outcome, Progress
+from snapjump.run.tasks.base import INTERRUPTED, OK, Outcome, Progress, stretch
 from snapjump.run.tasks.complete import check_complete, whole
 from snapjump.show.plots.dataset import draw_dataset, draw_status
 from snapjump.show.terminal.block import number
@@ -63,7 +63,7 @@ class GenerateDataset:
                 self._specification,
                 self._executor,
                 self._config["backend"],
-                lambda done, text: progress(shown * done, text),
+                stretch(progress, 0.0, shown),
                 self._options.part,
                 self._options.parts,
             )

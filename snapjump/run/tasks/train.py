@@ -114,13 +114,8 @@ class Train:
         )
         labels = labels_of(self._data.dataset.axes)
         designs, apexes = (part.double().numpy() for part in (test.designs, test.apexes))
-
-        def draw(path: Path) -> None:
-            draw_training(
-                learned.curves, labels, designs, apexes, off, title, path / "training.png"
-            )
-
-        folder.write_figures(draw)
+        shown = (learned.curves, labels, designs, apexes, off, title)
+        folder.write_figures(lambda path: draw_training(*shown, path / "training.png"))
 
 
 def dataset_path(config: Mapping[str, Any]) -> Path:

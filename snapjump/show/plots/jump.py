@@ -1,21 +1,19 @@
 """jump.png and snap.png: what happened, in one picture."""
 
-import math
 import pathlib
 from typing import Any
 
+from snapjump.checks import is_finite_number
 from snapjump.show.plots.filmstrip import draw_filmstrip
 from snapjump.show.plots.motion import Motion
 from snapjump.show.plots.saving import picture
 from snapjump.show.plots.trajectory import draw_trajectory
 
 
-def number(summary: dict[str, Any], key: str, scale: float = 1.0) -> float | None:
-    """A finite number of a summary, scaled, or None."""
+def number(summary: dict[str, Any], key: str) -> float | None:
+    """A finite number of a summary, or None."""
     value = summary.get(key)
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
-        return None
-    return scale * value
+    return value if is_finite_number(value) else None
 
 
 def since_start(result: Any, key: str) -> float | None:
