@@ -5,10 +5,12 @@ from dataclasses import asdict
 from typing import Any
 
 from snapjump.composition import Simulation
-from snapjump.declare.members import FAMILIES, make_member, member_group
+from snapjump.declare.families import FAMILIES
+from snapjump.declare.members import make_member, member_group
 from snapjump.simulation import PLAIN, build
 
 Groups = dict[str, dict[str, Any]]
+composed = build  # the simulation of groups; raises ParameterError for what cannot be composed
 
 
 def groups_of(config: Mapping[str, Any]) -> Groups:
@@ -28,13 +30,8 @@ def changed(groups: Mapping[str, Mapping[str, Any]], changes: Mapping[str, Any])
 
 
 def has_field(groups: Mapping[str, Mapping[str, Any]], group: str, key: str) -> bool:
-    """Whether the member that is chosen in a family has such a value."""
+    """Whether the chosen member of a family has a field."""
     return key in member_group(make_member(group, {"name": groups[group]["name"]}))
-
-
-def composed(groups: Mapping[str, Mapping[str, Any]]) -> Simulation:
-    """The simulation; raises ParameterError for what cannot be composed."""
-    return build(groups)
 
 
 def described(simulation: Simulation) -> Groups:

@@ -1,4 +1,4 @@
-"""How far results are off: relative errors against the converged limit, and roughness.
+"""Measures of error: relative to the converged limit, and roughness.
 
 Errors of x are relative to max(|x|, 0.1 y), since x goes through zero. Roughness is the standard
 deviation (in L) of the result less the converged one, about a line, when delta_alpha is swept in
@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 
 
 def scale_of_x(x: Any, y: Any) -> Any:
-    """What errors of x are relative to."""
+    """The scale that errors of x are relative to."""
     return np.maximum(np.abs(x), 0.1 * y)
 
 

@@ -1,4 +1,4 @@
-"""What a graphics card makes of the paper's dataset: ``python -m experiments.gpu``.
+"""The paper's dataset on a graphics card: ``python -m experiments.gpu``.
 
 Agreement with the processor, design by design; kernel time of the whole grid at every tier; bytes
 moved against the bandwidth that the card's own copies reach, and where the gap goes. ``--tune``
@@ -59,7 +59,7 @@ def prepared(base: Simulation, designs: Sequence[tuple[float, ...]]) -> March:
 
 
 def marched(base: Simulation, designs: Sequence[tuple[float, ...]]) -> March:
-    """The same, simulated."""
+    """A march of all designs, simulated."""
     march = prepared(base, designs)
     march.find_starts()
     march.run()

@@ -1,4 +1,4 @@
-"""What a jump must move between memory and processor: ``python -m experiments.gpu_traffic``.
+"""Memory traffic of a jump: ``python -m experiments.gpu_traffic``.
 
 A part of one jump is marched in plain Python, every access to its memory counted. An access
 counts as traffic unless it hits one of the last few hundred numbers that were touched: a thread's

@@ -1,4 +1,4 @@
-"""What a curve does: whether it runs one way, and where it levels off."""
+"""Trends of a curve: whether it is monotone, and where it levels off."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""Where a pass of the time loop spends its time: its pieces, on states frozen along a march.
+"""A profile of a pass of the time loop: times of its pieces on states frozen along a march.
 
 Each piece is compiled by itself, so that the time of a part is a difference: of contact, for
 example, that of the assembly with it and without.
@@ -53,7 +53,7 @@ def assemble_often(
 def solve_often(
     template: Any, masses: Any, scheme: Any, memory: Any, lanes: Any, count: int
 ) -> None:
-    """The same and the solution of the linear system."""
+    """Residual and tangent, and the solution of the linear system."""
     model, motion, work = frozen(template, scheme, memory, lanes)
     for _ in range(count):
         solve_linearised(model, motion, masses, work)

@@ -35,7 +35,7 @@ Both = tuple[Callable[[], list[Row]], Callable[[], list[Row]]]  # with everythin
 
 
 def timed(both: Both, repeats: int) -> list[Row]:
-    """Both, in turn, after one run each that compiles: see :func:`compared`."""
+    """Rows of :func:`compared` from repeated runs of both in turn, after one each that compiles."""
     full, scene = (run() for run in both)
     seconds: tuple[list[float], list[float]] = ([], [])
     for _ in range(repeats):
@@ -121,18 +121,11 @@ def contact(base: Simulation, designs: Designs) -> Both:
 
 def compared(full: list[Row], scene: list[Row], full_s: float, scene_s: float) -> list[Row]:
     """A row for each design: outcomes with everything and as the scene has it, and the times."""
+    times = {"full_ms": 1e3 * full_s / len(full), "scene_ms": 1e3 * scene_s / len(full)}
+    names = {key: key.removesuffix("_bar") for key in KEPT}
     return [
-        {
-            "full_status": a["status"],
-            "scene_status": b["status"],
-            "full_x": a["x_bar"],
-            "full_y": a["y_bar"],
-            "scene_x": b["x_bar"],
-            "scene_y": b["y_bar"],
-            "full_newton_iterations": a["newton_iterations"],
-            "scene_newton_iterations": b["newton_iterations"],
-            "full_ms": 1e3 * full_s / len(full),
-            "scene_ms": 1e3 * scene_s / len(full),
-        }
-        for a, b in zip(full, scene, strict=True)
+        {f"full_{name}": one[key] for key, name in names.items()}
+        | {f"scene_{name}": other[key] for key, name in names.items()}
+        | times
+        for one, other in zip(full, scene, strict=True)
     ]

@@ -1,4 +1,4 @@
-"""What becomes of many jumps, as arrays with one row a jump."""
+"""Outputs of a batch of jumps: arrays with one row a jump."""
 
 from dataclasses import dataclass
 from functools import cached_property

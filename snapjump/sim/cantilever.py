@@ -22,14 +22,7 @@ from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.friction.none import NoFriction
 from snapjump.results import Result
 from snapjump.scenes.march_outputs import RunOutputs
-from snapjump.sim.base import (
-    AT_REST,
-    HELD,
-    NO_GROUND,
-    ONE_AT_A_TIME,
-    Progress,
-    SceneOptions,
-)
+from snapjump.sim.base import AT_REST, NEEDS_NO_GROUND, Progress, SceneOptions
 
 LOAD_STEP = 0.25  # EI/L^2 and EI/L
 
@@ -71,7 +64,7 @@ def bend_cantilever(
 
 @dataclass(frozen=True)
 class CantileverOutputs(RunOutputs):
-    """Of a bent cantilever; see :func:`bend_cantilever`."""
+    """Outputs of a bent cantilever; see :func:`bend_cantilever`."""
 
     nodes: np.ndarray
     energy: float
@@ -109,12 +102,11 @@ class Cantilever(SceneOptions):
 
     chooses = AT_REST
     outputs = CantileverOutputs
-    needs = (*NO_GROUND, HELD, ONE_AT_A_TIME)
+    needs = NEEDS_NO_GROUND
 
     load_bar: float = number(1.0, least=-20.0, most=20.0, unit="EI/L^2")
 
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
-        """Deflection, tip angle and energy of the bent cantilever."""
         begun = time.perf_counter()
         elements = simulation.discretization.moving_elements
         rod = simulation.discretization.beam(simulation.robot)

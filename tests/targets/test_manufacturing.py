@@ -5,7 +5,7 @@ import pytest
 from made_up_maps import HEIGHT, SLOPE, MadeUpSimulator, problem
 
 from snapjump.inverse.base import Solution
-from snapjump.targets.manufacturing import one_percent_costs_bar
+from snapjump.targets.designed import one_percent_costs_bar
 
 CONTROLS = np.array([0.1, 0.2])
 Y = HEIGHT * 0.2
