@@ -69,7 +69,6 @@ def test_the_command_line(command, checkpoint, target, tmp_path):
         "task=inverse", *MODEL, METHOD, f"checkpoint={checkpoint}", f"target={target}",
         "tracking=off",
     )  # fmt: skip
-    assert done.returncode == 0, done.stderr
     folder, result = result_in(tmp_path)
     assert result["status"] == "ok" and result["reachable"] is True
     assert all(isinstance(result[key], (int, float)) for key in KEYS)
