@@ -1,8 +1,11 @@
-"""Instants, interpolation and the ballistic flight that the pictures show."""
+"""What pictures read of a result: instants, flights between them, and the balance of its books."""
+
+import copy
 
 import numpy as np
 import pytest
 
+from snapjump.show.plots.books import read_books
 from snapjump.show.plots.jump import apex_of
 from snapjump.show.plots.moments import middle_height, moments, snap_interval
 from snapjump.show.plots.motion import poses, read_motion
@@ -73,3 +76,41 @@ def test_only_what_jumped_flies(jump):
     assert apex_of(fallen) is None and apex_of(jump) is not None
     late = poses(motion, motion.time[-1] + np.array([0.0, 5.0]))
     assert late.nodes[1, :, 1] == pytest.approx(late.nodes[0, :, 1])
+
+
+def test_balance_of_kept_books_is_zero(jump):
+    books = read_books(jump)
+    assert books is not None
+    assert books.unit_J == pytest.approx(2e11 * 1e-2 * 5e-5**3 / 12 / 0.02)
+    assert np.abs(books.balance).max() < 1e-12
+    assert books.total[-1] != pytest.approx(books.total[0])
+
+
+@pytest.mark.parametrize(
+    ("name", "sign"),
+    [
+        ("elastic_J", 1),
+        ("kinetic_J", 1),
+        ("gravitational_J", 1),
+        ("contact_J", 1),
+        ("clamp_work_J", -1),
+        ("friction_loss_J", 1),
+        ("damping_loss_J", 1),
+        ("numerical_loss_J", 1),
+    ],
+)
+def test_balance_shows_what_is_missing(jump, name, sign):
+    wrong = copy.deepcopy(jump)
+    unit = 2e11 * 1e-2 * 5e-5**3 / 12 / 0.02
+    wrong.arrays[name][5:] += 0.1 * unit
+    books = read_books(wrong)
+    assert books is not None
+    assert books.balance[:5] == pytest.approx(0.0, abs=1e-12)
+    assert books.balance[5:] == pytest.approx(sign * 0.1)
+
+
+def test_books_without_losses_still_balance(snap):
+    arrays = {name: snap.arrays[name] for name in ("time_s", "elastic_J")}
+    books = read_books(of(snap, arrays=arrays))
+    assert books is not None
+    assert books.balance == pytest.approx(books.total - books.total[0])
