@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from physical import beam, run
+from references import outputs_of as reference
 
 from snapjump.robot.design import Design
 
@@ -30,7 +32,7 @@ def tilt_until(result, moment_s: float) -> float:
 
 @pytest.mark.parametrize("name", ["der", *TURNING])
 @pytest.mark.parametrize("case", CASES)
-def test_galerkin(case, name, beam, run, reference):
+def test_galerkin(case, name):
     entry, duration = CASES[case]
     exact = reference(entry)
     design = Design(exact["eps"], exact["delta"])
@@ -52,7 +54,7 @@ def test_galerkin(case, name, beam, run, reference):
         )
 
 
-def test_limit_of_many_elements(beam, run):
+def test_limit_of_many_elements():
     """D7: t_cross by Richardson over 40 and 80 elements."""
     for design, limit in ((Design(0.1, 0.1), 7.5112), (Design(0.2, 0.0), 10.9522)):
         coarse, fine = (
@@ -63,7 +65,7 @@ def test_limit_of_many_elements(beam, run):
 
 
 @pytest.mark.compiles
-def test_implicit_euler_rows(beam, run, reference):
+def test_implicit_euler_rows():
     """D7: an independent code with the same elements, integrator and fixed step."""
     for row in reference("D7_der_dynamic_crosscheck"):
         design = Design(row["eps"], row["delta"])
@@ -86,7 +88,7 @@ ORDERS = {"implicit_euler": 1.0, "tr_bdf2": 2.0, "sdirk2": 2.0}
 
 
 @pytest.mark.parametrize("integrator", ORDERS)
-def test_snap(integrator, beam, run):
+def test_snap(integrator):
     losses = []
     for step in (2e-5, 1e-5, 5e-6):
         result = run(beam(step, 32, integrator, design=Design(0.1, 0.1), duration_s=0.0315))

@@ -7,7 +7,6 @@ import pytest
 
 from snapjump.batch import simulate_batch, variants
 from snapjump.composition import Simulation, with_tier
-from snapjump.declare.members import member_class
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.frame.elastic import ElasticFrame
 from snapjump.stepping.adaptive import AdaptiveStep
@@ -56,7 +55,7 @@ def test_differences_vanish_with_the_frame_s_compliance(rigid):
 
 
 def test_another_integrator_gives_the_same_jumps(rigid):
-    sdirk2 = elastic(1e5, integrator=member_class("integrator", "sdirk2")())
+    sdirk2 = elastic(1e5, integrator="sdirk2")
     x, y = apart(sdirk2, rigid)
     assert x < 0.02
     assert y < 0.005

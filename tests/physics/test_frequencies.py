@@ -2,29 +2,22 @@
 
 import numpy as np
 import pytest
+from bands import whole
 from bare_models import cantilever
-from families import FAMILIES
+from physical import DISCRETIZATIONS, arch, discretized, slender, snap
+from references import outputs_of as reference
 from scipy.linalg import eigh
 
-from snapjump.declare.members import member_class
 from snapjump.discretization.base import TURN_INERTIA
 from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import numbers_of
 from snapjump.engine.work import make_work
-from snapjump.robot.robot import Robot
 
 ELEMENTS = 80
 PAPER_RATIO = 2.5e-3
 SLENDER = 2.5e-4  # shear, where an element has it, then bends nothing
-discretizations = pytest.mark.parametrize("name", FAMILIES["discretization"])
-
-
-def full(band: np.ndarray) -> np.ndarray:
-    """The matrix of a lower band (6, size)."""
-    size = band.shape[1]
-    matrix = sum(np.diag(band[k, : size - k], -k) for k in range(6))
-    return matrix + np.tril(matrix, -1).T
+discretizations = pytest.mark.parametrize("name", DISCRETIZATIONS)
 
 
 def frequencies(tangent: np.ndarray, masses: np.ndarray, count: int) -> np.ndarray:
@@ -48,18 +41,18 @@ def split(tangent: np.ndarray, masses: np.ndarray, count: int) -> tuple[np.ndarr
     return bending, frequencies(tangent[np.ix_(along, along)], inertia[along], 1)[0]
 
 
-def straight_tangent(arch, elements: int, name: str, ratio: float = PAPER_RATIO):
+def straight_tangent(elements: int, name: str, ratio: float = PAPER_RATIO):
     """Tangent and masses of the straight unloaded beam between two clamps."""
     beam = arch(0.0, elements, ratio, name=name)
     state = np.zeros(beam.size)
     state[0 :: beam.node_dofs] = np.linspace(-0.5, 0.5, elements + 1)
     assert np.abs(beam.residual(state, 0.0, 0.0)).max() <= beam.rounding
-    return full(beam.tangent_band().T), beam.masses[1:-1]
+    return whole(beam.tangent_band()), beam.masses[1:-1]
 
 
 def cantilever_tangent(elements: int, name: str, ratio: float) -> tuple[np.ndarray, np.ndarray]:
     length = 1.0 / elements
-    rod = member_class("discretization", name)(elements).beam(Robot(thickness_m=0.02 * ratio))
+    rod = discretized(name, elements).beam(slender(ratio))
     dofs = rod.node_dofs()
     model = cantilever(rod)
     memory = make_work(elements + 1, 0, 2, ROWS, len(numbers_of(model)), 1, dofs)
@@ -67,25 +60,25 @@ def cantilever_tangent(elements: int, name: str, ratio: float) -> tuple[np.ndarr
     equilibrate(model, numbers_of(model), np.zeros(elements + 1), memory, False)
     masses = np.full(elements, length)
     masses[-1] *= 0.5
-    return full(np.ascontiguousarray(memory.system.band[dofs:, :, 0].T)), masses
+    return whole(memory.system.band[dofs:, :, 0]), masses
 
 
 @discretizations
-def test_clamped_beam(name, arch, reference):
+def test_clamped_beam(name):
     exact = reference("D1_frequencies")
-    bending, stretching = split(*straight_tangent(arch, ELEMENTS, name), 4)
+    bending, stretching = split(*straight_tangent(ELEMENTS, name), 4)
     assert np.allclose(bending[:2], exact["omegaT_cc"][:2], rtol=5e-3)
     hertz = stretching / (2.0 * np.pi * exact["T_elastic"])
     assert hertz == pytest.approx(exact["f_axial1_Hz"], rel=5e-3)
     errors = [
-        abs(split(*straight_tangent(arch, n, name, SLENDER), 1)[0][0] - exact["omegaT_cc"][0])
+        abs(split(*straight_tangent(n, name, SLENDER), 1)[0][0] - exact["omegaT_cc"][0])
         for n in (ELEMENTS, 2 * ELEMENTS)
     ]
     assert np.log2(errors[0] / errors[1]) == pytest.approx(2.0, abs=0.15)
 
 
 @discretizations
-def test_cantilever(name, reference):
+def test_cantilever(name):
     exact = np.array(reference("D1_frequencies")["omegaT_cf"])
     errors = []
     for elements in (ELEMENTS, 2 * ELEMENTS):
@@ -96,7 +89,7 @@ def test_cantilever(name, reference):
 
 
 @discretizations
-def test_arches(name, arch, snap, reference):
+def test_arches(name):
     """Modes about the arch buckled up and down; at the pitchfork the first one vanishes.
 
     There the second one falls steeply too, so that it is compared at the mesh's own critical
@@ -117,6 +110,6 @@ def test_arches(name, arch, snap, reference):
             state = beam.settle(state, share * alpha, share * alpha)
         beam.residual(state, alpha, alpha)
         inertia = inertias(beam.masses[1:-1], beam.node_dofs).ravel()
-        found = frequencies(full(beam.tangent_band().T), inertia, 4)
+        found = frequencies(whole(beam.tangent_band()), inertia, 4)
         assert np.allclose(found[~vanishing], exact[~vanishing], rtol=0.01), row
         assert (found[vanishing] < 0.1).all()
