@@ -1,9 +1,11 @@
 """Derivatives of a model's numbers against differences through directly computed thresholds."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
+from differences import slope
 
 from snapjump import ParameterError, Robot
 from snapjump.batch import model_derivatives, variant
@@ -24,21 +26,13 @@ def curve():
     return ThresholdCurve.through(BASE.robot, BASE.discretization, 0.09, 0.31)
 
 
-def richardson(base, design):
-    """Central differences of the direct path at h, h/2 and h/4, extrapolated to order 6."""
+def direct_slopes(base, design):
+    """By the direct path."""
 
-    def difference(k, step):
-        ahead, behind = np.array(design), np.array(design)
-        ahead[k] += step
-        behind[k] -= step
-        numbers = [numbers_of(jump_model(variant(base, one))) for one in (ahead, behind)]
-        return (numbers[0] - numbers[1]) / (2.0 * step)
+    def numbers(axis, change):
+        return numbers_of(jump_model(variant(base, np.array(design) + change * axis)))
 
-    columns = []
-    for k, step in enumerate(STEPS):
-        coarse, middle, fine = (difference(k, step / share) for share in (1, 2, 4))
-        first, second = (4.0 * middle - coarse) / 3.0, (4.0 * fine - middle) / 3.0
-        columns.append((16.0 * second - first) / 15.0)
+    columns = [slope(partial(numbers, axis), h) for axis, h in zip(np.eye(4), STEPS, strict=True)]
     return np.array(columns).T
 
 
@@ -88,7 +82,7 @@ def check_design(base, design, curve):
     found = model_derivatives(base, np.array([design]), curve)[0]
     scale = np.maximum(np.abs(numbers_of(jump_model(variant(base, design)))), 1.0)[:, None]
     assert found.shape == (len(scale), 4)
-    np.testing.assert_allclose(found / scale, richardson(base, design) / scale, atol=1e-6)
+    np.testing.assert_allclose(found / scale, direct_slopes(base, design) / scale, atol=1e-6)
 
 
 def test_at_the_ends_of_the_ranges(curve):

@@ -11,7 +11,7 @@ from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.none import NoDamping
-from snapjump.declare.members import member_class, member_names
+from snapjump.declare.members import member_names
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
@@ -220,7 +220,7 @@ def test_the_beam_s_mass_on_top_of_the_robot_s():
 @pytest.mark.parametrize("name", [n for n in member_names("discretization") if n != "der"])
 def test_elements_with_rotations_are_refused_by_name(name):
     with pytest.raises(ParameterError, match="der with frame=elastic"):
-        replace(small_robot(), discretization=member_class("discretization", name)())
+        replace(small_robot(), discretization=name)
 
 
 def test_an_inset_beyond_the_beam_s_compression_is_refused():
