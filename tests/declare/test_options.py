@@ -12,11 +12,12 @@ from snapjump.declare.fields import Choice, Flag, Integer, Number, settings
 from snapjump.declare.members import member_class
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.integrator.parts.runge_kutta import RungeKutta
+from snapjump.learning.training import Training
 from snapjump.simulation import build
 from snapjump.targets.robust import Tolerance
 from snapjump.tiers import TIERS
 
-PARTS = {cls.group: {cls.group: cls} for cls in (Robot, Design, Environment)}
+PARTS = {cls.group: {cls.group: cls} for cls in (Robot, Design, Environment, Training)}
 EVERY = FAMILIES | PARTS | {"tolerance": {"tolerance": Tolerance}}
 # Values just outside of ranges that are not declared, or that depend on other fields.
 FURTHER = {
@@ -28,6 +29,7 @@ FURTHER = {
     ("inverse", "physics", "slopes"): ("none",), ("inverse", "physics", "finishing"): ("draft",),
     ("surrogate", "rbf", "kernel"): ("gaussian",), ("robot", "robot", "thickness_m"): (2.1e-3,),
     ("robot", "robot", "mount_height"): (0.0101, "highest"),
+    ("training", "training", "batch_last"): (32, 1000, 96),
 }  # fmt: skip
 for field in settings(Tolerance()):
     FURTHER["tolerance", "tolerance", field] = (-0.1, 1e9)
@@ -56,7 +58,7 @@ for name, cls in EVERY["integrator"].items():
         FURTHER |= {("integrator", name, field): values for field, values in ROW_OF.items()}
 MAY_BE_NONE = {("plan", field) for field in RANGE_OF}
 MAY_BE_NONE |= {("integrator", "weights"), ("integrator", "embedded")}
-MAY_BE_NONE |= {("backend", "threads"), ("executor", "scheduler")}
+MAY_BE_NONE |= {("backend", "threads"), ("executor", "scheduler"), ("training", "rows")}
 WRONG = (math.nan, math.inf, "much", None, [1.0])
 
 

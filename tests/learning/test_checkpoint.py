@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import torch
-from forward_models import RESNET, about, jumps, network
+from forward_models import RBF, RESNET, about, jumps, network
 from refusals import refused
 from safetensors.torch import save_file
 
@@ -139,6 +139,5 @@ def test_a_difference_is_told_and_no_file_left(onnx, tmp_path, monkeypatch):
 
 
 def test_what_is_no_network_is_refused():
-    group = {"name": "rbf", "neighbours": 20, "kernel": "cubic", "smoothing": 0.0}
     with pytest.raises(ParameterError, match=r"checkpoint = 'a path'.*rbf"):
-        check_exportable(ForwardModel(network(group), about(group)), "a path")
+        check_exportable(ForwardModel(network(RBF), about(RBF)), "a path")

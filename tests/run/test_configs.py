@@ -8,15 +8,13 @@ from typing import Any
 import pytest
 import yaml
 from families import EVERY, OTHERS, of_all_families, of_simulations, pairs
-from hydra import compose, initialize_config_dir
-from hydra_config import CONF, hydra_config
+from hydra_config import CONF, composed, hydra_config
 
 from snapjump import Design, Environment, Robot
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
 from snapjump.declare.fields import settings
 from snapjump.declare.members import files_of, make_member, member_class, member_names
-from snapjump.run.tasks.names import register_resolvers
 from snapjump.run.tasks.registry import TASKS
 from snapjump.show.terminal.help_page import TABLEAUX, describe
 from snapjump.simulation import build
@@ -142,9 +140,7 @@ def test_the_seed_of_a_run_is_that_of_its_plan():
 
 def test_a_slurm_sweep_composes_with_its_launcher():
     pytest.importorskip("hydra_plugins.hydra_submitit_launcher", reason="needs snapjump[cluster]")
-    register_resolvers()
-    with initialize_config_dir(str(CONF), version_base="1.3"):
-        config = compose("config", ["task=dataset", "+cluster=slurm"], return_hydra_config=True)
+    config = composed("task=dataset", "+cluster=slurm", return_hydra_config=True)
     launcher = config.hydra.launcher
     assert launcher._target_.endswith(".SlurmLauncher")
     given = yaml.safe_load(file("cluster", "slurm").read_text())["hydra"]["launcher"]

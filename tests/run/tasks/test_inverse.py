@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from command_line import result_in
-from forward_models import about, network
+from forward_models import RBF, about, network
 from hydra_config import hydra_config
 from refusals import refused
 from small_datasets import OVERRIDES
@@ -144,9 +144,6 @@ def test_outside_of_what_was_trained_a_simulator_goes_on(run, capsys):
 def test_bad_input_is_one_line(checkpoint, overrides, key):
     with refused(key):
         prepared(checkpoint, *overrides)
-
-
-RBF = {"name": "rbf", "neighbours": 20, "kernel": "cubic", "smoothing": 0.0}
 
 
 def test_a_forward_model_becomes_onnx(command, tmp_path):

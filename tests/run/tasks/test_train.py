@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from command_line import begun, result_in
+from forward_models import RBF
 from hydra_config import hydra_config
 from PIL import Image
 from records import database_in, only_run, runs_in
@@ -32,7 +33,7 @@ Config = Callable[..., dict[str, Any]]
 @pytest.fixture(scope="module")
 def dataset(tmp_path_factory) -> Path:
     """200 jumps by a smooth law."""
-    path = tmp_path_factory.mktemp("datasets") / "smooth"
+    path: Path = tmp_path_factory.mktemp("smooth")
     smooth_dataset(path, small(200, 200))
     return path
 
@@ -53,8 +54,7 @@ def trained(config: Config, path: Path, **groups: Any) -> tuple[Train, Any]:
 
 
 def test_what_has_no_epochs_has_a_figure_and_no_curves(config, tmp_path):
-    rbf = {"name": "rbf", "neighbours": 20, "kernel": "cubic", "smoothing": 0.0}
-    _, outcome = trained(config, tmp_path, surrogate=rbf)
+    _, outcome = trained(config, tmp_path, surrogate=RBF)
     assert outcome.status == "ok" and outcome.summary["epochs"] == 0
     assert (tmp_path / "training.png").exists() and not (tmp_path / "curves.csv").exists()
 

@@ -2,12 +2,11 @@
 
 import copy
 import pathlib
-import subprocess
-import sys
 from typing import Any
 
 import numpy as np
 import pytest
+from command_line import python
 from PIL import Image
 
 from snapjump.show.plots import figures
@@ -98,8 +97,7 @@ def test_one_node_is_drawn_against_time(scene, jump, tmp_path):
 def test_pictures_are_lazy():
     """matplotlib and Pillow cost most of a second: only who draws pays for them."""
     code = "import sys, snapjump.show.plots; print({'matplotlib', 'PIL'} & set(sys.modules))"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == "set()"
+    assert python("-c", code).stdout.strip() == "set()"
 
 
 def test_runs_part_at_another_branch_and_join_at_a_change_of_stability():

@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from pictures import count, picture
-from small_datasets import made_up, small, smooth_dataset
+from small_datasets import made_up_dataset, small, smooth_dataset
 
-from snapjump.dataset.read import Dataset, open_dataset
+from snapjump.dataset.read import Dataset
 from snapjump.dataset.statistics import gather
 from snapjump.show.plots import palette
 from snapjump.show.plots.dataset import draw_dataset, draw_status
@@ -30,8 +30,7 @@ def has(pixels: np.ndarray, colour: str) -> bool:
 def test_both_pictures(tmp_path, plan):
     options = {"grid": {"points": 4}, "latin_hypercube": {"count": 300}}[plan]
     specification = small(shard_size=64, plan={"name": plan, **options})
-    made_up(tmp_path, specification)
-    pictures = drawn_dataset(open_dataset(tmp_path), tmp_path)
+    pictures = drawn_dataset(made_up_dataset(tmp_path, specification), tmp_path)
     assert has(pictures["dataset"], palette.BEAM) and has(pictures["dataset"], palette.FORCE)
     # Failed, doubtful, and as promised.
     for colour in (palette.FORCE, palette.CLAMP, palette.CENTRE):
@@ -43,15 +42,13 @@ def test_any_number_of_inputs(tmp_path, inputs):
     names = ("length_m", "width_m", "thickness_m", "density_kg_m3", "frame_height_m")
     paths = ["design.epsilon", "environment.mu", *(f"robot.{name}" for name in names)]
     plan = {"name": "sobol", "count": 64, "inputs": dict.fromkeys(paths[:inputs])}
-    made_up(tmp_path, small(shard_size=64, plan=plan))
-    pictures = drawn_dataset(open_dataset(tmp_path), tmp_path)
+    pictures = drawn_dataset(made_up_dataset(tmp_path, small(shard_size=64, plan=plan)), tmp_path)
     assert has(pictures["dataset"], palette.BEAM) and has(pictures["status"], palette.CENTRE)
 
 
 def test_a_dataset_of_nothing_but_failures(tmp_path):
     nothing = {"status": "step_underflow", "x_bar": np.nan, "y_bar": np.nan}
-    smooth_dataset(tmp_path, small(16, 16), **nothing)
-    pictures = drawn_dataset(open_dataset(tmp_path), tmp_path)
+    pictures = drawn_dataset(smooth_dataset(tmp_path, small(16, 16), **nothing), tmp_path)
     assert has(pictures["status"], palette.FORCE)
     assert not has(pictures["status"], palette.CENTRE)
     assert not has(pictures["dataset"], palette.BEAM)
