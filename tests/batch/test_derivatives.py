@@ -10,7 +10,7 @@ from differences import slope
 from snapjump import ParameterError, Robot
 from snapjump.batch import model_derivatives, variant
 from snapjump.composition import with_tier
-from snapjump.declare.inputs import with_inputs
+from snapjump.declare.inputs import DEFAULT_INPUTS, inputs_of, with_inputs
 from snapjump.engine.model import numbers_of
 from snapjump.scenes.jump_start import jump_model
 from snapjump.statics.threshold_curve import ThresholdCurve
@@ -19,6 +19,13 @@ BASE = with_tier("draft")
 DESIGNS = ((0.1, 0.2, 0.768, 0.3), (-0.19, 0.11, 2.0, 0.1), (0.45, 0.29, 0.3, 0.6))
 # Of delta_alpha, epsilon, mass_bar, mu: as large as rounding and direct thresholds ask for.
 STEPS = (1e-2, 8e-3, 1e-2, 1e-2)
+# Every other input at the ends of the range that is declared for plans.
+ENDS = [
+    (path, end)
+    for path, one in inputs_of(BASE).items()
+    for end in one.plan or ()
+    if path not in DEFAULT_INPUTS and end
+]
 
 
 @pytest.fixture(scope="module")
@@ -36,28 +43,7 @@ def direct_slopes(base, design):
     return np.array(columns).T
 
 
-@pytest.mark.parametrize(
-    ("path", "value"),
-    [
-        ("robot.length_m", 0.022),
-        ("robot.thickness_m", 6e-5),
-        ("robot.youngs_modulus_Pa", 1.8e11),
-        ("robot.density_kg_m3", 4000.0),
-        ("robot.width_m", 0.012),
-        ("robot.frame_height_m", 0.012),
-        ("robot.gravity_m_s2", 9.0),
-        ("robot.rotation_rate_rad_s", 30.0),
-        ("robot.rotation_end_rad", 1.4),
-        ("robot.mount_height", 2e-3),
-        ("contact.stiffness_N_m", 2e4),
-        ("contact.distance_m", 4e-4),
-        ("contact.damping_s", 1e-6),
-        ("friction.velocity_threshold_m_s", 2e-4),
-        ("damping.relaxation_time_s", 2e-5),
-        ("environment.slope_rad", 0.1),
-        ("environment.slope_rad", -0.05),
-    ],
-)
+@pytest.mark.parametrize(("path", "value"), ENDS)
 def test_any_input_against_direct_differences(path, value, curve):
     """Of every number, to 1e-6 of it: the largest that any change of the input by itself makes."""
     found = model_derivatives(BASE, np.array([[value]]), curve, (path,))[0, :, 0]
