@@ -33,7 +33,7 @@ FURTHER = {
 }  # fmt: skip
 for field in settings(Tolerance()):
     FURTHER["tolerance", "tolerance", field] = (-0.1, 1e9)
-# Whether the ends of a range are robots is told by the simulation: tests/plan/test_axes.py.
+# Whether the ends of a range are robots is told by the simulation: tests/plan/test_plans.py.
 RANGE_OF = {
     "inputs": ({}, [0.1, 0.3]),
     "delta_alpha_rad": ([0.1, 0.1], [0.2, 0.1], [0.1, math.nan]),

@@ -159,7 +159,7 @@ def test_the_same_bytes_are_tokenised_once(source, monkeypatch):
 
 
 @pytest.mark.parametrize("damage", ["", "{", "[]", '{"rule": 1}', '{"rule": "x", "hashes": 3}'])
-def test_a_damaged_file_counts_for_nothing(source, damage, monkeypatch):
+def test_a_damaged_file_counts_for_nothing(source, damage):
     first = hashed(source)
     file = kept.cache_root() / FILE
     file.write_text(damage)
@@ -167,7 +167,7 @@ def test_a_damaged_file_counts_for_nothing(source, damage, monkeypatch):
     assert list(json.loads(file.read_text())["hashes"].values()) == [first]
 
 
-def test_hashes_of_another_rule_count_for_nothing(source, monkeypatch):
+def test_hashes_of_another_rule_count_for_nothing(source):
     first = hashed(source)
     file = kept.cache_root() / FILE
     file.write_text(file.read_text().replace(first, "0" * 64))

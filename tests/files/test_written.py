@@ -174,7 +174,7 @@ def test_a_shared_lock_is_shared_with_others_that_share_it(tmp_path):
     alone.release()
 
 
-def test_a_result_can_be_traced(tmp_path):
+def test_a_result_can_be_traced():
     origin = provenance("python run.py seed=3", seed=3, started_at=now())
     assert json.loads(json.dumps(origin)) == origin
     assert origin["command"] == "python run.py seed=3"

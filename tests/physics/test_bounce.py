@@ -6,8 +6,7 @@ a beam's ends are held by a frame.
 
 import numpy as np
 import pytest
-from masses import thrown
-from physical import run, single_mass
+from physical import run, single_mass, thrown
 from references import outputs_of as reference
 from scipy.interpolate import CubicHermiteSpline
 

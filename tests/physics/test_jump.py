@@ -1,4 +1,4 @@
-"""The jump: flight, ledger, gaps, monotony, its pinned baseline; mirror, momentum, similarity."""
+"""The jump: start, flight, books, gaps, monotony, pinned baseline; mirrors, momentum, similarity."""
 
 from dataclasses import replace
 
@@ -8,7 +8,9 @@ from families import FAMILIES
 from physical import DESIGNS, jump, parts_of
 from robots import scaled_robot
 
-from snapjump import Design, Environment, Robot, simulate_jump
+from snapjump import Design, Environment, ParameterError, Robot, simulate_jump
+from snapjump.composition import with_tier
+from snapjump.scenes.jump_start import critical, start_angle_rad
 from snapjump.statics.critical import find_snap
 from snapjump.stepping.adaptive import AdaptiveStep
 
@@ -184,3 +186,35 @@ def test_similarity():
     assert scaled.x_bar == pytest.approx(baseline.x_bar, rel=1e-6)
     assert scaled.y_bar == pytest.approx(baseline.y_bar, rel=1e-6)
     assert scaled.apex_time_s == pytest.approx(baseline.apex_time_s * time, rel=1e-6)
+
+
+BASE = with_tier("draft")
+
+
+@pytest.mark.parametrize("lag", [0.0, 0.05, 0.3])
+def test_mirrored_designs_start_mirrored(lag):
+    leads, lags = (
+        replace(BASE, design=Design(epsilon=0.1, delta_alpha=sign * lag)) for sign in (1.0, -1.0)
+    )
+    left = start_angle_rad(leads)
+    right = start_angle_rad(lags) + lag
+    assert right == pytest.approx(left, rel=1e-14)
+
+
+def critical_of(epsilon, elements):
+    mesh = replace(BASE.discretization, elements=elements)
+    return critical(replace(BASE, design=Design(epsilon=epsilon), discretization=mesh))
+
+
+@pytest.mark.parametrize(("epsilon", "elements"), [(1e-5, 56), (1e-5, 8), (1.5e-5, 104)])
+def test_what_does_not_buckle_is_refused(epsilon, elements):
+    with pytest.raises(ParameterError, match=r"design\.epsilon = .*buckles"):
+        critical_of(epsilon, elements)
+
+
+@pytest.mark.parametrize("epsilon", [0.01, 0.07, 0.1, 0.4])
+def test_eight_elements_snap_where_a_mesh_so_coarse_does(epsilon):
+    """Too early, by an error of second order: the coarsest mesh has its own threshold."""
+    eight, twelve, many = (critical_of(epsilon, n).alpha_rad for n in (8, 12, 104))
+    assert 0.80 * many < eight < twelve < many
+    assert (many - eight) / (many - twelve) == pytest.approx((12 / 8) ** 2, rel=0.3)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from families import FAMILIES
-from masses import thrown
+from physical import thrown
 from scipy.optimize import brentq
 
 from snapjump import Robot

@@ -8,6 +8,8 @@ from families import FAMILIES
 
 from snapjump import Design, Environment, Result, Robot
 from snapjump.composition import Simulation, with_tier
+from snapjump.scenes.mass import march_mass, mass_model
+from snapjump.sim.bounce import BounceOutputs
 from snapjump.simulation import simulate
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.critical import Snap, find_snap
@@ -100,6 +102,17 @@ def single_mass(
         integrator=integrator,
         stepping=FixedStep(step_s),
     )
+
+
+def thrown(
+    simulation: Simulation, height_m: float, speed_m_s: float, gravity_m_s2: float = 0.0
+) -> Result:
+    """What becomes of one mass that is thrown downwards from a height."""
+    scales = simulation.robot.scales
+    model = mass_model(simulation, gravity_m_s2, 0.0)
+    start = (0.0, height_m / scales.length_m)
+    fall = (0.0, -speed_m_s / scales.velocity_m_s)
+    return march_mass(simulation, model, start, fall, BounceOutputs, None)
 
 
 def run(simulation: Simulation) -> Result:

@@ -109,7 +109,7 @@ def test_what_is_done_is_not_done_again():
     assert outcome.summary["cells_kept"] == 3 and outcome.summary["largest"] == 4
 
 
-def test_keys_that_only_choose_do_not_determine_cells(tmp_path, monkeypatch):
+def test_keys_that_only_choose_do_not_determine_cells(monkeypatch):
     asked: list[Any] = []
     monkeypatch.setattr(module, "fingerprint", lambda config, roots: asked.append(config) or "hash")
     monkeypatch.setattr(Squares, "choices", ("figures",))
