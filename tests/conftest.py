@@ -39,7 +39,10 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
 
 @pytest.fixture
 def command(tmp_path) -> Command:
-    """Runs ``python run.py`` with the given arguments in a folder of its own, in this process."""
+    """Runs ``python run.py`` with the given arguments in a folder of its own, in this process.
+
+    It must end with exit code 0, or with the ``code`` that is given.
+    """
     return partial(here, tmp_path)
 
 
@@ -47,6 +50,18 @@ def command(tmp_path) -> Command:
 def process(tmp_path) -> Command:
     """The same in a process of its own, where it matters that it is one."""
     return partial(apart, tmp_path)
+
+
+@pytest.fixture
+def refusal(command) -> Callable[..., str]:
+    """The one line by which a command is refused, which prints nothing else."""
+
+    def line_of(*arguments: str) -> str:
+        done = command(*arguments, code=2)
+        assert done.stdout == "" and done.stderr.count("\n") == 1, done.stdout + done.stderr
+        return str(done.stderr)
+
+    return line_of
 
 
 @pytest.fixture(scope="session")

@@ -39,16 +39,7 @@ TINY = {
     # An explicit scheme cannot bear more at this mesh.
     "damping": {"kelvin_voigt": {"relaxation_time_s": 1e-6}},
 }
-USUAL = {
-    "sim": "jump",
-    "integrator": "tr_bdf2",
-    "contact": "logbarrier",
-    "friction": "implicit",
-    "discretization": "der",
-    "damping": "kelvin_voigt",
-    "frame": "rigid",
-    "stepping": "adaptive",
-}
+USUAL = {"sim": "jump"} | yaml.safe_load((FOLDER / "programs.yaml").read_text())["jumps"]["default"]
 HEIGHT, APART = 15.0, 6.0  # of so coarse jumps, in L: the converged one's is 14.3
 UNRESOLVED = ("energy_gained", "step_underflow")
 DEFAULT = {"integrator": "implicit_euler"}

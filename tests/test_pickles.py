@@ -5,15 +5,13 @@ from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 
 import pytest
-from families import FAMILIES
+from families import FAMILIES, of_simulations
 
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
 from snapjump.results import Result
 from snapjump.simulation import simulate
 from snapjump.tiers import TIERS
-
-MEMBERS = [(family, name) for family, members in FAMILIES.items() for name in members]
 
 
 @pytest.mark.parametrize("tier", TIERS)
@@ -23,7 +21,7 @@ def test_a_tier(tier: str) -> None:
     assert again.integrator.scheme().stage_count() == with_tier(tier).integrator.stages
 
 
-@pytest.mark.parametrize(("family", "name"), MEMBERS)
+@of_simulations
 def test_every_member(family: str, name: str) -> None:
     try:
         simulation = with_tier("draft", **{family: name})

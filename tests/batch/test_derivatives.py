@@ -1,14 +1,16 @@
 """Derivatives of a model's numbers against differences through directly computed thresholds."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
+from differences import slope
 
 from snapjump import ParameterError, Robot
 from snapjump.batch import model_derivatives, variant
 from snapjump.composition import with_tier
-from snapjump.declare.inputs import with_inputs
+from snapjump.declare.inputs import DEFAULT_INPUTS, inputs_of, with_inputs
 from snapjump.engine.model import numbers_of
 from snapjump.scenes.jump_start import jump_model
 from snapjump.statics.threshold_curve import ThresholdCurve
@@ -17,6 +19,13 @@ BASE = with_tier("draft")
 DESIGNS = ((0.1, 0.2, 0.768, 0.3), (-0.19, 0.11, 2.0, 0.1), (0.45, 0.29, 0.3, 0.6))
 # Of delta_alpha, epsilon, mass_bar, mu: as large as rounding and direct thresholds ask for.
 STEPS = (1e-2, 8e-3, 1e-2, 1e-2)
+# Every other input at the ends of the range that is declared for plans.
+ENDS = [
+    (path, end)
+    for path, one in inputs_of(BASE).items()
+    for end in one.plan or ()
+    if path not in DEFAULT_INPUTS and end
+]
 
 
 @pytest.fixture(scope="module")
@@ -24,46 +33,17 @@ def curve():
     return ThresholdCurve.through(BASE.robot, BASE.discretization, 0.09, 0.31)
 
 
-def richardson(base, design):
-    """Central differences of the direct path at h, h/2 and h/4, extrapolated to order 6."""
+def direct_slopes(base, design):
+    """By the direct path."""
 
-    def difference(k, step):
-        ahead, behind = np.array(design), np.array(design)
-        ahead[k] += step
-        behind[k] -= step
-        numbers = [numbers_of(jump_model(variant(base, one))) for one in (ahead, behind)]
-        return (numbers[0] - numbers[1]) / (2.0 * step)
+    def numbers(axis, change):
+        return numbers_of(jump_model(variant(base, np.array(design) + change * axis)))
 
-    columns = []
-    for k, step in enumerate(STEPS):
-        coarse, middle, fine = (difference(k, step / share) for share in (1, 2, 4))
-        first, second = (4.0 * middle - coarse) / 3.0, (4.0 * fine - middle) / 3.0
-        columns.append((16.0 * second - first) / 15.0)
+    columns = [slope(partial(numbers, axis), h) for axis, h in zip(np.eye(4), STEPS, strict=True)]
     return np.array(columns).T
 
 
-@pytest.mark.parametrize(
-    ("path", "value"),
-    [
-        ("robot.length_m", 0.022),
-        ("robot.thickness_m", 6e-5),
-        ("robot.youngs_modulus_Pa", 1.8e11),
-        ("robot.density_kg_m3", 4000.0),
-        ("robot.width_m", 0.012),
-        ("robot.frame_height_m", 0.012),
-        ("robot.gravity_m_s2", 9.0),
-        ("robot.rotation_rate_rad_s", 30.0),
-        ("robot.rotation_end_rad", 1.4),
-        ("robot.mount_height", 2e-3),
-        ("contact.stiffness_N_m", 2e4),
-        ("contact.distance_m", 4e-4),
-        ("contact.damping_s", 1e-6),
-        ("friction.velocity_threshold_m_s", 2e-4),
-        ("damping.relaxation_time_s", 2e-5),
-        ("environment.slope_rad", 0.1),
-        ("environment.slope_rad", -0.05),
-    ],
-)
+@pytest.mark.parametrize(("path", "value"), ENDS)
 def test_any_input_against_direct_differences(path, value, curve):
     """Of every number, to 1e-6 of it: the largest that any change of the input by itself makes."""
     found = model_derivatives(BASE, np.array([[value]]), curve, (path,))[0, :, 0]
@@ -88,7 +68,7 @@ def check_design(base, design, curve):
     found = model_derivatives(base, np.array([design]), curve)[0]
     scale = np.maximum(np.abs(numbers_of(jump_model(variant(base, design)))), 1.0)[:, None]
     assert found.shape == (len(scale), 4)
-    np.testing.assert_allclose(found / scale, richardson(base, design) / scale, atol=1e-6)
+    np.testing.assert_allclose(found / scale, direct_slopes(base, design) / scale, atol=1e-6)
 
 
 def test_at_the_ends_of_the_ranges(curve):

@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from robots import BASELINE as BASE
 
 from snapjump import ParameterError, Robot
 from snapjump.backend.lanes import LanesBackend
 from snapjump.batch import Batch, simulate_batch, simulate_designs, variants
 from snapjump.composition import with_tier
-from snapjump.declare.members import member_class
 from snapjump.declare.outputs import NUMBER, WORD
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.simulation import simulate
@@ -38,13 +38,13 @@ TIMING = {output.name for output in Batch.declared() if output.timing}
 
 
 @pytest.fixture(scope="module")
-def batch(base):
-    return simulate_designs(base, ALL, threads=2, lanes=1)
+def batch():
+    return simulate_designs(BASE, ALL, threads=2, lanes=1)
 
 
 @pytest.fixture(scope="module")
-def curve(base):
-    return ThresholdCurve.through(base.robot, base.discretization, 0.1, 0.3)
+def curve():
+    return ThresholdCurve.through(BASE.robot, BASE.discretization, 0.1, 0.3)
 
 
 def test_refused_designs_are_rows_with_a_status(batch):
@@ -62,23 +62,23 @@ def test_refused_designs_are_rows_with_a_status(batch):
             assert np.isnan(values[refused]).all(), output.name
 
 
-def test_rows_are_those_of_the_batch_of_good_designs(base, batch):
+def test_rows_are_those_of_the_batch_of_good_designs(batch):
     """To the last bit, at another width and number of threads."""
-    alone = simulate_batch(variants(base, GOOD), lanes=8).columns()
+    alone = simulate_batch(variants(BASE, GOOD), lanes=8).columns()
     for name, values in batch.columns().items():
         assert name in TIMING or np.array_equal(values[PLACES], alone[name]), name
 
 
-def test_rows_are_those_of_single_jumps(base, batch):
-    for place, simulation in zip(PLACES, variants(base, GOOD), strict=True):
+def test_rows_are_those_of_single_jumps(batch):
+    for place, simulation in zip(PLACES, variants(BASE, GOOD), strict=True):
         summary = simulate(simulation).summary
         for name, values in batch.columns().items():
             assert name in TIMING or values[place] == summary[name], name
 
 
-def test_the_flight_is_one_parabola(base, batch):
+def test_the_flight_is_one_parabola(batch):
     """From lift-off to the apex, in SI units."""
-    length, gravity = base.robot.length_m, base.robot.gravity_m_s2
+    length, gravity = BASE.robot.length_m, BASE.robot.gravity_m_s2
     aloft = batch.apex_time_s - batch.liftoff_time_s
     rise = batch.liftoff_vy_m_s * aloft - 0.5 * gravity * aloft**2
     np.testing.assert_allclose((batch.y_bar - batch.liftoff_y_bar) * length, rise, rtol=1e-9)
@@ -94,8 +94,8 @@ def test_kernel_time_is_shared_by_iterations(batch):
     assert np.argmax(batch.kernel_seconds) == longest
 
 
-def test_thresholds_from_a_curve(base, batch, curve):
-    found = simulate_designs(base, ALL[PLACES], curve=curve, threads=1)
+def test_thresholds_from_a_curve(batch, curve):
+    found = simulate_designs(BASE, ALL[PLACES], curve=curve, threads=1)
     assert found.status == ["ok"] * len(GOOD)
     heights = batch.mount_height_bar[PLACES]
     np.testing.assert_allclose(found.mount_height_bar, heights, atol=1e-8)
@@ -103,51 +103,47 @@ def test_thresholds_from_a_curve(base, batch, curve):
     np.testing.assert_allclose(found.y_bar, batch.y_bar[PLACES], rtol=1e-2)
 
 
-def test_beyond_the_curve_thresholds_are_computed(base, curve):
+def test_beyond_the_curve_thresholds_are_computed(curve):
     beyond = np.array([[0.1, 0.35, 0.768, 0.3]])
-    with_curve = simulate_designs(base, beyond, curve=curve, threads=1)
-    without = simulate_designs(base, beyond, threads=1)
+    with_curve = simulate_designs(BASE, beyond, curve=curve, threads=1)
+    without = simulate_designs(BASE, beyond, threads=1)
     assert with_curve.x_bar[0] == without.x_bar[0]
 
 
-def test_the_backend_says_how_many_lanes_and_threads(base, batch):
-    lanes = replace(base, backend=LanesBackend(width=8, threads=1))
+def test_the_backend_says_how_many_lanes_and_threads(batch):
+    lanes = replace(BASE, backend=LanesBackend(width=8, threads=1))
     found = simulate_designs(lanes, ALL)
     assert np.array_equal(found.x_bar, batch.x_bar, equal_nan=True)
-    assert found.lane_passes == simulate_designs(base, ALL, threads=1, lanes=8).lane_passes
+    assert found.lane_passes == simulate_designs(BASE, ALL, threads=1, lanes=8).lane_passes
 
 
-def test_progress_ends_with_all_jumps(base):
-    told = []
-
-    def tell(*args):
-        told.append(args)
-
-    simulate_designs(base, np.array(GOOD), threads=2, lanes=1, progress=tell)
+def test_progress_ends_with_all_jumps():
+    told: list[tuple[float, str]] = []
+    simulate_designs(
+        BASE, np.array(GOOD), threads=2, lanes=1, progress=lambda *args: told.append(args)
+    )
     assert told[-1][0] == 1.0 and told[-1][1].startswith("5 of 5 jumps")
 
 
 @pytest.mark.parametrize("designs", [{}, BAD])
-def test_no_designs_at_all_and_none_but_refused_ones(base, designs):
-    found = simulate_designs(base, np.reshape(list(designs), (-1, 4)))
+def test_no_designs_at_all_and_none_but_refused_ones(designs):
+    found = simulate_designs(BASE, np.reshape(list(designs), (-1, 4)))
     assert found.status == list(designs.values())
     for values in (found.mount_height_bar, found.x_bar):
         assert values.shape == (len(designs),) and np.isnan(values).all()
 
 
-def test_wrong_arguments(base, curve):
-    nothing = {family: member_class(family, "none")() for family in ("contact", "friction")}
-    scene = {"sim": member_class("sim", "static")(), "frame": member_class("frame", "fixed")()}
+def test_wrong_arguments(curve):
     one = np.array([GOOD[0]])
     for changed, designs, options, line in (
-        (base, one[0], {}, "designs = .*shape"),
-        (base, one, {"lanes": 3}, "lanes = 3"),
-        (base, one, {"threads": 0}, "threads = 0"),
-        (replace(base, discretization=DiscreteElasticRod(32)), one, {"curve": curve},
+        (BASE, one[0], {}, "designs = .*shape"),
+        (BASE, one, {"lanes": 3}, "lanes = 3"),
+        (BASE, one, {"threads": 0}, "threads = 0"),
+        (replace(BASE, discretization=DiscreteElasticRod(32)), one, {"curve": curve},
          "curve = .*element_length"),
-        (replace(base, robot=Robot(length_m=0.03)), one, {"curve": curve},
+        (replace(BASE, robot=Robot(length_m=0.03)), one, {"curve": curve},
          "curve = .*of this robot"),
-        (with_tier("draft", **scene, **nothing), one, {}, "sim = 'static'"),
+        (with_tier("draft", sim="static"), one, {}, "sim = 'static'"),
     ):  # fmt: skip
         with pytest.raises(ParameterError, match=line):
             simulate_designs(changed, designs, **options)

@@ -6,7 +6,7 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
-from small_datasets import made_up, made_up_rows, small
+from small_datasets import made_up_dataset, made_up_rows, small
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.columns import columns_of, content_sha256, table_of
@@ -24,10 +24,9 @@ COLUMNS = [axis.column for axis in default_axes()]
 @pytest.fixture(scope="module")
 def dataset(tmp_path_factory):
     specification = small(100, 16)
-    path = tmp_path_factory.mktemp("made_up")
-    made_up(path, specification)
+    found = made_up_dataset(tmp_path_factory.mktemp("made_up"), specification)
     rows = [made_up_rows(specification, number) for number in range(specification.shards)]
-    return open_dataset(path), {n: np.concatenate([row[n] for row in rows]) for n in NAMES}
+    return found, {n: np.concatenate([row[n] for row in rows]) for n in NAMES}
 
 
 def test_what_was_written_is_read(dataset):
@@ -115,8 +114,7 @@ def test_statistics_are_those_of_the_rows(dataset):
 
 def test_bins_of_a_grid_are_its_values(tmp_path):
     specification = small(plan={"name": "grid", "points": 3}, shard_size=50)
-    made_up(tmp_path, specification)
-    statistics = gather(open_dataset(tmp_path))
+    statistics = gather(made_up_dataset(tmp_path, specification))
     assert statistics.edges.shape == (4, 4)
     assert (statistics.rows == 9).all()
 
@@ -126,8 +124,8 @@ def test_memory_does_not_grow_with_the_dataset(tmp_path):
     peaks = []
     for shards in (12, 60):
         specification = small(512 * shards, 512)
-        made_up(tmp_path / str(shards), specification)
-        gather(open_dataset(tmp_path / str(shards)))
+        dataset = made_up_dataset(tmp_path / str(shards), specification)
+        gather(dataset)
         pool = pa.proxy_memory_pool(pa.default_memory_pool())
         before = pa.default_memory_pool()
         pa.set_memory_pool(pool)

@@ -12,11 +12,12 @@ from snapjump.declare.fields import Choice, Flag, Integer, Number, settings
 from snapjump.declare.members import member_class
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.integrator.parts.runge_kutta import RungeKutta
+from snapjump.learning.training import Training
 from snapjump.simulation import build
 from snapjump.targets.robust import Tolerance
 from snapjump.tiers import TIERS
 
-PARTS = {cls.group: {cls.group: cls} for cls in (Robot, Design, Environment)}
+PARTS = {cls.group: {cls.group: cls} for cls in (Robot, Design, Environment, Training)}
 EVERY = FAMILIES | PARTS | {"tolerance": {"tolerance": Tolerance}}
 # Values just outside of ranges that are not declared, or that depend on other fields.
 FURTHER = {
@@ -28,10 +29,11 @@ FURTHER = {
     ("inverse", "physics", "slopes"): ("none",), ("inverse", "physics", "finishing"): ("draft",),
     ("surrogate", "rbf", "kernel"): ("gaussian",), ("robot", "robot", "thickness_m"): (2.1e-3,),
     ("robot", "robot", "mount_height"): (0.0101, "highest"),
+    ("training", "training", "batch_last"): (32, 1000, 96),
 }  # fmt: skip
 for field in settings(Tolerance()):
     FURTHER["tolerance", "tolerance", field] = (-0.1, 1e9)
-# Whether the ends of a range are robots is told by the simulation: tests/plan/test_axes.py.
+# Whether the ends of a range are robots is told by the simulation: tests/plan/test_plans.py.
 RANGE_OF = {
     "inputs": ({}, [0.1, 0.3]),
     "delta_alpha_rad": ([0.1, 0.1], [0.2, 0.1], [0.1, math.nan]),
@@ -56,7 +58,7 @@ for name, cls in EVERY["integrator"].items():
         FURTHER |= {("integrator", name, field): values for field, values in ROW_OF.items()}
 MAY_BE_NONE = {("plan", field) for field in RANGE_OF}
 MAY_BE_NONE |= {("integrator", "weights"), ("integrator", "embedded")}
-MAY_BE_NONE |= {("backend", "threads"), ("executor", "scheduler")}
+MAY_BE_NONE |= {("backend", "threads"), ("executor", "scheduler"), ("training", "rows")}
 WRONG = (math.nan, math.inf, "much", None, [1.0])
 
 
@@ -137,17 +139,9 @@ def test_every_tier_composes(tier):
     ],
 )
 def test_parts_that_do_not_fit_a_scene(scene, family, member):
-    parts = {
-        "sim": member_class("sim", scene)(),
-        "frame": member_class("frame", "rigid" if scene == "jump" else "fixed")(),
-        "contact": member_class(
-            "contact", "logbarrier" if scene in ("jump", "bounce") else "none"
-        )(),
-        "friction": member_class("friction", "implicit" if scene == "jump" else "none")(),
-    }
-    Simulation(**parts)
+    Simulation(sim=scene)
     with refused(family, f"sim={scene}"):
-        Simulation(**(parts | {family: member_class(family, member)()}))
+        Simulation(sim=scene, **{family: member})
 
 
 def test_plain_configurations_become_simulations():

@@ -1,30 +1,29 @@
 """README and pages: their Python runs, their numbers stand where they come from."""
 
+import ast
 import re
 import tomllib
+from importlib import import_module
 from pathlib import Path
 
+import nbformat
 import pytest
 import yaml
+from command_line import ROOT
+from pages import LAW_PAGE, LINK, README, blocks, text_of
 
-ROOT = Path(__file__).resolve().parents[2]
-PAGES = [ROOT / "README.md"]
-FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
-LINK = re.compile(r"\]\(([^)\s]+)\)")
-LAW_PAGE = (ROOT / "docs" / "adding_a_contact_law.md").read_text(encoding="utf-8")
+from snapjump.run.tasks.publish import replaced
+from snapjump.show.terminal.output_table import output_table
 
-
-README = PAGES[0].read_text(encoding="utf-8")
-PYTHON = {
-    content: str(page.relative_to(ROOT))
-    for page in (PAGES[0], *(ROOT / "docs" / f"{page}.md" for page in ("designing", "datasets")))
-    for kind, content in FENCE.findall(page.read_text(encoding="utf-8"))
-    if kind == "python" and "outputs/" not in content  # which only the reader's machine has
-}
-
-
+WITH_SNIPPETS = [ROOT / "README.md", *ROOT.glob("docs/**/*.md"), *ROOT.glob("docs/*.ipynb")]
 # What the blocks of a page begin to print.
 PRINTED = {"README.md": "ok 5.3", "docs/designing.md": "True [", "docs/datasets.md": "[21.8"}
+PYTHON = {
+    source: page
+    for page in PRINTED
+    for source in blocks(text_of(page), "python")
+    if "outputs/" not in source  # which only the reader's machine has
+}
 
 
 @pytest.mark.parametrize(("source", "page"), PYTHON.items(), ids=PYTHON.values())
@@ -36,6 +35,23 @@ def test_every_python_block_runs(source, page, capsys):
     assert capsys.readouterr().out.startswith(PRINTED[page])
 
 
+def snippets(page: Path) -> list[str]:
+    if page.suffix == ".md":
+        return blocks(text_of(page), "python")
+    cells = nbformat.read(page, as_version=4).cells
+    return [cell.source for cell in cells if cell.cell_type == "code"]
+
+
+@pytest.mark.parametrize("page", WITH_SNIPPETS, ids=lambda page: page.name)
+def test_imports_are_there(page):
+    for snippet in snippets(page):
+        for node in ast.walk(ast.parse(snippet)):
+            if isinstance(node, ast.ImportFrom) and node.module.split(".")[0] == "snapjump":
+                module = import_module(node.module)
+                missing = [each.name for each in node.names if not hasattr(module, each.name)]
+                assert not missing, f"{node.module} lacks {missing}"
+
+
 def test_its_figures_stand_where_they_come_from():
     """The table against the paper: each number of ours on the page that its row links to (which
     may have more digits), and each factor the ratio of the numbers, whichever way is better."""
@@ -45,8 +61,7 @@ def test_its_figures_stand_where_they_come_from():
     checked = 0
     for title, theirs, ours, factor, source in rows:
         (page,) = LINK.findall(source)
-        text = (ROOT / page).read_text(encoding="utf-8")
-        written = re.findall(r"(?<![\w.])\d+(?:\.\d+)?", text)
+        written = re.findall(r"(?<![\w.])\d+(?:\.\d+)?", text_of(page))
         for number in numbers(ours):
             places = len(number.partition(".")[2])
             assert any(f"{float(n):.{places}f}" == number for n in written), (title, number)
@@ -69,19 +84,25 @@ def numbers(cell: str, first: bool = False) -> list[str]:
 
 
 def test_generated_sections_are_there():
-    models = (ROOT / "docs/forward_models.md").read_text(encoding="utf-8")
-    for text, section in (
-        (README, "inverse"),
-        (README, "tiers"),
-        (README, "paper"),
-        (models, "surrogates"),
-    ):
+    models = text_of("docs/forward_models.md")
+    sections = ((README, "inverse"), (README, "tiers"), (README, "paper"), (models, "surrogates"))
+    for text, section in sections:
         assert text.index(f"<!-- {section}:begin -->") < text.index(f"<!-- {section}:end -->")
 
 
+def test_the_table_of_outputs_is_that_of_the_declarations(pytestconfig):
+    """``pytest --write-golden`` writes it anew."""
+    written = text_of("docs/outputs.md")
+    text = replaced(written, "outputs", output_table())
+    if pytestconfig.getoption("--write-golden"):
+        (ROOT / "docs" / "outputs.md").write_text(text, encoding="utf-8")
+    else:
+        assert written == text
+
+
 def test_the_citation_is_of_this_version():
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    project = tomllib.loads(text_of("pyproject.toml"))["project"]
+    citation = yaml.safe_load(text_of("CITATION.cff"))
     assert citation["version"] == project["version"]
     assert citation["license"] == project["license"]["text"]
     assert citation["authors"] == project["authors"]

@@ -7,23 +7,21 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from command_line import ROOT
 from hydra.core.override_parser.overrides_parser import OverridesParser
 from hydra.core.override_parser.types import Override
 from hydra_config import hydra_config
+from pages import FENCE, LAW_PAGE, LINK, blocks, text_of, without_blocks
 
 from snapjump.checks import ParameterError
 from snapjump.run.tasks.execute import check_run
 from snapjump.run.tasks.registry import TASKS, find_task, is_study
 
-ROOT = Path(__file__).resolve().parents[2]
 PAGES = [ROOT / name for name in ("README.md", "CONTRIBUTING.md")]
 PAGES += sorted((ROOT / "docs").rglob("*.md"))
-FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 INLINE = re.compile(r"`([^`]+)`")
-LINK = re.compile(r"\]\(([^)\s]+)\)")
 # What only the reader's machine has: keys that a command may be refused for.
 ELSEWHERE = ("dataset.path", "task.standard", "executor.scheduler", "backend")
-LAW_PAGE = (ROOT / "docs" / "adding_a_contact_law.md").read_text(encoding="utf-8")
 
 
 def name(page: Path) -> str:
@@ -32,11 +30,10 @@ def name(page: Path) -> str:
 
 def commands(page: Path) -> Iterator[list[str]]:
     """Every ``python`` command of a page, in blocks and in lines, as words without comments."""
-    text = page.read_text(encoding="utf-8")
-    shell = [content for kind, content in FENCE.findall(text) if kind == ""]
-    lines = "\n".join(shell).replace("\\\n", " ").splitlines()
+    text = text_of(page)
+    lines = "\n".join(blocks(text, "")).replace("\\\n", " ").splitlines()
     lines += [line.strip() for line in text.splitlines() if line.startswith("    ")]
-    lines += [" ".join(line.split()) for line in INLINE.findall(FENCE.sub("", text))]
+    lines += [" ".join(line.split()) for line in INLINE.findall(without_blocks(page))]
     for line in lines:
         words = shlex.split(line.removeprefix("$ "), comments=True) if "python" in line else []
         if words and words[0].rpartition("/")[2] == "python":
@@ -99,35 +96,33 @@ def test_every_module_exists(module):
 
 @pytest.mark.parametrize("page", PAGES, ids=name)
 def test_every_link_leads_to_a_file(page):
-    text = FENCE.sub("", page.read_text(encoding="utf-8"))
-    targets = [t.partition("#")[0] for t in LINK.findall(text) if "://" not in t]
+    links = LINK.findall(without_blocks(page))
+    targets = [t.partition("#")[0] for t in links if "://" not in t]
     missing = [t for t in targets if t and not (page.parent / t).exists()]
     assert not missing
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name)
 def test_every_link_into_a_page_leads_to_a_heading(page):
-    text = FENCE.sub("", page.read_text(encoding="utf-8"))
-    for target in LINK.findall(text):
+    for target in LINK.findall(without_blocks(page)):
         file, _, anchor = target.partition("#")
         if anchor and "://" not in target:
-            linked = (page.parent / file if file else page).read_text(encoding="utf-8")
-            headings = re.findall(r"^#+ (.*)$", FENCE.sub("", linked), re.MULTILINE)
+            linked = without_blocks(page.parent / file if file else page)
+            headings = re.findall(r"^#+ (.*)$", linked, re.MULTILINE)
             known = [re.sub(r"[^\w\- ]", "", h.lower()).replace(" ", "-") for h in headings]
             assert anchor in known
 
 
 def test_every_target_of_make_exists():
-    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
     code = ""
     for page in PAGES:
-        text = page.read_text(encoding="utf-8")
-        blocks = [content for _, content in FENCE.findall(text)]
-        code += "\n".join([*blocks, *INLINE.findall(FENCE.sub("", text)), text]) + "\n"
+        text = text_of(page)
+        quoted = [content for _, content in FENCE.findall(text)]
+        code += "\n".join([*quoted, *INLINE.findall(without_blocks(page)), text]) + "\n"
     named = set(re.findall(r"^(?:    )?make ([a-z]+)(?=  |$)", code, re.MULTILINE))
     assert {"jump", "test", "check"} <= named
     for target in named:
-        assert re.search(rf"^{target}:", makefile, re.MULTILINE), target
+        assert re.search(rf"^{target}:", text_of("Makefile"), re.MULTILINE), target
 
 
 def test_every_study_has_a_command():

@@ -1,12 +1,11 @@
 """The tutorial runs from beginning to end, and is kept without outputs."""
 
-from pathlib import Path
-
 import nbformat
 import pytest
+from command_line import ROOT
 from nbclient import NotebookClient
 
-TUTORIAL = Path(__file__).resolve().parents[2] / "docs" / "tutorial.ipynb"
+TUTORIAL = ROOT / "docs" / "tutorial.ipynb"
 TIMEOUT_S = 300  # of a cell, which may compile
 
 

@@ -69,7 +69,6 @@ def test_other_scenes_are_refused():
 def test_from_the_command_line_to_record_and_documentation(command, database, tmp_path):
     (tmp_path / "docs").mkdir()
     done = command(*TINY, "publish=docs/studies")
-    assert done.returncode == 0, done.stderr
     assert "convergence" in done.stdout and "finding" in done.stdout
     (result,) = tmp_path.glob("outputs/2*/*/result.json")
     summary = json.loads(result.read_text())
@@ -88,16 +87,13 @@ def test_from_the_command_line_to_record_and_documentation(command, database, tm
         ).fetchall()
     assert [count for _, count in parents] == [summary["cells"]]
     again = command(*TINY, "tracking=off", "figures=false")
-    assert again.returncode == 0
     assert f"{summary['cells']} kept" in again.stdout
 
 
 @pytest.mark.compiles
 def test_a_sweep_of_studies(command, tmp_path):
-    two = command("-m", *TINY, "figures=false", "tracking=off", "integrator=tr_bdf2,sdirk2")
-    assert two.returncode == 0, two.stderr
+    command("-m", *TINY, "figures=false", "tracking=off", "integrator=tr_bdf2,sdirk2")
     assert len(list(tmp_path.glob("outputs/studies/convergence-*"))) == 2
     assert len(list(tmp_path.glob("outputs/sweeps/*/*/orders.csv"))) == 2
-    refused = command("-m", *TINY, "tracking=off", "publish=docs", "seed=1,2")
-    assert refused.returncode == 2
+    refused = command("-m", *TINY, "tracking=off", "publish=docs", "seed=1,2", code=2)
     assert "publish = 'docs' is not allowed" in refused.stdout

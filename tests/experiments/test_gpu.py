@@ -1,11 +1,10 @@
 """The study of the card: its designs, its model of the caches, and what it says without a card."""
 
-import subprocess
-import sys
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from command_line import python
 
 from experiments.designs import HIGH, LOW
 from experiments.gpu import busy_share, grid
@@ -49,8 +48,5 @@ def test_without_a_card_there_is_one_line():
     cuda = pytest.importorskip("numba.cuda")
     if cuda.is_available():
         pytest.skip("there is a card")
-    done = subprocess.run(
-        [sys.executable, "-m", "experiments.gpu"], capture_output=True, text=True, timeout=120
-    )
-    assert done.returncode == 2
+    done = python("-m", "experiments.gpu", code=2)
     assert done.stdout.startswith("backend = 'cuda'") and done.stdout.count("\n") == 1

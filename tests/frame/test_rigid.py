@@ -1,4 +1,7 @@
-"""The rigid frame: everything condensed onto its three coordinates, against exact derivatives."""
+"""The rigid frame: everything condensed onto its three coordinates, against exact derivatives.
+
+All of it is about one small robot, ``Case``, hence one file of more than 250 lines.
+"""
 
 from typing import Any
 

@@ -1,13 +1,12 @@
 """A dataset that follows a smooth law, and the jumps of it."""
 
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import pytest
 from small_datasets import small, smooth_dataset
 
-from snapjump.dataset.read import Dataset, open_dataset
+from snapjump.dataset.read import Dataset
 from snapjump.learning.data import JumpData
 from snapjump.learning.training import Training
 
@@ -17,9 +16,7 @@ QUICK = {"epochs": 6, "patience": 6, "batch_first": 16, "batch_last": 64}
 @pytest.fixture(scope="session")
 def smooth(tmp_path_factory) -> Dataset:
     """400 jumps, all ok, without derivatives."""
-    path: Path = tmp_path_factory.mktemp("smooth")
-    smooth_dataset(path, small(400, 200))
-    return open_dataset(path)
+    return smooth_dataset(tmp_path_factory.mktemp("smooth"), small(400, 200))
 
 
 @pytest.fixture

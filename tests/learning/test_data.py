@@ -1,16 +1,18 @@
-"""Which jumps are learned from, which are not, and in what order."""
+"""Which jumps are learned from, in what order and batches, and at which rates."""
+
+from dataclasses import asdict
 
 import numpy as np
 import pytest
 import torch
 from forward_models import law
 from refusals import refused
-from small_datasets import WIDE_STICK, made_up, small, smooth_dataset
+from small_datasets import WIDE_STICK, made_up_dataset, small, smooth_dataset
 
 from snapjump.checks import ParameterError
-from snapjump.dataset.read import open_dataset
 from snapjump.learning.data import Batches, JumpData, read_rows, split
 from snapjump.learning.training import Training
+from snapjump.run.tasks.complete import whole
 
 
 def test_a_split_is_of_all_rows_and_by_the_seed():
@@ -49,12 +51,9 @@ def test_splits_that_there_are_not(count, training, key):
 
 def test_the_rows_are_the_dataset_s(data):
     found = data()
-    assert [len(part.designs) for part in (found.train, found.validation, found.test)] == [
-        288,
-        32,
-        80,
-    ]
-    for part in (found.train, found.validation, found.test):
+    parts = (found.train, found.validation, found.test)
+    assert [len(part.designs) for part in parts] == [288, 32, 80]
+    for part in parts:
         apexes, _ = law(part.designs.double().numpy())
         assert np.allclose(part.apexes.numpy(), apexes, rtol=1e-5, atol=1e-5)
         assert torch.isnan(part.slopes).all() and part.slopes.shape == (len(apexes), 2, 4)
@@ -76,26 +75,55 @@ def test_batches_are_all_rows_once_in_an_order_of_seed_and_epoch(data):
 
 
 def test_slopes_of_a_dataset_that_has_them(tmp_path):
-    smooth_dataset(tmp_path, small(60, 60, sensitivities=True, friction=WIDE_STICK))
-    rows = read_rows(open_dataset(tmp_path))
+    dataset = smooth_dataset(tmp_path, small(60, 60, sensitivities=True, friction=WIDE_STICK))
+    rows = read_rows(dataset)
     _, slopes = law(rows.designs.double().numpy())
     known = torch.isfinite(rows.slopes).numpy()
     assert np.allclose(rows.slopes.numpy()[known], slopes[known], rtol=1e-4, atol=1e-4)
     # Made up as well: nine in ten graze no contact.
     grazed = ~known.all(axis=(1, 2))
-    frame = open_dataset(tmp_path).frame(["differentiable"])
+    frame = dataset.frame(["differentiable"])
     assert np.array_equal(grazed, ~frame["differentiable"].to_numpy(dtype=bool))
     assert 0 < grazed.sum() < 20
 
 
 def test_jumps_that_failed_are_left_out(tmp_path):
-    made_up(tmp_path, small(100, 50))
-    rows = read_rows(open_dataset(tmp_path))
+    rows = read_rows(made_up_dataset(tmp_path, small(100, 50)))
     assert len(rows.designs) == 90 and torch.isfinite(rows.apexes).all()
 
 
 def test_a_dataset_without_a_jump_is_refused(tmp_path):
     nan = {"x_bar": np.nan, "y_bar": np.nan}
-    smooth_dataset(tmp_path, small(60, 60), status="step_underflow", **nan)
+    dataset = smooth_dataset(tmp_path, small(60, 60), status="step_underflow", **nan)
     with pytest.raises(ParameterError, match=r"dataset\.path.*status is ok"):
-        JumpData(open_dataset(tmp_path), Training(), 0)
+        JumpData(dataset, Training(), 0)
+
+
+def test_batches_double_in_equal_stretches():
+    training = Training(epochs=50, batch_first=64, batch_last=1024)
+    sizes = [training.batch_size(epoch) for epoch in range(50)]
+    assert sizes == [64] * 10 + [128] * 10 + [256] * 10 + [512] * 10 + [1024] * 10
+    assert {Training(batch_first=9, batch_last=9).batch_size(e) for e in range(240)} == {9}
+    few = Training(epochs=2)
+    assert [few.batch_size(epoch) for epoch in range(2)] == [64, 256]
+
+
+def test_the_rate_rises_and_falls_to_nothing():
+    training = Training(epochs=200, learning_rate=0.5)
+    rates = [training.rate(epoch) for epoch in range(200)]
+    assert max(rates) == pytest.approx(0.5, rel=0.01) and rates.index(max(rates)) < 10
+    assert 0.0 < rates[0] < 0.15 and rates[100] == pytest.approx(0.25)
+    assert 0.0 < rates[-1] < 1e-4 and sorted(rates[10:], reverse=True) == rates[10:]
+    assert Training(epochs=1).rate(0) > 0.0
+
+
+def test_every_key_must_be_there_and_no_other():
+    values = asdict(Training())
+    assert whole(Training, values) == Training()
+    with pytest.raises(ParameterError, match=r"training\.optimizer"):
+        whole(Training, {**values, "optimizer": "sgd"})
+    for key in values:
+        with pytest.raises(ParameterError, match=f"training.{key}"):
+            whole(Training, {other: value for other, value in values.items() if other != key})
+    with pytest.raises(ParameterError, match="training"):
+        whole(Training, None)

@@ -1,6 +1,5 @@
 """Descent: it learns, stops early, goes on after a kill to the same bits, and tells of NaN."""
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -14,8 +13,6 @@ from snapjump.learning.data import JumpData
 from snapjump.learning.fit import STATE, Fitted, descend
 from snapjump.learning.training import Training
 from snapjump.surrogate.base import Surrogate
-
-Data = Callable[..., JumpData]
 
 
 class Killed(BaseException):

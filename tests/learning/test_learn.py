@@ -1,16 +1,14 @@
 """From a dataset to a checkpoint: what it says, and that nothing is trained twice."""
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
 from forward_models import RANGES, RESNET
 from refusals import refused
-from small_datasets import CONFIG, WIDE_STICK, made_up, small, smooth_dataset
+from small_datasets import CONFIG, WIDE_STICK, made_up_dataset, small, smooth_dataset
 
 from snapjump.checks import ParameterError
-from snapjump.dataset.read import open_dataset
 from snapjump.declare.members import make_member, member_class, member_names
 from snapjump.files.sources import package_files
 from snapjump.learning.data import JumpData
@@ -20,7 +18,6 @@ from snapjump.learning.training import Training
 from snapjump.simulation import build
 from snapjump.targets.request import trained_forward
 
-Data = Callable[..., JumpData]
 OPTIONS = make_member("surrogate", RESNET)
 
 
@@ -95,9 +92,9 @@ def test_slopes_must_be_there_for_what_needs_them(data, tmp_path):
         check_slopes(options, data())
     assert caught.value.value in str(caught.value)
     specification = small(100, 100, sensitivities=True, friction=WIDE_STICK)
-    smooth_dataset(tmp_path / "slopes", specification)
+    dataset = smooth_dataset(tmp_path / "slopes", specification)
     training = Training(epochs=2, batch_first=16, batch_last=16, validation_share=0.2)
-    with_slopes = JumpData(open_dataset(tmp_path / "slopes"), training, 0)
+    with_slopes = JumpData(dataset, training, 0)
     assert len(learn(with_slopes, options, silent, None, tmp_path).curves) == 2
 
 
@@ -109,10 +106,9 @@ def test_a_forward_model_has_the_inputs_of_its_dataset(name, tmp_path):
         "friction": WIDE_STICK,
     }
     specification = small(160, 160, sensitivities=True, **changes)
-    made_up(tmp_path / "data", specification)
-    options = member_class("surrogate", name)()
-    data = JumpData(open_dataset(tmp_path / "data"), Training(epochs=1), 0)
-    learned = learn(data, options, silent, None, tmp_path)
+    dataset = made_up_dataset(tmp_path / "data", specification)
+    data = JumpData(dataset, Training(epochs=1), 0)
+    learned = learn(data, member_class("surrogate", name)(), silent, None, tmp_path)
     model = open_forward_model(learned.file)
     assert [axis.path for axis in model.axes] == list(inputs)
     designs = specification.plan.designs(0, 5)

@@ -1,9 +1,7 @@
-import os
 import shutil
-import subprocess
-import sys
 
 import pytest
+from command_line import python
 from numba import njit
 
 from snapjump.files import sources
@@ -66,15 +64,9 @@ print(sum(resting_gap.stats.cache_hits.values()), sum(resting_gap.stats.cache_mi
 
 def compiled_in(root, cache, *plugins):
     """How often the kernel was found and not found by the package there."""
-    environment = {**os.environ, "NUMBA_CACHE_DIR": str(cache), "PYTHONPATH": str(root)}
-    done = subprocess.run(
-        [sys.executable, "-c", COMPILE.format(root=str(root), plugins=plugins)],
-        cwd=root,
-        env=environment,
-        capture_output=True,
-        text=True,
-    )
-    assert done.returncode == 0, done.stderr
+    program = COMPILE.format(root=str(root), plugins=plugins)
+    places = {"NUMBA_CACHE_DIR": str(cache), "PYTHONPATH": str(root)}
+    done = python("-c", program, folder=root, **places)
     return tuple(int(count) for count in done.stdout.split())
 
 

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
+from duals import view_duals
 from numba import njit
 
 from snapjump.number.dispatch import PROGRAM
-from snapjump.number.dual import view_duals
 from snapjump.number.exponentials import exp, log
 from snapjump.number.functions import absolute, fma, maximum, minimum, sqrt, where
 from snapjump.number.lane import view_numbers

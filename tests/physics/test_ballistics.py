@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from physical import single_mass
+from references import outputs_of as reference
 
 from snapjump.engine import outcome as c
 from snapjump.engine.load.gravity import Gravity
@@ -16,7 +18,7 @@ START, VX, VY, G = 0.01, 0.3, 1.0, 10.0
 EULER = pytest.param("implicit_euler", marks=pytest.mark.compiles)
 
 
-def test_apex(reference):
+def test_apex():
     exact = reference("B1_ballistic")
     outcome = np.zeros(c.COLUMNS)
     outcome[c.STATUS] = OK
@@ -49,7 +51,7 @@ def test_liftoff():
 
 @pytest.mark.parametrize("step_s, accuracy", [(1e-3, 1e-12), (1e-5, 2e-8)])
 @pytest.mark.parametrize("integrator", [EULER, "tr_bdf2", "sdirk2"])
-def test_free_fall(integrator, step_s, accuracy, single_mass, reference):
+def test_free_fall(integrator, step_s, accuracy):
     """Height where the speed vanishes: exact, or lower by v h/2 with implicit Euler.
 
     Velocities are differences of positions over the step, so that 10,000 steps gather rounding

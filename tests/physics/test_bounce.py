@@ -6,7 +6,8 @@ a beam's ends are held by a frame.
 
 import numpy as np
 import pytest
-from masses import thrown
+from physical import run, single_mass, thrown
+from references import outputs_of as reference
 from scipy.interpolate import CubicHermiteSpline
 
 from snapjump.contact.base import at_rest
@@ -44,19 +45,19 @@ def peak_force_N(simulation, gap_m: float) -> float:
     return float(force) * scales.force_N
 
 
-def bounce(single_mass, run, mass_kg, speed_m_s, contact_s, steps=STEPS):
+def bounce(mass_kg, speed_m_s, contact_s, steps=STEPS):
     step = contact_s / steps
     times = {"duration_s": 1.1 * contact_s, "sample_interval_s": 0.5 * step}
     return run(single_mass("bounce", step, mass_kg=mass_kg, speed_m_s=speed_m_s, **times))
 
 
 @pytest.mark.parametrize("speed", [0.01, 0.1, 0.5, 1.0, 2.0, 3.0])
-def test_nondimensional(speed, single_mass, run, reference):
+def test_nondimensional(speed):
     """Gaps over d_hat, speeds over d_hat sqrt(K/m), times in sqrt(m/K)."""
     row = next(r for r in reference("C1_barrier_nondim") if r["vhat"] == speed)
     errors = []
     for steps in (STEPS, FINE):
-        result = bounce(single_mass, run, *of_one_gram(speed, row["tc"]), steps=steps)
+        result = bounce(*of_one_gram(speed, row["tc"]), steps=steps)
         lowest, contact = flight(result.arrays)
         assert lowest / REACH_M == pytest.approx(row["xmin"], abs=1e-4)
         assert contact / TIME_S == pytest.approx(row["tc"], rel=1e-3)
@@ -65,13 +66,13 @@ def test_nondimensional(speed, single_mass, run, reference):
     assert errors[-1] < 1e-4
 
 
-def test_dimensional(single_mass, run, reference):
+def test_dimensional():
     for row in reference("C2_barrier_dim"):
         if row["g"] != 0.0:
             continue
-        result = bounce(single_mass, run, row["m"], row["v"], row["tc"])
+        result = bounce(row["m"], row["v"], row["tc"])
         assert flight(result.arrays)[1] == pytest.approx(row["tc"], rel=1e-3)
-        result = bounce(single_mass, run, row["m"], row["v"], row["tc"], steps=FINE)
+        result = bounce(row["m"], row["v"], row["tc"], steps=FINE)
         lowest, contact = flight(result.arrays)
         assert lowest == pytest.approx(row["dmin"], rel=1e-4)
         assert contact == pytest.approx(row["tc"], rel=1e-3)
@@ -79,7 +80,7 @@ def test_dimensional(single_mass, run, reference):
         assert force == pytest.approx(row["Fmax"], rel=1e-3)
 
 
-def test_with_weight(single_mass, reference):
+def test_with_weight():
     exact = reference("C2b_with_gravity")
     step = exact["tc"] / STEPS
     times = {"duration_s": 1.1 * exact["tc"], "sample_interval_s": 0.5 * step}
@@ -90,15 +91,15 @@ def test_with_weight(single_mass, reference):
     assert peak_force_N(simulation, lowest) == pytest.approx(exact["Fmax"], rel=1e-3)
 
 
-def test_hardest_impact_keeps_its_gap(single_mass, run, reference):
+def test_hardest_impact_keeps_its_gap():
     """vhat = 5 leaves 3.7e-6 of the barrier: no fixed step resolves it, yet no gap closes."""
     row = reference("C1_barrier_nondim")[-1]
     for steps in (5, 40, STEPS):
         impact = of_one_gram(row["vhat"], row["tc"])
-        assert bounce(single_mass, run, *impact, steps=steps).min_gap_m > 0.0
+        assert bounce(*impact, steps=steps).min_gap_m > 0.0
 
 
-def test_rest(single_mass, run, reference):
+def test_rest():
     for row in reference("C3_rest_gap"):
         simulation = single_mass("slide", 1e-5, mass_kg=row["m"], speed_m_s=0.0, duration_s=1e-3)
         scales = simulation.robot.scales
@@ -111,18 +112,18 @@ def test_rest(single_mass, run, reference):
 
 
 @pytest.mark.parametrize("integrator", NAMES)
-def test_restitution(integrator, single_mass, reference):
+def test_restitution(integrator):
     """Mean over eight phases of the first step against the moment of entering the barrier."""
     rows = [r for r in reference("C8_restitution_vs_dt") if r["method"] == NAMES[integrator]]
     contacts = {r["vhat"]: r["tc"] for r in reference("C1_barrier_nondim")}
     for row in rows:
         impact = of_one_gram(row["vhat"], contacts[row["vhat"]])
         for count, mean in zip(row["n_per_tc"], row["e_mean"], strict=True):
-            found = restitutions(single_mass, integrator, *impact, count)
+            found = restitutions(integrator, *impact, count)
             assert np.mean(found) == pytest.approx(mean, abs=1e-3), (row["vhat"], count)
 
 
-def restitutions(single_mass, integrator, mass, speed, contact, count) -> list[float]:
+def restitutions(integrator, mass, speed, contact, count) -> list[float]:
     step = contact / count
     times = {"duration_s": 4.0 * contact + 20.0 * step, "sample_interval_s": contact}
     simulation = single_mass("bounce", step, integrator, mass_kg=mass, **times)

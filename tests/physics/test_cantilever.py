@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from differences import richardson
+from references import outputs_of as reference
 from scipy.optimize import brentq
 
 from snapjump.discretization.corotational import Corotational
@@ -36,7 +38,7 @@ def bent(load: float, elements: int) -> np.ndarray:
 
 
 @pytest.mark.parametrize("load", [0.1, 1.0, 5.0, 10.0])
-def test_tip_load(load, reference, richardson):
+def test_tip_load(load):
     exact = np.array([reference(f"S1_cantilever_a{load:g}")[name] for name in FIGURES])
     coarse, middle, fine = (bent(load, n) for n in (40, 80, 160))
     assert np.allclose(middle, exact, rtol=1e-3, atol=0.0)
@@ -47,7 +49,7 @@ def test_tip_load(load, reference, richardson):
 
 @pytest.mark.parametrize("name", TURNING)
 @pytest.mark.parametrize("load", [0.1, 1.0, 5.0, 10.0])
-def test_elements_with_rotations(name, load, reference, richardson):
+def test_elements_with_rotations(name, load):
     entry = reference(f"S1_cantilever_a{load:g}")
     exact = np.array([entry["delta_y"], entry["one_minus_x"], entry["E"]])
 
@@ -84,7 +86,7 @@ def turn_of_hinge(length: float) -> float:
 
 
 @pytest.mark.parametrize("elements", [20, 40, 80])
-def test_discrete_formula(elements, reference):
+def test_discrete_formula(elements):
     _, directions = rolled(elements)
     turns = np.diff(directions)
     cells = elements * turns / (2.0 * np.pi)

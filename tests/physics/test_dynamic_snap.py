@@ -1,7 +1,9 @@
-"""D6, D7: the dynamic snap of the beam alone, against an independent Galerkin solution."""
+"""D6, D7: the dynamic snap of the beam alone, against a Galerkin solution; its ledger's order."""
 
 import numpy as np
 import pytest
+from physical import beam, run
+from references import outputs_of as reference
 
 from snapjump.robot.design import Design
 
@@ -30,7 +32,7 @@ def tilt_until(result, moment_s: float) -> float:
 
 @pytest.mark.parametrize("name", ["der", *TURNING])
 @pytest.mark.parametrize("case", CASES)
-def test_galerkin(case, name, beam, run, reference):
+def test_galerkin(case, name):
     entry, duration = CASES[case]
     exact = reference(entry)
     design = Design(exact["eps"], exact["delta"])
@@ -52,7 +54,7 @@ def test_galerkin(case, name, beam, run, reference):
         )
 
 
-def test_limit_of_many_elements(beam, run):
+def test_limit_of_many_elements():
     """D7: t_cross by Richardson over 40 and 80 elements."""
     for design, limit in ((Design(0.1, 0.1), 7.5112), (Design(0.2, 0.0), 10.9522)):
         coarse, fine = (
@@ -63,7 +65,7 @@ def test_limit_of_many_elements(beam, run):
 
 
 @pytest.mark.compiles
-def test_implicit_euler_rows(beam, run, reference):
+def test_implicit_euler_rows():
     """D7: an independent code with the same elements, integrator and fixed step."""
     for row in reference("D7_der_dynamic_crosscheck"):
         design = Design(row["eps"], row["delta"])
@@ -80,3 +82,17 @@ def test_implicit_euler_rows(beam, run, reference):
             assert result.theta_max_rad == pytest.approx(row["th_max"], rel=1e-4)
         else:
             assert tilt_until(result, result.snap_time_s) < 1e-8
+
+
+ORDERS = {"implicit_euler": 1.0, "tr_bdf2": 2.0, "sdirk2": 2.0}
+
+
+@pytest.mark.parametrize("integrator", ORDERS)
+def test_snap(integrator):
+    losses = []
+    for step in (2e-5, 1e-5, 5e-6):
+        result = run(beam(step, 32, integrator, design=Design(0.1, 0.1), duration_s=0.0315))
+        losses.append(result.arrays["numerical_loss_J"][-1] / result.arrays["elastic_J"][0])
+    orders = np.log2(np.abs(losses[:-1]) / np.abs(losses[1:]))
+    assert orders[-1] == pytest.approx(ORDERS[integrator], abs=0.15)
+    assert abs(losses[-1]) < 1e-4

@@ -1,28 +1,25 @@
-"""The jump: flight, ledger, gaps, monotony, its pinned baseline; mirror, momentum, similarity."""
+"""The jump: start, flight, books, gaps, monotony, the pinned baseline; mirrors and similarity."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from families import FAMILIES
+from physical import DESIGNS, jump, parts_of
 from robots import scaled_robot
 
-from snapjump import Design, Environment, Robot, simulate_jump
-from snapjump.declare.members import member_class
+from snapjump import Design, Environment, ParameterError, Robot, simulate_jump
+from snapjump.composition import with_tier
+from snapjump.scenes.jump_start import critical, start_angle_rad
 from snapjump.statics.critical import find_snap
+from snapjump.stepping.adaptive import AdaptiveStep
 
-DESIGNS = {
-    "baseline": (0.2, 0.1, 0.3, 0.768),
-    "light": (0.15, 0.05, 0.4, 0.3),
-    "even": (0.25, 0.01, 0.2, 0.6),
-    "heavy": (0.3, 0.15, 0.5, 1.5),
-}
+TIGHT = AdaptiveStep(tolerance=1e-8, contact_steps=0.5)
 
 
 @pytest.fixture(params=DESIGNS)
-def jumped(request, jump):
-    epsilon, lag, mu, mass_bar = DESIGNS[request.param]
-    return jump(design=Design(epsilon, lag), environment=Environment(mu, mass_bar))
+def jumped(request):
+    return jump(**parts_of(DESIGNS[request.param]))
 
 
 def test_no_gap_closes(jumped):
@@ -61,12 +58,12 @@ def test_books_balance(jumped):
     assert np.abs(loss).max() < 1e-2 * energy
 
 
-def test_heavier_robots_jump_lower(jump):
+def test_heavier_robots_jump_lower():
     heights = [jump(environment=Environment(0.3, m)).y_bar for m in (0.3, 0.5, 0.768, 1.2, 2.0)]
     assert all(np.diff(heights) < 0.0)
 
 
-def test_beam_out_of_reach_of_the_ground(jump):
+def test_beam_out_of_reach_of_the_ground():
     """A mount far above h2: the snap strikes nothing."""
     robot = Robot(mount_height=0.009)
     result = jump(robot=robot, allowed=("ok", "no_jump"))
@@ -76,12 +73,11 @@ def test_beam_out_of_reach_of_the_ground(jump):
 
 
 @pytest.mark.parametrize("fraction", [0.7, 0.8])
-def test_where_the_motion_starts_matters_little(fraction, jump):
+def test_where_the_motion_starts_matters_little(fraction):
     """Measured with 64 elements at a tolerance of 1e-9, four designs: at most 0.1 %."""
     scene = FAMILIES["sim"]["jump"]
-    tight = member_class("stepping", "adaptive")(tolerance=1e-8, contact_steps=0.5)
-    near = jump(sim=scene(start_fraction=0.85), stepping=tight)
-    far = jump(sim=scene(start_fraction=fraction), stepping=tight)
+    near = jump(sim=scene(start_fraction=0.85), stepping=TIGHT)
+    far = jump(sim=scene(start_fraction=fraction), stepping=TIGHT)
     assert far.x_bar == pytest.approx(near.x_bar, rel=5e-3)
     assert far.y_bar == pytest.approx(near.y_bar, rel=5e-3)
 
@@ -93,10 +89,10 @@ def test_baseline_is_pinned():
     assert result.y_bar == pytest.approx(14.265, rel=0.0015)
 
 
-def test_lanes_give_the_same_jump(jump):
+def test_lanes_give_the_same_jump():
     """backend=lanes: the program for batches, outcomes only."""
     alone = jump()
-    wide = jump(backend=member_class("backend", "lanes")())
+    wide = jump(backend="lanes")
     assert wide.x_bar == pytest.approx(alone.x_bar, rel=1e-13)
     assert wide.y_bar == pytest.approx(alone.y_bar, rel=1e-13)
     assert not wide.arrays and "max_residual" not in wide.summary
@@ -119,20 +115,20 @@ def test_elements_with_rotations_jump_like_discrete_rods(name):
     wide = simulate_jump(
         accuracy="draft",
         discretization=members[name](elements=104),
-        backend=member_class("backend", "lanes")(),
+        backend="lanes",
     )
     assert (wide.x_bar, wide.y_bar) == (alone.x_bar, alone.y_bar)
     assert wide.summary["newton_iterations"] == alone.summary["newton_iterations"]
 
 
-def test_equal_clamps_jump_straight_up(jump):
+def test_equal_clamps_jump_straight_up():
     result = jump(design=Design(0.2, 0.0))
     assert abs(result.x_bar) <= 1e-8
     assert np.abs(result.arrays["frame_angle_rad"]).max() < 1e-8
 
 
 @pytest.mark.parametrize("slope", [0.0, 0.15])
-def test_mirrored_mismatch_and_slope_mirror_the_jump(slope, jump):
+def test_mirrored_mismatch_and_slope_mirror_the_jump(slope):
     """The left clamp is the reference: the mirror image starts and ends that much earlier.
 
     The elimination runs from left to right, so that the two differ by rounding, and adaptive
@@ -140,26 +136,25 @@ def test_mirrored_mismatch_and_slope_mirror_the_jump(slope, jump):
     """
     lag = 0.1
     robot = Robot()
-    tight = member_class("stepping", "adaptive")(tolerance=1e-8, contact_steps=0.5)
     uphill, downhill = (Environment(slope_rad=sign * slope) for sign in (1.0, -1.0))
-    right = jump(design=Design(0.2, lag), environment=uphill, stepping=tight)
+    right = jump(design=Design(0.2, lag), environment=uphill, stepping=TIGHT)
     left = jump(
         design=Design(0.2, -lag),
         environment=downhill,
         robot=replace(robot, rotation_end_rad=robot.rotation_end_rad - lag),
-        stepping=tight,
+        stepping=TIGHT,
     )
     assert left.x_bar == pytest.approx(-right.x_bar, rel=1e-3)
     assert left.y_bar == pytest.approx(right.y_bar, rel=1e-4)
     assert left.x_world_bar == pytest.approx(-right.x_world_bar, rel=1e-3)
 
 
-def test_without_friction_nothing_moves_sideways(jump):
+def test_without_friction_nothing_moves_sideways():
     result = jump(environment=Environment(mu=0.0))
     assert np.abs(result.arrays["com_vx_m_s"]).max() < 1e-10 * result.liftoff_vy_m_s
 
 
-def test_similarity(jump):
+def test_similarity():
     """E, rho and L scaled at fixed dimensionless groups change nothing.
 
     By powers of two, so that rounding is the same: else adaptive steps raise it to 1e-3 here.
@@ -191,3 +186,35 @@ def test_similarity(jump):
     assert scaled.x_bar == pytest.approx(baseline.x_bar, rel=1e-6)
     assert scaled.y_bar == pytest.approx(baseline.y_bar, rel=1e-6)
     assert scaled.apex_time_s == pytest.approx(baseline.apex_time_s * time, rel=1e-6)
+
+
+BASE = with_tier("draft")
+
+
+@pytest.mark.parametrize("lag", [0.0, 0.05, 0.3])
+def test_mirrored_designs_start_mirrored(lag):
+    leads, lags = (
+        replace(BASE, design=Design(epsilon=0.1, delta_alpha=sign * lag)) for sign in (1.0, -1.0)
+    )
+    left = start_angle_rad(leads)
+    right = start_angle_rad(lags) + lag
+    assert right == pytest.approx(left, rel=1e-14)
+
+
+def critical_of(epsilon, elements):
+    mesh = replace(BASE.discretization, elements=elements)
+    return critical(replace(BASE, design=Design(epsilon=epsilon), discretization=mesh))
+
+
+@pytest.mark.parametrize(("epsilon", "elements"), [(1e-5, 56), (1e-5, 8), (1.5e-5, 104)])
+def test_what_does_not_buckle_is_refused(epsilon, elements):
+    with pytest.raises(ParameterError, match=r"design\.epsilon = .*buckles"):
+        critical_of(epsilon, elements)
+
+
+@pytest.mark.parametrize("epsilon", [0.01, 0.07, 0.1, 0.4])
+def test_eight_elements_snap_where_a_mesh_so_coarse_does(epsilon):
+    """Too early, by an error of second order: the coarsest mesh has its own threshold."""
+    eight, twelve, many = (critical_of(epsilon, n).alpha_rad for n in (8, 12, 104))
+    assert 0.80 * many < eight < twelve < many
+    assert (many - eight) / (many - twelve) == pytest.approx((12 / 8) ** 2, rel=0.3)

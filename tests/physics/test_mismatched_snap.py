@@ -2,6 +2,9 @@
 
 import numpy as np
 import pytest
+from differences import richardson
+from physical import arch, snap
+from references import outputs_of as reference
 from scipy.optimize import brentq
 
 from snapjump.discretization.der import DiscreteElasticRod
@@ -33,7 +36,7 @@ def figures(found) -> np.ndarray:
     return np.array([*states, middle_tangent(before), middle_tangent(after)])
 
 
-def symmetric_fold(arch, elements: int, epsilon: float, ratio: float) -> float:
+def symmetric_fold(elements: int, epsilon: float, ratio: float) -> float:
     """The largest angle on the branch of symmetric shapes."""
     branch = Branch(arch(epsilon, elements, ratio), 0.0)
     point = start_point(branch)
@@ -50,14 +53,14 @@ def symmetric_fold(arch, elements: int, epsilon: float, ratio: float) -> float:
 
 
 @pytest.mark.parametrize("epsilon", [0.1, 0.2, 0.3])
-def test_symmetric(epsilon, arch, snap, reference, richardson):
+def test_symmetric(epsilon):
     """The inextensible limit is extrapolated from two extensible beams: the shift is linear in
     EI/EA L^2, and rounding grows with stiffness."""
     stiff, soft = 5e-4, RATIOS["5.2e-07"]
     share = stiff**2 / (soft**2 - stiff**2)
     for find, name in (
         (lambda n, ratio: snap(epsilon, n, ratio=ratio).alpha_rad, "alpha_pitchfork"),
-        (lambda n, ratio: symmetric_fold(arch, n, epsilon, ratio), "alpha_fold"),
+        (lambda n, ratio: symmetric_fold(n, epsilon, ratio), "alpha_fold"),
     ):
         soft_angle, stiff_angle = (
             richardson(*(find(n, ratio) for n in (40, 80, 160))) for ratio in (soft, stiff)
@@ -76,7 +79,7 @@ def test_symmetric(epsilon, arch, snap, reference, richardson):
     + [pytest.param("der", *case, marks=pytest.mark.slow) for case in MORE]
     + [(name, e, 0.1, lam) for name in TURNING for e in (0.1, 0.2, 0.3) for lam in RATIOS],
 )
-def test_fold(name, epsilon, lag, lam, snap, reference):
+def test_fold(name, epsilon, lag, lam):
     exact = reference(f"S7_mismatch_eps{epsilon:g}_d{lag:g}_lam{lam}")
     ratio = RATIOS[lam] if name == "der" else max(RATIOS[lam], 2e-4)
     coarse, fine = (snap(epsilon, n, lag, ratio, name=name) for n in (80, 160))

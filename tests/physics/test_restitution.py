@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 from families import FAMILIES
-from masses import thrown
+from physical import thrown
 from scipy.optimize import brentq
 
 from snapjump import Robot
 from snapjump.composition import Simulation
-from snapjump.declare.members import member_class
 from snapjump.sim.bounce import Bounce
+from snapjump.stepping.fixed import FixedStep
 
 pytestmark = pytest.mark.compiles
 CONTACT = FAMILIES["contact"]
@@ -22,10 +22,9 @@ def fall(law, speed_m_s, step_s, duration_s, integrator="tr_bdf2"):
     """A mass that falls without gravity: height (m) and velocity (m/s) at the end, least gap."""
     simulation = Simulation(
         sim=Bounce(mass_kg=MASS_KG, duration_s=duration_s, sample_interval_s=duration_s),
-        frame=member_class("frame", "fixed")(),
         contact=law,
-        integrator=member_class("integrator", integrator)(),
-        stepping=member_class("stepping", "fixed")(step_s=step_s),
+        integrator=integrator,
+        stepping=FixedStep(step_s),
     )
     result = thrown(simulation, getattr(law, "distance_m", 0.0) + HEIGHT_M, speed_m_s)
     assert result.status == "ok"

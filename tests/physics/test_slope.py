@@ -1,9 +1,11 @@
-"""Jumps from a slope, against closed forms: how they begin, fly and balance their books."""
+"""Jumps from a slope, how they begin, fly and balance their books; C4, C5: one mass that slides."""
 
 import math
 
 import numpy as np
 import pytest
+from physical import jump, run, single_mass
+from references import outputs_of as reference
 
 from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
@@ -24,7 +26,7 @@ def creep_m_s(simulation):
 
 
 @pytest.mark.parametrize("slope", SLOPES)
-def test_a_robot_begins_to_creep_as_friction_holds_it(slope, jump):
+def test_a_robot_begins_to_creep_as_friction_holds_it(slope):
     sloping = jump(environment=Environment(slope_rad=slope))
     arrays, creep = sloping.arrays, creep_m_s(sloping.simulation)
     # What pulls it downhill is what friction takes, until the beam begins to swing.
@@ -36,7 +38,7 @@ def test_a_robot_begins_to_creep_as_friction_holds_it(slope, jump):
 
 
 @pytest.mark.parametrize("slope", SLOPES)
-def test_the_flight_is_the_parabola_of_gravity(slope, jump):
+def test_the_flight_is_the_parabola_of_gravity(slope):
     """Of level and plumb places: no force but the weight after the last contact."""
     found = jump(environment=Environment(slope_rad=slope))
     c, s = math.cos(slope), math.sin(slope)
@@ -53,13 +55,13 @@ def test_the_flight_is_the_parabola_of_gravity(slope, jump):
     assert turned == pytest.approx((found.y_world_bar, found.x_world_bar), rel=1e-12, abs=1e-12)
 
 
-def test_on_the_level_both_places_are_one(jump):
+def test_on_the_level_both_places_are_one():
     found = jump()
     assert (found.x_world_bar, found.y_world_bar) == (found.x_bar, found.y_bar)
 
 
 @pytest.mark.parametrize("slope", SLOPES)
-def test_books_balance(slope, jump):
+def test_books_balance(slope):
     arrays = jump(environment=Environment(slope_rad=slope)).arrays
     released = np.ptp(arrays["elastic_J"])
     assert np.abs(arrays["numerical_loss_J"]).max() < 1e-2 * released
@@ -76,3 +78,35 @@ def test_without_friction_the_ground_is_level():
     with pytest.raises(ParameterError, match=r"environment\.slope_rad = 0.1 .* 0 without friction"):
         with_tier("draft", environment=Environment(slope_rad=0.1), friction="none")
     with_tier("draft", friction="none")
+
+
+def test_slide_to_rest():
+    exact = reference("C4_slide")
+    result = run(single_mass("slide", 1e-5, mu=exact["mu"], speed_m_s=exact["v0"]))
+    assert result.distance_m == pytest.approx(exact["x_total"], rel=1e-4)
+    speed = result.arrays["node_vx_m_s"][:, 0]
+    time = result.arrays["time_s"]
+    reached = np.interp(-exact["eps_v"], -speed, time)
+    assert reached == pytest.approx(exact["t_to_eps"], rel=1e-4)
+    assert 0.0 <= result.final_speed_m_s < 1e-9
+
+
+def on_an_incline(row, speed_m_s):
+    scene = {"speed_m_s": speed_m_s, "duration_s": 0.01}
+    slope_rad = -np.arctan(row["tan"])
+    return run(single_mass("slide", 1e-5, mu=row["mu"], slope_rad=slope_rad, **scene))
+
+
+@pytest.mark.parametrize("slope", [0.05, 0.15, 0.29])
+def test_creep_on_an_incline(slope):
+    row = next(r for r in reference("C5_incline") if r["tan"] == slope)
+    result = on_an_incline(row, 0.0)
+    assert result.final_speed_m_s == pytest.approx(row["creep_v"], rel=1e-6)
+
+
+def test_slip_on_an_incline():
+    row, start = next(r for r in reference("C5_incline") if "accel_over_gcos" in r), 0.1
+    result = on_an_incline(row, start)
+    acceleration = (result.final_speed_m_s - start) / result.arrays["time_s"][-1]
+    normal = 10.0 * np.cos(np.arctan(row["tan"]))
+    assert acceleration / normal == pytest.approx(row["accel_over_gcos"], rel=1e-6)

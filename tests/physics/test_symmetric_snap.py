@@ -2,6 +2,9 @@
 
 import numpy as np
 import pytest
+from differences import richardson
+from physical import arch, snap
+from references import outputs_of as reference
 from scipy.optimize import brentq
 
 # Extensibility lowers the angle by about 40 lambda/epsilon; the stiffer, the more rounding.
@@ -20,7 +23,7 @@ def figures(found) -> np.ndarray:
     return np.array([found.alpha_rad, *energies, before.midpoint, -found.h1_bar, -found.h2_bar])
 
 
-def family(snap, epsilon: float, name: str = "der") -> list[np.ndarray]:
+def family(epsilon: float, name: str = "der") -> list[np.ndarray]:
     """The figures at 40, 80 and 160 elements; Newton's method needs twice as many where shear is
     as stiff as here."""
     ratio = SLENDERNESS.get(epsilon, 1e-4 if name == "der" else 2e-4)
@@ -34,10 +37,10 @@ def family(snap, epsilon: float, name: str = "der") -> list[np.ndarray]:
     + [pytest.param("der", e, marks=pytest.mark.slow) for e in MORE]
     + [(name, e) for name in ("corotational", "geometrically_exact") for e in QUICK[1:]],
 )
-def test_pitchfork(name, epsilon, snap, reference, richardson):
+def test_pitchfork(name, epsilon):
     entry = reference(f"S5_snap_sym_eps{epsilon:g}")
     exact = np.array([entry[name] for name in NAMES])
-    coarse, middle, fine = family(snap, epsilon, name)
+    coarse, middle, fine = family(epsilon, name)
     errors = np.abs([middle[0] - exact[0], fine[0] - exact[0]])
     assert np.log2(errors[0] / errors[1]) == pytest.approx(2.0, abs=0.15)
     assert np.allclose(fine, exact, rtol=1e-3, atol=0.0)
@@ -46,15 +49,15 @@ def test_pitchfork(name, epsilon, snap, reference, richardson):
 
 
 @pytest.mark.parametrize("epsilon", [0.1, 0.2])
-def test_two_fixed_nodes_are_half_a_percent_off(epsilon, snap, reference):
+def test_two_fixed_nodes_are_half_a_percent_off(epsilon):
     alpha = snap(epsilon, 160, clamp="two_nodes").alpha_rad
     assert alpha == pytest.approx(reference(f"S5_snap_sym_eps{epsilon:g}")["alpha_asym"], rel=5e-3)
 
 
-def test_shallow_limits(snap, reference, richardson):
+def test_shallow_limits():
     shallow = reference("S6_shallow_limits")["energies_over_eps"]
     epsilon = 1e-3
-    alpha, before, after, released, middle, _, below = richardson(*family(snap, epsilon))
+    alpha, before, after, released, middle, _, below = richardson(*family(epsilon))
     names = [f"E_over_eps_{state}" for state in ("before", "after", "released")]
     energies = np.array([before, after, released]) / epsilon
     assert energies == pytest.approx([shallow[name] for name in names], rel=1e-3)
@@ -63,7 +66,7 @@ def test_shallow_limits(snap, reference, richardson):
     assert others == pytest.approx([shallow[name] for name in names], rel=1e-3)
 
 
-def test_shallow_arch_turned_at_one_end(snap, reference, richardson):
+def test_shallow_arch_turned_at_one_end():
     """The right clamp stays flat where it lags by just the left clamp's critical angle."""
     epsilon = 1e-3
 
@@ -77,7 +80,7 @@ def test_shallow_arch_turned_at_one_end(snap, reference, richardson):
     assert mu == pytest.approx(reference("S6_shallow_limits")["one_end"]["mu_fold"], rel=1e-3)
 
 
-def test_shallow_arch_turned_against_itself(arch, reference, richardson):
+def test_shallow_arch_turned_against_itself():
     """Beyond a supercritical pitchfork only the S shape is left; its lowest eigenvalue grows
     linearly from zero there."""
     epsilon = 1e-3
@@ -101,7 +104,7 @@ def test_shallow_arch_turned_against_itself(arch, reference, richardson):
     assert mu == pytest.approx(reference("S6_shallow_limits")["antisym"]["mu_pitchfork"], rel=1e-3)
 
 
-def test_released_programs_heights(snap, reference):
+def test_released_programs_heights():
     """The released program fits h1 within 7 % and h2 within 1.5 %."""
     entry = reference("S10_authors_h1h2")
     found = [snap(epsilon, 160) for epsilon in (0.1, 0.2, 0.3)]

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from bands import whole
 
 from snapjump.statics.band import (
     WIDTH,
@@ -14,16 +15,6 @@ from snapjump.statics.band import (
 )
 
 SIZE = 40
-
-
-def dense(band: np.ndarray) -> np.ndarray:
-    """The whole matrix of a lower band."""
-    size = len(band)
-    full = np.zeros((size, size))
-    for j in range(size):
-        for k in range(min(WIDTH, size - j)):
-            full[j, j + k] = full[j + k, j] = band[j, k]
-    return full
 
 
 @pytest.fixture
@@ -39,13 +30,13 @@ def test_solution(band):
     factors, x = np.empty_like(band), right.copy()
     assert factor(band, 0.0, factors) == 0
     substitute(factors, x)
-    assert np.allclose(x, np.linalg.solve(dense(band), right), rtol=1e-12)
+    assert np.allclose(x, np.linalg.solve(whole(band), right), rtol=1e-12)
     subtract_product(band, x, right)
     assert np.abs(right).max() < 1e-13
 
 
 def test_signs_of_pivots_count_eigenvalues(band):
-    eigenvalues = np.linalg.eigvalsh(dense(band))
+    eigenvalues = np.linalg.eigvalsh(whole(band))
     for count in (0, 1, 2, 7):
         shift = eigenvalues[count] - 1e-3
         assert factor(band, shift, np.empty_like(band)) == count
@@ -54,7 +45,7 @@ def test_signs_of_pivots_count_eigenvalues(band):
 @pytest.mark.parametrize("moved", [0.0, -3.0, -30.0, 1e6])
 def test_smallest_eigenvalue(band, moved):
     band[:, 0] += moved
-    values, vectors = np.linalg.eigh(dense(band))
+    values, vectors = np.linalg.eigh(whole(band))
     vector = np.empty(SIZE)
     value, rounding, negative = smallest_eigenvalue(band, vector)
     assert value == pytest.approx(values[0], abs=1e-13 * max(1.0, abs(moved)))
@@ -68,7 +59,7 @@ def test_rounding_of_a_form_is_that_of_its_entries(band):
     random = np.random.default_rng(5)
     x = random.normal(size=SIZE)
     value, rounding = quadratic_form(band, x)
-    assert value == pytest.approx(x @ dense(band) @ x, rel=1e-13)
+    assert value == pytest.approx(x @ whole(band) @ x, rel=1e-13)
     moved = [
         quadratic_form(band * (1.0 + 1e-8 * random.choice([-1.0, 1.0], band.shape)), x)[0]
         for _ in range(400)
@@ -82,8 +73,8 @@ def test_bordered_system(band, singular):
     random = np.random.default_rng(6)
     column, row, right = random.normal(size=(3, SIZE))
     if singular:
-        band[:, 0] -= np.linalg.eigvalsh(dense(band))[0]
-    whole = np.block([[dense(band), column[:, None]], [row[None, :], np.array([[0.7]])]])
-    expected = np.linalg.solve(whole, np.append(right, 0.3))
+        band[:, 0] -= np.linalg.eigvalsh(whole(band))[0]
+    bordered = np.block([[whole(band), column[:, None]], [row[None, :], np.array([[0.7]])]])
+    expected = np.linalg.solve(bordered, np.append(right, 0.3))
     x, z = solve_bordered(band, column, row, 0.7, right, 0.3)
     assert np.allclose(np.append(x, z), expected, rtol=0.0, atol=1e-9 * np.abs(expected).max())

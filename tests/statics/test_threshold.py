@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from differences import slope
 
 from snapjump import ParameterError, Robot
 from snapjump.discretization.corotational import Corotational
@@ -43,19 +44,6 @@ def curve(request):
     return ThresholdCurve.through(Robot(), request.param, 0.09, 0.31)
 
 
-def direct_slopes(curve, compressions):
-    """Richardson's extrapolation (order 6) of central differences of computed thresholds."""
-
-    def difference(step):
-        ahead = direct(curve.robot, curve.discretization, compressions + step)
-        behind = direct(curve.robot, curve.discretization, compressions - step)
-        return (ahead - behind) / (2.0 * step)
-
-    coarse, middle, fine = (difference(step) for step in (1.2e-2, 6e-3, 3e-3))
-    first, second = (4.0 * middle - coarse) / 3.0, (4.0 * fine - middle) / 3.0
-    return (16.0 * second - first) / 15.0
-
-
 def test_values(curve):
     compressions = np.random.default_rng(3).uniform(0.09, 0.31, 40)
     errors = np.abs(
@@ -69,7 +57,8 @@ def test_values(curve):
 
 def test_slopes(curve):
     compressions = np.array([0.11, 0.2, 0.28])
-    expected = direct_slopes(curve, compressions)
+    robot, mesh = curve.robot, curve.discretization
+    expected = slope(lambda change: direct(robot, mesh, compressions + change), 1.2e-2)
     assert np.abs(curve.slopes(compressions) - expected).max() < 1e-6
 
 

@@ -1,5 +1,14 @@
+"""Which steps are accepted and what follows them; smaller tolerances are smaller errors."""
+
+from dataclasses import replace
+
+import numpy as np
 import pytest
 
+from experiments.designs import spread_designs
+from experiments.errors import relative_errors
+from snapjump.batch import simulate_batch, variants
+from snapjump.composition import with_tier
 from snapjump.robot.robot import Robot
 from snapjump.stepping.adaptive import GROWTH, OVERSHOOT, SAFETY, SHRINKAGE, AdaptiveStep
 from snapjump.stepping.fixed import FixedStep
@@ -77,3 +86,29 @@ def test_options_are_in_seconds_and_shares_of_the_length():
     adaptive = AdaptiveStep(1e-5, 0.7).control(scales)
     assert (adaptive.tolerance, adaptive.contact_steps) == (1e-5, 0.7)
     assert adaptive.smallest < adaptive.first < adaptive.largest
+
+
+TOLERANCES = (1e-5, 1e-6, 1e-7, 1e-8)
+
+
+@pytest.mark.parametrize("name", ["tr_bdf2", pytest.param("esdirk3", marks=pytest.mark.slow)])
+def test_errors_fall_with_the_tolerance(name):
+    """Median over sixteen designs against a far smaller tolerance, on one mesh."""
+    base = with_tier("draft", integrator=name)
+    designs = spread_designs(16)
+
+    def jumps(tolerance):
+        stepping = replace(base.stepping, tolerance=tolerance)
+        batch = simulate_batch(variants(replace(base, stepping=stepping), designs))
+        assert set(batch.status) == {"ok"}
+        return batch
+
+    limit = jumps(1e-10)
+    errors = []
+    for tolerance in TOLERANCES:
+        batch = jumps(tolerance)
+        errors.append(
+            np.median(relative_errors(batch.x_bar, batch.y_bar, limit.x_bar, limit.y_bar), axis=1)
+        )
+    for looser, tighter in zip(errors, errors[1:], strict=False):
+        assert tighter[0] < looser[0] and tighter[1] < looser[1], errors

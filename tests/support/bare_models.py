@@ -4,11 +4,13 @@ from typing import Any
 
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
+from snapjump.discretization.parts.loose_nodes import LooseNodes
 from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.load.none import NoLoad
 from snapjump.engine.load.tip import TipLoad
 from snapjump.engine.model import Model
 from snapjump.frame.parts.cantilever import CantileverFrame
+from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.friction.none import NoFriction
 
 NOTHING = {
@@ -20,6 +22,11 @@ NOTHING = {
 def bare_model(discretization: Any, frame: Any, **members: Any) -> Model:
     """Without contact, friction, damping and load, but for the members that are given."""
     return Model(discretization, frame, **(NOTHING | members))
+
+
+def loose_nodes(**members: Any) -> Model:
+    """Nodes that no elements and no frame hold."""
+    return bare_model(LooseNodes(), NoFrame(), **members)
 
 
 def cantilever(discretization: Any, force_x: float = 0.0) -> Model:

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 from plain_march import without_compiling
+from pytest import MonkeyPatch
 from robots import DESIGNS, small_march, small_robot
 
 from snapjump.backend.cuda import CudaBackend
@@ -20,13 +21,6 @@ from snapjump.scenes.card_march import CardMarch
 
 ROBOTS = (DESIGNS[1], DESIGNS[3])
 NO_START = 7.0
-
-
-class Patch:
-    """As pytest's monkeypatch, but for good."""
-
-    def setattr(self, where: Any, name: str, value: Any) -> None:
-        setattr(where, name, value)
 
 
 def on_card(designs: Any, threads: int, robots_a_chunk: int, duration: float = 20.0) -> CardMarch:
@@ -52,7 +46,7 @@ def difference(march: Any, other: Any) -> float:
 
 def main() -> None:
     """March jumps from where the file says, and short ones in chunks, and print the figures."""
-    without_compiling(Patch())
+    without_compiling(MonkeyPatch())  # for good
     told: list[float] = []
     refilled = on_card(ROBOTS, threads=1, robots_a_chunk=2)
     refilled.find_starts()

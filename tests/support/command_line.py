@@ -3,6 +3,7 @@
 import json
 import os
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -20,16 +21,17 @@ RUN = ROOT / "run.py"
 Done = subprocess.CompletedProcess[str]
 
 
-def here(folder: Path, *arguments: str) -> Done:
-    """The command in a folder, by the function that ``run.py`` calls."""
+def here(folder: Path, *arguments: str, code: int = 0) -> Done:
+    """The command in a folder, by the function that ``run.py`` calls; ends with this code."""
     from snapjump.run.tasks.command_line import main
 
     out, err = StringIO(), StringIO()
     with as_a_program(folder, *arguments), redirect_stdout(out), redirect_stderr(err):
         try:
-            code: Any = main(ROOT / "conf")
+            ended: Any = main(ROOT / "conf")
         except SystemExit as stop:
-            code = stop.code
+            ended = stop.code
+    assert ended == code, out.getvalue() + err.getvalue()
     return subprocess.CompletedProcess(arguments, code, out.getvalue(), err.getvalue())
 
 
@@ -56,17 +58,25 @@ def print_warning(*warning: Any, file: Any = None, line: str | None = None) -> N
     print(warnings.formatwarning(*warning, line), end="", file=sys.stderr)
 
 
-def apart(
-    folder: Path, *arguments: str, python: tuple[str, ...] = (), timeout_s: float = 900.0
+def apart(folder: Path, *arguments: str, options: tuple[str, ...] = (), code: int = 0) -> Done:
+    """The same by an interpreter of its own with options of its own."""
+    return python(*options, str(RUN), *arguments, folder=folder, code=code)
+
+
+def python(
+    *arguments: str, folder: Path = ROOT, code: int = 0, timeout_s: float = 900.0, **variables: str
 ) -> Done:
-    """The command in a folder, by an interpreter of its own with options of its own."""
-    return subprocess.run(
-        [sys.executable, *python, str(RUN), *arguments],
+    """A Python that finds this library, with other environment variables; ends with this code."""
+    done = subprocess.run(
+        [sys.executable, *arguments],
         cwd=folder,
+        env={**os.environ, "PYTHONPATH": str(ROOT), **variables},
         capture_output=True,
         text=True,
         timeout=timeout_s,
     )
+    assert done.returncode == code, done.stdout + done.stderr
+    return done
 
 
 def begun(folder: Path, *arguments: str, until: str, **options: Any) -> "subprocess.Popen[str]":
@@ -98,3 +108,10 @@ def result_in(folder: Path) -> tuple[Path, dict[str, Any]]:
     """The folder and the result of the only run."""
     (file,) = folder.glob("outputs/20*/*/result.json")
     return file.parent, json.loads(file.read_text())
+
+
+def free_port() -> int:
+    """One that nobody listens at on loopback."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        return int(free.getsockname()[1])

@@ -1,5 +1,7 @@
 """Every member of every family, by its name."""
 
+import pytest
+
 from snapjump.declare import members
 from snapjump.declare.members import member_class, member_names
 
@@ -8,5 +10,15 @@ def of(*families):
     return {f: {n: member_class(f, n) for n in member_names(f)} for f in families}
 
 
+def pairs(families):
+    """(family, member) of each of them."""
+    return [(family, name) for family, members in families.items() for name in members]
+
+
 FAMILIES = of(*members.FAMILIES)  # those of a simulation
-EVERY = FAMILIES | of("plan", "executor", "surrogate", "inverse")
+OTHERS = of("plan", "executor", "surrogate", "inverse")
+EVERY = FAMILIES | OTHERS
+MEMBERS = pairs(FAMILIES)
+
+of_simulations = pytest.mark.parametrize(("family", "name"), MEMBERS)
+of_all_families = pytest.mark.parametrize(("family", "name"), pairs(EVERY))

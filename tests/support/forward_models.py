@@ -11,6 +11,7 @@ from snapjump.surrogate.base import Rows, Surrogate
 
 RANGES = [[0.01, 0.19], [0.1, 0.3], [0.3, 2.0], [0.1, 0.6]]
 RESNET = {"name": "resnet", "width": 16, "blocks": 1}
+RBF = {"name": "rbf", "neighbours": 20, "kernel": "cubic", "smoothing": 0.0}
 
 
 def law(designs: Any) -> tuple[Any, Any]:

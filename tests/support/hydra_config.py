@@ -11,7 +11,12 @@ from snapjump.run.tasks.names import register_resolvers
 CONF = ROOT / "conf"
 
 
-def hydra_config(*overrides: str) -> Any:
+def composed(*overrides: str, **options: Any) -> Any:
     register_resolvers()
     with initialize_config_dir(str(CONF), version_base="1.3"):
-        return OmegaConf.to_container(compose("config", list(overrides)), resolve=True)
+        return compose("config", list(overrides), **options)
+
+
+def hydra_config(*overrides: str) -> Any:
+    """The same as plain values."""
+    return OmegaConf.to_container(composed(*overrides), resolve=True)

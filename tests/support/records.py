@@ -14,8 +14,13 @@ def runs_in(uri: str) -> tuple[list[Any], Any]:
     return list(client.search_runs([experiment.experiment_id])), client
 
 
+def database_in(folder: Path) -> str:
+    """That of the commands that run there."""
+    return f"sqlite:///{folder / 'mlruns.db'}"
+
+
 def only_run(folder: Path) -> tuple[Any, Any, set[str]]:
-    """That of the commands' database: the run, its dataset and its files."""
-    (run,), client = runs_in(f"sqlite:///{folder / 'mlruns.db'}")
+    """That of the commands there: the run, its dataset and its files."""
+    (run,), client = runs_in(database_in(folder))
     (given,) = run.inputs.dataset_inputs
     return run, given, {file.path for file in client.list_artifacts(run.info.run_id)}

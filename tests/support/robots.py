@@ -49,6 +49,9 @@ def small_simulation(epsilon: float, delta_alpha: float, mu: float, mass_bar: fl
     )
 
 
+BASELINE = small_simulation(0.2, 0.1, 0.3, 0.768)
+
+
 def small_robot(design: tuple[float, ...]) -> tuple[Model, Any]:
     """The model and a first guess of its equilibrium, without any statics."""
     simulation = small_simulation(*design)

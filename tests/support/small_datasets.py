@@ -9,6 +9,7 @@ from snapjump.dataset.columns import Rows, columns_of, slope_columns
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.generate import Generation, generate
 from snapjump.dataset.manifest import write_manifest
+from snapjump.dataset.read import Dataset, open_dataset
 from snapjump.dataset.shard import write_shard
 from snapjump.dataset.specification import Specification, specify
 from snapjump.declare.outputs import FLAG, INTEGER, NUMBER
@@ -93,7 +94,12 @@ def made_up(path: Path, specification: Specification) -> DatasetFolder:
     return folder
 
 
-def smooth_dataset(path: Path, specification: Specification, **columns: Any) -> DatasetFolder:
+def made_up_dataset(path: Path, specification: Specification) -> Dataset:
+    """The same, opened."""
+    return open_dataset(made_up(path, specification).path)
+
+
+def smooth_dataset(path: Path, specification: Specification, **columns: Any) -> Dataset:
     """A complete dataset whose apexes (and slopes, if it has sensitivities) follow a smooth law.
 
     ``columns``: other values of some columns, the same in every row.
@@ -115,4 +121,4 @@ def smooth_dataset(path: Path, specification: Specification, **columns: Any) -> 
             rows[name] = np.full(len(apexes), value, rows[name].dtype)
         write_shard(folder, specification, number, rows)
     write_manifest(folder, specification)
-    return folder
+    return open_dataset(path)

@@ -4,18 +4,16 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from robots import small_simulation
+from robots import BASELINE as BASE
 
 from snapjump.batch import simulate_designs, variant
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
-from snapjump.declare.members import member_class
 from snapjump.friction.implicit import ImplicitFriction
 from snapjump.simulation import simulate
 from snapjump.statics.threshold_curve import ThresholdCurve
 from snapjump.targets.simulator import JumpSimulator
 
-BASE = small_simulation(0.2, 0.1, 0.3, 0.768)
 # delta_alpha, epsilon, mass_bar, mu; the third is too heavy to jump, the last cannot be built.
 DESIGNS = np.array(
     [[0.1, 0.2, 0.768, 0.3], [0.02, 0.12, 0.4, 0.1], [0.1, 0.2, 300.0, 0.3], [0.1, 0.2, 1e-6, 0.3]]
@@ -59,17 +57,15 @@ def test_slopes_are_those_with_a_wider_stick_zone():
 
 @pytest.mark.parametrize("backend", ["scalar", "lanes"])
 def test_every_backend_of_the_processor(backend):
-    base = replace(BASE, backend=member_class("backend", backend)())
+    base = replace(BASE, backend=backend)
     np.testing.assert_array_equal(
         JumpSimulator(base).apexes(DESIGNS[:1]), JumpSimulator(BASE).apexes(DESIGNS[:1])
     )
 
 
 def test_modules_without_derivatives_and_other_scenes_are_refused():
-    elastic = replace(BASE, frame=member_class("frame", "elastic")())
+    elastic = replace(BASE, frame="elastic")
     with pytest.raises(ParameterError, match="frame"):
         JumpSimulator(elastic).slopes(DESIGNS[:1])
-    nothing = {family: member_class(family, "none")() for family in ("contact", "friction")}
-    scene = {"sim": member_class("sim", "snap")(), "frame": member_class("frame", "fixed")()}
     with pytest.raises(ParameterError, match="sim = 'snap'"):
-        JumpSimulator(Simulation(**scene, **nothing))
+        JumpSimulator(Simulation(sim="snap"))

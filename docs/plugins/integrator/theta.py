@@ -36,14 +36,15 @@ class Theta(IntegratorOptions):
             rate = 1.0 / (self.theta * step)
             return Rates(rate, rate)
 
-        def stage_coefficients(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
-            weights[0] = (1.0 - self.theta) * step
+        def stage_coefficients(self, stage: Any, step: Any, ratio: Any, coefficients: Any) -> None:
+            coefficients[0] = (1.0 - self.theta) * step
 
         def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
-            origin = fma(work.coefficients[0], work.velocity[0, i], work.start[i])
-            drift = fma(work.coefficients[0], work.acceleration[0, i], work.velocity[0, i])
+            position = fma(work.coefficients[0], work.velocity[0, i], work.start[i])
+            velocity = fma(work.coefficients[0], work.acceleration[0, i], work.velocity[0, i])
             share = 1.0 / rates.rate_factor
-            return origin, drift, origin + share * (drift + share * work.acceleration[0, i])
+            guess = velocity + share * work.acceleration[0, i]
+            return position, velocity, position + share * guess
 
         def store_stage(
             self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any

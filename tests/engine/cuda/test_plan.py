@@ -1,9 +1,16 @@
-"""Robots at once and robots at a time, within a bound on memory."""
+"""A card's robots within a bound on memory; without a card it is said so before any work."""
 
 import pytest
+from refusals import refused
 
+from snapjump.backend.cuda import CudaBackend
+from snapjump.batch import simulate_batch
 from snapjump.checks import ParameterError
+from snapjump.composition import with_tier
+from snapjump.engine.cuda import availability
+from snapjump.engine.cuda.availability import check_card
 from snapjump.engine.cuda.plan import GIB, ROBOTS_A_THREAD, make_plan
+from snapjump.simulation import simulate
 
 THREAD, ROBOT = 40_000, 6_000
 
@@ -30,3 +37,54 @@ def test_more_memory_is_used_for_more_threads_until_each_robot_has_one():
 def test_too_little_memory_for_one_block_is_refused():
     with pytest.raises(ParameterError, match=r"backend.memory_gib = 0.001.*at least 0.00525 GiB"):
         make_plan(10, THREAD, ROBOT, 0.001, 64)
+
+
+@pytest.fixture
+def without_package(monkeypatch):
+    monkeypatch.setattr(availability, "find_spec", lambda name: None)
+
+
+def test_a_missing_package_is_named(without_package):
+    with refused("backend", "backend = 'cuda'", "numba-cuda", "pip install"):
+        check_card(0)
+
+
+@pytest.fixture
+def cuda(monkeypatch):
+    """numba's, which thinks that its package is there."""
+    monkeypatch.setattr(availability, "find_spec", lambda name: name)
+    return pytest.importorskip("numba.cuda")
+
+
+def test_a_missing_card_is_named(monkeypatch, cuda):
+    monkeypatch.setattr(cuda, "is_available", lambda: False)
+    monkeypatch.setattr(cuda, "cuda_error", lambda: "no driver\nat all")
+    with pytest.raises(ParameterError, match=r"NVIDIA card.*\(no driver\)$"):
+        check_card(0)
+
+
+def test_a_device_beyond_the_last_is_refused(monkeypatch, cuda):
+    monkeypatch.setattr(cuda, "is_available", lambda: True)
+    monkeypatch.setattr(cuda, "gpus", [None, None])
+    check_card(1)
+    with pytest.raises(ParameterError, match=r"backend.device = 2 .*\[0, 1\]"):
+        check_card(2)
+
+
+@pytest.mark.parametrize(
+    "begin",
+    [
+        lambda simulation: simulation.sim.check_start(simulation),
+        simulate,
+        lambda simulation: simulate_batch([simulation]),
+    ],
+)
+def test_no_statics_are_solved_before(without_package, monkeypatch, begin):
+    from snapjump.scenes import jump_start
+
+    def never(*arguments):
+        raise AssertionError("work has begun")
+
+    monkeypatch.setattr(jump_start, "symmetric_threshold", never)
+    with pytest.raises(ParameterError, match="numba-cuda"):
+        begin(with_tier("draft", backend=CudaBackend()))

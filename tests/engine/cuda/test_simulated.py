@@ -1,20 +1,17 @@
 """Marches on numba's simulator of a card: as on the processor, refilled and in chunks."""
 
 import json
-import os
-import subprocess
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 from before_the_strike import go_on, to_the_strike
+from command_line import ROOT, python
 from robots import DESIGNS, small_march
 
 from snapjump.engine import outcome as c
 from snapjump.engine.status import NO_EQUILIBRIUM, OK, TIME_LIMIT
 
-ROOT = Path(__file__).resolve().parents[3]
+PROGRAM = ROOT / "tests" / "support" / "card_in_simulator.py"
 ROBOTS = (DESIGNS[1], DESIGNS[3])
 RATES = ("velocity", "acceleration")
 # What the roundings of a whole strike add up to: 1.7e-9 to 9.3e-9 (in T, L or L/T) over seeds 1 to
@@ -43,15 +40,7 @@ def told(striking, tmp_path_factory):
     file = tmp_path_factory.mktemp("striking") / "queue.npz"
     queue = striking[0].queue._asdict()
     np.savez(file, **{name: queue[name] for name in ("numbers", "state", *RATES)})
-    done = subprocess.run(
-        [sys.executable, ROOT / "tests" / "support" / "card_in_simulator.py", file],
-        env=os.environ | {"NUMBA_ENABLE_CUDASIM": "1", "PYTHONPATH": str(ROOT)},
-        capture_output=True,
-        text=True,
-        timeout=600,
-    )
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
+    return json.loads(python(str(PROGRAM), str(file), NUMBA_ENABLE_CUDASIM="1").stdout)
 
 
 def test_jumps_agree_with_compiled_ones(told, striking):

@@ -2,19 +2,17 @@
 
 import numpy as np
 import pytest
-from bare_models import bare_model
+from bare_models import loose_nodes
 from plain_python import plain_work
 
 from snapjump.declare.members import member_class
-from snapjump.discretization.parts.loose_nodes import LooseNodes
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import LARGEST_RESIDUAL, STAGE, STEP, TIME
 from snapjump.engine.recorder import trajectory
 from snapjump.engine.recorder.none import NoRecorder
-from snapjump.frame.parts.no_frame import NoFrame
 
 TABLEAU = member_class("integrator", "tr_bdf2")().scheme()
-MODEL = bare_model(LooseNodes(), NoFrame())
+MODEL = loose_nodes()
 MASSES = np.array([2.0])
 
 

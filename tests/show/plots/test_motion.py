@@ -1,19 +1,34 @@
-"""Instants, interpolation and the ballistic flight that the pictures show."""
+"""What pictures read of a result: instants, flights between them, and the balance of its books."""
+
+import copy
+from typing import Any
 
 import numpy as np
 import pytest
 
+from snapjump.show.plots.books import Books, read_books
 from snapjump.show.plots.jump import apex_of
 from snapjump.show.plots.moments import middle_height, moments, snap_interval
-from snapjump.show.plots.motion import poses, read_motion
+from snapjump.show.plots.motion import Motion, poses, read_motion
 from snapjump.show.plots.trajectory import flight_end
 
 from .conftest import of
 
 
-def test_samples_are_met_and_halfway_is_the_mean(jump):
-    motion = read_motion(jump)
+def motion_of(result: Any) -> Motion:
+    motion = read_motion(result)
     assert motion is not None
+    return motion
+
+
+def books_of(result: Any) -> Books:
+    books = read_books(result)
+    assert books is not None
+    return books
+
+
+def test_samples_are_met_and_halfway_is_the_mean(jump):
+    motion = motion_of(jump)
     at = poses(motion, motion.time)
     assert at.nodes[..., 1] == pytest.approx(motion.nodes[..., 1], abs=1e-12)
     half = poses(motion, 0.5 * (motion.time[1:] + motion.time[:-1]))
@@ -23,8 +38,7 @@ def test_samples_are_met_and_halfway_is_the_mean(jump):
 
 
 def test_flight_ends_at_the_apex_and_keeps_shape_and_turning(jump):
-    motion = read_motion(jump)
-    assert motion is not None
+    motion = motion_of(jump)
     assert motion.turning == pytest.approx(-0.06, rel=1e-6)
     end = flight_end(motion, None)
     assert end == pytest.approx(1e3 * jump.summary["apex_time_s"])
@@ -40,21 +54,18 @@ def test_flight_ends_at_the_apex_and_keeps_shape_and_turning(jump):
 
 
 def test_middle_height_is_measured_in_the_frame(jump):
-    """Rotations and moving everything changes nothing."""
-    motion = read_motion(jump)
-    assert motion is not None
+    """Turning and moving everything changes nothing."""
+    motion = motion_of(jump)
     height = middle_height(motion)
     assert height[0] == pytest.approx(motion.nodes[0, 32, 1] - motion.nodes[0, 0, 1])
     flown = poses(motion, np.array([motion.time[-1], motion.time[-1] + 50.0]))
-    both = read_motion(jump)
-    assert both is not None
+    both = motion_of(jump)
     object.__setattr__(both, "nodes", flown.nodes)
     assert np.ptp(middle_height(both)) < 1e-12
 
 
 def test_moments_are_named_in_order_and_eight(jump):
-    motion = read_motion(jump)
-    assert motion is not None
+    motion = motion_of(jump)
     snap = snap_interval(motion)
     assert snap is not None and snap[0] < snap[1]
     chosen = moments(motion, 6.0)
@@ -67,9 +78,43 @@ def test_moments_are_named_in_order_and_eight(jump):
 
 def test_only_what_jumped_flies(jump):
     fallen = of(jump, status="no_jump")
-    motion = read_motion(fallen)
-    assert motion is not None
+    motion = motion_of(fallen)
     assert flight_end(motion, None) == motion.time[-1]
     assert apex_of(fallen) is None and apex_of(jump) is not None
     late = poses(motion, motion.time[-1] + np.array([0.0, 5.0]))
     assert late.nodes[1, :, 1] == pytest.approx(late.nodes[0, :, 1])
+
+
+def test_balance_of_kept_books_is_zero(jump):
+    books = books_of(jump)
+    assert books.unit_J == pytest.approx(2e11 * 1e-2 * 5e-5**3 / 12 / 0.02)
+    assert np.abs(books.balance).max() < 1e-12
+    assert books.total[-1] != pytest.approx(books.total[0])
+
+
+@pytest.mark.parametrize(
+    ("name", "sign"),
+    [
+        ("elastic_J", 1),
+        ("kinetic_J", 1),
+        ("gravitational_J", 1),
+        ("contact_J", 1),
+        ("clamp_work_J", -1),
+        ("friction_loss_J", 1),
+        ("damping_loss_J", 1),
+        ("numerical_loss_J", 1),
+    ],
+)
+def test_balance_shows_what_is_missing(jump, name, sign):
+    wrong = copy.deepcopy(jump)
+    unit = 2e11 * 1e-2 * 5e-5**3 / 12 / 0.02
+    wrong.arrays[name][5:] += 0.1 * unit
+    books = books_of(wrong)
+    assert books.balance[:5] == pytest.approx(0.0, abs=1e-12)
+    assert books.balance[5:] == pytest.approx(sign * 0.1)
+
+
+def test_books_without_losses_still_balance(snap):
+    arrays = {name: snap.arrays[name] for name in ("time_s", "elastic_J")}
+    books = books_of(of(snap, arrays=arrays))
+    assert books.balance == pytest.approx(books.total - books.total[0])

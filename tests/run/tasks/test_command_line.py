@@ -1,37 +1,15 @@
 """``python run.py``: help page, bad input in one line, what a run leaves and what it imports."""
 
 import json
-import os
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
-from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import begun, interrupted, result_in
+from command_line import ROOT, RUN, begun, interrupted, result_in
 
-from snapjump.run.tasks.command_line import main
-
-CONF = Path(__file__).resolve().parents[1] / "conf"
-RUN = CONF.parent / "run.py"
 HEAVY = {"mlflow", "torch", "pytorch_lightning", "pandas", "matplotlib.pyplot"}
 JUMP = ("sim=jump", "contact=logbarrier", "accuracy=draft", "figures=false")
-
-
-@pytest.fixture
-def here(tmp_path, monkeypatch) -> Iterator[Callable[..., int]]:
-    """The command line in this process, which is quicker than another one."""
-    monkeypatch.chdir(tmp_path)
-    environment = dict(os.environ)
-
-    def run(*arguments: str) -> int:
-        monkeypatch.setattr(sys, "argv", ["run.py", *arguments])
-        return main(CONF)
-
-    yield run
-    os.environ.clear()
-    os.environ.update(environment)
 
 
 @pytest.mark.parametrize(
@@ -78,26 +56,23 @@ def here(tmp_path, monkeypatch) -> Iterator[Callable[..., int]]:
         ("hydra.run.dir=/proc/nowhere", ["/proc/nowhere"]),
     ],
 )
-def test_bad_input_is_one_line_and_leaves_nothing(here, tmp_path, capfd, argument, names):
-    assert here(argument) == 2
-    out, err = capfd.readouterr()
-    assert out == "" and err.count("\n") == 1, err
+def test_bad_input_is_one_line_and_leaves_nothing(refusal, tmp_path, capfd, argument, names):
+    line = refusal(argument)
     for name in names:
-        assert name in err
+        assert name in line
+    assert capfd.readouterr() == ("", "")
     assert not [path for path in tmp_path.rglob("*") if path.is_file()]
 
 
-def test_bad_input_is_found_before_anything_is_compiled(process, tmp_path):
-    done = process("design.epsilon=0.9", "tracking=off", python=("-X", "importtime"))
-    assert done.returncode == 2
+def test_bad_input_is_found_before_anything_is_compiled(process):
+    done = process("design.epsilon=0.9", "tracking=off", options=("-X", "importtime"), code=2)
     assert "design.epsilon = 0.9 is not allowed" in done.stderr.splitlines()[-1]
     assert "compiling" not in done.stderr + done.stdout
 
 
-def test_the_help_page_tells_every_group_and_member(here, capsys):
-    assert here("--help") == 0
-    page = capsys.readouterr().out
-    for member in CONF.glob("*/*.yaml"):
+def test_the_help_page_tells_every_group_and_member(command):
+    page = command("--help").stdout
+    for member in (ROOT / "conf").glob("*/*.yaml"):
         assert f"  {member.parent.name}: " in page
         assert f" {member.stem} " in page
     assert page.count("python run.py") >= 4
@@ -106,26 +81,21 @@ def test_the_help_page_tells_every_group_and_member(here, capsys):
 
 
 def imported(process, *arguments):
-    """Modules that the command imports, and what it returns."""
-    done = process(*arguments, python=("-X", "importtime"))
-    lines = [line for line in done.stderr.splitlines() if "|" in line]
-    return {line.split("|")[-1].strip() for line in lines}, done.returncode
+    """Modules that the command imports."""
+    done = process(*arguments, options=("-X", "importtime"))
+    return {line.split("|")[-1].strip() for line in done.stderr.splitlines() if "|" in line}
 
 
 def test_heavy_libraries_stay_out_of_what_does_not_need_them(process):
-    names, code = imported(process, "--help")
-    assert code == 0
     # Not by the clock: these are what takes a program long to begin.
-    assert not names & {"numba", "hydra", "scipy", *HEAVY}
-    names, code = imported(process, *JUMP, "tracking=off")
-    assert code == 0
+    assert not imported(process, "--help") & {"numba", "hydra", "scipy", *HEAVY}
+    names = imported(process, *JUMP, "tracking=off")
     assert "snapjump.simulation" in names
     assert not names & HEAVY
 
 
 def test_what_a_run_leaves(command, tmp_path):
     done = command(*JUMP, "tracking=off", "design.epsilon=0.25")
-    assert done.returncode == 0, done.stderr
     folder, result = result_in(tmp_path)
     assert result["status"] == "ok"
     for key in (
@@ -152,8 +122,7 @@ def test_two_runs_never_share_a_folder(tmp_path):
 
 
 def test_a_simulation_that_cannot_finish_says_so(command, tmp_path):
-    done = command(*JUMP, "tracking=off", "contact.distance_m=1e-9")
-    assert done.returncode == 3
+    done = command(*JUMP, "tracking=off", "contact.distance_m=1e-9", code=3)
     _, result = result_in(tmp_path)
     assert result["status"] == "step_underflow"
     assert " ms after the start" in result["message"]
@@ -163,7 +132,6 @@ def test_a_simulation_that_cannot_finish_says_so(command, tmp_path):
 
 def test_a_robot_that_does_not_jump_is_no_failure(command, tmp_path):
     done = command(*JUMP, "tracking=off", "environment.mass_bar=200")
-    assert done.returncode == 0
     _, result = result_in(tmp_path)
     assert result["status"] == "no_jump" and result["liftoff_time_s"] is None
     assert "no_jump" in done.stdout

@@ -1,27 +1,27 @@
-"""The configurations and the library tell the same story, and every member composes and builds."""
+"""Configurations and the library tell the same story; every member composes and builds, and the
+same words give the same simulation from Python and from the command line."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 import yaml
-from families import EVERY, FAMILIES
-from hydra import compose, initialize_config_dir
-from hydra_config import CONF, hydra_config
+from families import EVERY, OTHERS, of_all_families, of_simulations, pairs
+from hydra_config import CONF, composed, hydra_config
 
 from snapjump import Design, Environment, Robot
+from snapjump.checks import ParameterError
+from snapjump.composition import Simulation, with_tier
 from snapjump.declare.fields import settings
-from snapjump.declare.members import files_of, make_member, member_names
-from snapjump.run.tasks.names import register_resolvers
+from snapjump.declare.members import files_of, make_member, member_class, member_names
 from snapjump.run.tasks.registry import TASKS
 from snapjump.show.terminal.help_page import TABLEAUX, describe
 from snapjump.simulation import build
+from snapjump.stepping.adaptive import AdaptiveStep
 from snapjump.tiers import TIERS
 
 FOLDERS = (CONF, TABLEAUX)
-MEMBERS = [(family, name) for family, members in FAMILIES.items() for name in members]
-OTHERS = [(f, name) for f, members in EVERY.items() for name in members if f not in FAMILIES]
-
 # Members that a jump cannot have.
 NEEDS = {
     ("integrator", "central_difference"): ("damping=none",),
@@ -62,7 +62,7 @@ def test_groups_that_are_no_family_of_the_library():
     assert {path.name for path in CONF.iterdir() if path.is_dir()} == set(EVERY) | others
 
 
-@pytest.mark.parametrize(("family", "name"), MEMBERS + OTHERS)
+@of_all_families
 def test_a_file_has_the_fields_and_defaults_of_its_member(family, name):
     expected = defaults(EVERY[family][name])
     values = section(family, name)
@@ -78,7 +78,7 @@ def plain(value: Any) -> Any:
     return [plain(v) for v in value] if isinstance(value, (list, tuple)) else value
 
 
-@pytest.mark.parametrize(("family", "name"), MEMBERS + OTHERS)
+@of_all_families
 def test_a_file_says_what_its_member_says(family, name):
     if files_of(family)[name].suffix == ".py":
         documented = (EVERY[family][name].__doc__ or "").strip().splitlines()[0]
@@ -112,13 +112,7 @@ def test_every_key_has_its_unit_or_range_in_a_comment(path):
             assert key in ("name", "known_error") or "#" in line, line
 
 
-@pytest.mark.parametrize("scene", FAMILIES["sim"])
-@pytest.mark.parametrize("accuracy", TIERS)
-def test_every_scene_builds_at_every_accuracy(scene, accuracy):
-    assert build(hydra_config(f"sim={scene}", f"accuracy={accuracy}")) is not None
-
-
-@pytest.mark.parametrize(("family", "name"), MEMBERS)
+@of_simulations
 def test_every_member_can_be_chosen(family, name):
     scene = () if family == "sim" else (f"sim={SCENE_OF.get((family, name), 'jump')}",)
     config = hydra_config(*scene, *NEEDS.get((family, name), ()), f"{family}={name}")
@@ -126,7 +120,7 @@ def test_every_member_can_be_chosen(family, name):
     assert build(config) is not None
 
 
-@pytest.mark.parametrize(("family", "name"), OTHERS)
+@pytest.mark.parametrize(("family", "name"), pairs(OTHERS))
 def test_every_member_of_another_family_can_be_chosen(family, name):
     of_datasets = family in ("plan", "executor")
     choice = ("task=dataset", f"{family}={name}") if of_datasets else (f"+{family}={name}",)
@@ -146,9 +140,7 @@ def test_the_seed_of_a_run_is_that_of_its_plan():
 
 def test_a_slurm_sweep_composes_with_its_launcher():
     pytest.importorskip("hydra_plugins.hydra_submitit_launcher", reason="needs snapjump[cluster]")
-    register_resolvers()
-    with initialize_config_dir(str(CONF), version_base="1.3"):
-        config = compose("config", ["task=dataset", "+cluster=slurm"], return_hydra_config=True)
+    config = composed("task=dataset", "+cluster=slurm", return_hydra_config=True)
     launcher = config.hydra.launcher
     assert launcher._target_.endswith(".SlurmLauncher")
     given = yaml.safe_load(file("cluster", "slurm").read_text())["hydra"]["launcher"]
@@ -169,3 +161,51 @@ def test_the_command_line_wins_over_scene_and_tier():
 def test_a_key_wins_over_its_tier():
     config = hydra_config("accuracy=draft", "discretization.elements=64")
     assert config["discretization"]["elements"] == 64
+
+
+def by_command_line(*words: str) -> Simulation:
+    return build(hydra_config(*words))
+
+
+def refused_or(compose: Callable[..., Simulation], *words: str, **members: str) -> Any:
+    """The simulation, or the line that refuses it."""
+    try:
+        return compose(*words, **members)
+    except ParameterError as error:
+        return str(error)
+
+
+@pytest.mark.parametrize("tier", TIERS)
+@of_simulations
+def test_a_member_at_a_tier(family, name, tier):
+    """The same from Python; every scene can be had at every tier."""
+    found = refused_or(by_command_line, f"accuracy={tier}", f"{family}={name}")
+    assert found == refused_or(with_tier, tier, **{family: name})
+    assert family != "sim" or isinstance(found, Simulation)
+
+
+@of_simulations
+def test_a_word_is_the_member_left_to_its_defaults(family, name):
+    """At the tier's values where it has some, as the object without a value is, too."""
+    try:
+        by_word: Any = with_tier("draft", **{family: name})
+    except ParameterError as error:
+        with pytest.raises(ParameterError, match="^" + error.key.replace(".", r"\.")):
+            with_tier("draft", **{family: member_class(family, name)()})
+    else:
+        assert by_word == with_tier("draft", **{family: member_class(family, name)()})
+
+
+def test_what_is_given_wins_over_the_tier():
+    own = AdaptiveStep(tolerance=AdaptiveStep().tolerance)
+    assert with_tier("reference", stepping=own).stepping.tolerance == own.tolerance
+    assert with_tier("reference", stepping=own).stepping.contact_steps == 1.0
+    assert with_tier("reference", stepping=AdaptiveStep()).stepping.tolerance == 2e-9
+    changed = AdaptiveStep().changed(contact_steps=0.5)
+    assert with_tier("reference", stepping=changed).stepping == AdaptiveStep(2e-9, 0.5)
+
+
+def test_a_scene_chooses_what_goes_with_it():
+    assert with_tier("paper", sim="snap") == by_command_line("sim=snap", "accuracy=paper")
+    kept = with_tier("standard", sim="slide", damping="kelvin_voigt")
+    assert (kept.friction.name, kept.damping.name) == ("implicit", "kelvin_voigt")
