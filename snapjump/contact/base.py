@@ -19,7 +19,7 @@ RESTING_SPEED = 0.02
 
 
 class ContactState(NamedTuple):
-    """What a law may ask of a point besides its gap.
+    """State of a point in contact, besides its gap.
 
     speed: of the gap (L/T); rate: d(speed)/d(gap), 0 in statics (1/T); start_gap, start_speed: gap
     and speed at the step's beginning; inertia: d(inertial force)/d(gap) (EI/L^3).
@@ -66,7 +66,7 @@ def _derived_slope(law: Any, gap: Any, state: Any) -> Any:
 
 
 class Ground(NamedTuple):
-    """What the model adds to a law: its share at a node of the beam and at a corner of the frame,
+    """Ground of a model: a law's share at a node of the beam and at a corner of the frame,
     and the gap (in L) beyond which a point counts as in the air."""
 
     node_share: Any

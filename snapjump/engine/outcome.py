@@ -1,4 +1,4 @@
-"""What became of a robot: columns of ``Queue.outcome``, as its lane's clock had them in the end."""
+"""Outcome of a robot's march: columns of ``Queue.outcome``, from its lane's clock in the end."""
 
 from snapjump.engine import clock
 

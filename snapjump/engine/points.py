@@ -78,7 +78,7 @@ def touch_at(model: Any, masses: Any, work: Any, point: Any, state: Any, velocit
 
 @kernel
 def contact_state(motion: Any, touch: Touch) -> ContactState:
-    """What a law is told of a point besides its gap."""
+    """The contact state of a point, which a law is told besides its gap."""
     rate = motion.rate_factor
     start = touch.start
     return ContactState(

@@ -1,4 +1,4 @@
-"""What holds the beam's ends: the contract that every frame fulfils.
+"""Frames, which hold the beam's ends: the contract that every one fulfils.
 
 A frame is a ``NamedTuple`` of dimensionless numbers. Its own coordinates come first in every
 state vector, the nodes of the beam follow. Nodes at clamps are slaves: the frame places them,
@@ -46,7 +46,7 @@ class FrameBox(NamedTuple):
 
 
 class Frame(Contract):
-    """What holds the beam's ends: the contract that every frame fulfils."""
+    """Frames, which hold the beam's ends: the contract that every one fulfils."""
 
     def dofs(self, mesh: Any) -> Any:
         """Number of the frame's own coordinates; constant while compiling unless the mesh tells."""
@@ -168,7 +168,7 @@ NO_MESH: Mesh = np.zeros(0, dtype=np.int64)
 
 
 class Outline(NamedTuple):
-    """What a frame is built from: leg, top, leg, and what is clamped to the legs.
+    """Dimensions and masses that a frame is built from: leg, top, leg, and what is clamped to them.
 
     width, height; mount: height of the clamps above the feet (in L); mass: the robot's less the
     beam's, end: of the beam's nodes that move with one clamp (in rho A L); length_m: of L;

@@ -1,4 +1,4 @@
-"""Where a force on a point goes in the linear work: rows of a node, or of a rigid body."""
+"""Rows of the linear system that a contact force goes to: of a node, or of a rigid body."""
 
 from typing import Any, NamedTuple
 
@@ -6,7 +6,7 @@ from snapjump.number.methods import Contract, required
 
 
 class ContactRows(Contract):
-    """Where a force on a point goes: the transposed Jacobian of its place."""
+    """Rows that a contact force goes to: the transposed Jacobian of its point's place."""
 
     @required
     def push(self, force: Any, stiffness: Any) -> None:

@@ -1,4 +1,4 @@
-"""More right-hand sides for a system that has been eliminated: four of them, lane by lane.
+"""Multiple right-hand sides of a system that has been eliminated: four of them, lane by lane.
 
 The factors of all lanes lie side by side in memory, so that the lanes are solved together, node by
 node: what one lane has fetched, the others find at hand. On the way down a right-hand side is kept
@@ -27,7 +27,7 @@ def take_from_frame(border: Any, j: Any, lane: Any, over_pivot: Any, frame: Any)
 
 @kernel
 def frame_share(border: Any, j: Any, lane: Any, frame: Any) -> Any:
-    """What the frame's solution adds to a row."""
+    """Contribution of the frame's solution to a row."""
     share = border[j, 0, lane] * frame[0]
     share = fma(border[j, 1, lane], frame[1], share)
     return fma(border[j, 2, lane], frame[2], share)

@@ -1,4 +1,4 @@
-"""The Schur complement of the eliminated nodes: what is left to solve for the frame."""
+"""Schur complement of the eliminated nodes in the frame's block, and its solution."""
 
 from typing import Any, NamedTuple
 
@@ -7,8 +7,8 @@ from snapjump.number.functions import fma, where
 
 
 class Schur(NamedTuple):
-    """What eliminated nodes take from the frame's block (xx, xy, yy, xt, yt, tt) and right-hand
-    side (x, y, t), t standing for its direction theta: the terms of a Schur complement."""
+    """Terms of a Schur complement: what eliminated nodes take from the frame's block (xx, xy, yy, xt, yt, tt) and right-hand
+    side (x, y, t), t standing for its direction theta."""
 
     xx: Any
     xy: Any

@@ -37,7 +37,7 @@ class ContractError(TypeError):
 
 
 class Contract:
-    """What kernels ask of a family's members; its methods are those of every member."""
+    """A contract: the methods of every member of a family, which kernels call."""
 
     @classmethod
     def member(cls, member: Any) -> Any:

@@ -1,4 +1,4 @@
-"""Whether a flight can be true: no robot gets farther than the energy of its beam carries it."""
+"""Energy bound on flights: no robot gets farther than the energy of its beam carries it."""
 
 from typing import Any
 

@@ -49,7 +49,7 @@ def jump_march(
 
 
 def jumped(march: March, progress: Progress | None = None) -> tuple[Model, Array]:
-    """What becomes of a march's robots: their models side by side, and their outcomes (R, COLUMNS),
+    """Run a march and read it: its robots' models side by side, and their outcomes (R, COLUMNS),
     in which a flight that cannot be true is no success."""
     outcome = march.run(progress)
     side = side_by_side(march.models, range(len(march.models)), len(march.models))

@@ -41,7 +41,7 @@ def side_by_side(models: Sequence[Model], chosen: Any = (0,), rows: int = 1) -> 
 
 @dataclass(frozen=True)
 class RunOutputs(Outputs):
-    """What every single simulation reports. ``begun``: when, by ``time.perf_counter``."""
+    """Outputs of every single simulation. ``begun``: when, by ``time.perf_counter``."""
 
     simulation: Simulation
     begun: float

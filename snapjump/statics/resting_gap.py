@@ -1,4 +1,4 @@
-"""How far a weight at rest stands above the ground."""
+"""Gap at which a weight rests on the ground."""
 
 from typing import Any
 

@@ -17,7 +17,7 @@ UNDAMPED = NoDamping.Law  # a name that kernels can call
 
 
 class BeamChain(NamedTuple):
-    """What a sweep from left to right carries: the element before the node, and the largest
+    """State of a sweep from left to right: the element before the node, and the largest
     force of an element so far."""
 
     before: Element
@@ -52,7 +52,7 @@ def element_at(beam: Any, damping: Any, j: Any, nodes: NodeMotion) -> Element:
 
 @kernel
 def no_element(zero: Any) -> Element:
-    """What lies beyond either end of the chain."""
+    """An element without forces, beyond either end of the chain."""
     return Element(zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero)
 
 

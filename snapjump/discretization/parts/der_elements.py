@@ -100,7 +100,7 @@ class Coupling(NamedTuple):
 
 
 class Chain(NamedTuple):
-    """What a sweep from left to right carries: all about node j that its edges up to j tell.
+    """State of a sweep from left to right: all about node j that its edges up to j tell.
 
     edge: edge j, which leaves the node; moment: of the hinge at the node; start: that hinge's
     stiffness on edge j; coupling: of the edges at the node; before, force_x, force_y: block and

@@ -60,7 +60,7 @@ class LooseNodes(NamedTuple):
 
 
 class Nothing(NamedTuple):
-    """What a sweep over loose nodes carries."""
+    """State of a sweep over loose nodes."""
 
     largest: Any
 

@@ -38,7 +38,7 @@ def step_error(tableau: Any, work: Any, i: Any, step: Any) -> Any:
 
 
 class DirkScheme(TimeIntegrator):
-    """What all tableaux have in common, but for how their steps end."""
+    """Diagonally implicit Runge-Kutta schemes, but for how their steps end."""
 
     gamma: Any
     matrix: Any
