@@ -7,8 +7,8 @@ from snapjump.number.functions import fma, where
 
 
 class Schur(NamedTuple):
-    """Terms of a Schur complement: what eliminated nodes take from the frame's block (xx, xy, yy, xt, yt, tt) and right-hand
-    side (x, y, t), t standing for its direction theta."""
+    """Terms of a Schur complement: what eliminated nodes take from the frame's block (xx, xy, yy,
+    xt, yt, tt) and right-hand side (x, y, t), t standing for its direction theta."""
 
     xx: Any
     xy: Any
