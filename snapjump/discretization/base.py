@@ -68,26 +68,26 @@ class EndHinge(NamedTuple):
 class Discretization(Contract):
     """Discretizations of the beam: the contract that every one fulfils."""
 
-    @required
     def has_elements(self) -> Any:
         """Whether there is a beam at all (False for loose nodes)."""
+        return True
 
     @required
     def axial_stiffness(self) -> Any:
         """EA over an element's length (EI/L^3), the largest stiffness of all: so many times the
         last bit of a coordinate is what rounding leaves of a residual. 0 for loose nodes."""
 
-    @required
     def node_dofs(self) -> Any:
         """Coordinates of a node, a constant while compiling: 2 (x, y) or 3 (x, y, l theta)."""
+        return 2
 
-    @required
     def rotation_length(self) -> Any:
         """The length l (in L) of a node's third coordinate l theta; 0 where nodes do not turn."""
+        return 0.0
 
-    @required
     def clamp_distance(self) -> Any:
         """Distance from the mount, along the clamped tangent, at which the chain begins (in L)."""
+        return 0.0
 
     @required
     def begin_chain(self, damping: Any, nodes: NodeMotion, tangents: Any) -> Any:

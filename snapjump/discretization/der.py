@@ -65,17 +65,8 @@ class DiscreteElasticRod(DiscretizationOptions):
         clamp_hinge_length: float
         clamp_offset: float
 
-        def has_elements(self) -> bool:
-            return True
-
         def axial_stiffness(self) -> Any:
             return self.stretching_stiffness / self.element_length
-
-        def node_dofs(self) -> int:
-            return 2
-
-        def rotation_length(self) -> float:
-            return 0.0
 
         def clamp_distance(self) -> Any:
             return self.clamp_offset

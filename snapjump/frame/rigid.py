@@ -178,12 +178,6 @@ class RigidFrame(FrameOptions):
         def slide(self, mesh: Any, vector: Any, along_x: Any) -> None:
             vector[0] = vector[0] + along_x
 
-        def energy(self, mesh: Any, state: Any) -> Any:
-            return 0.0 * state[0]
-
-        def dissipation(self, damping: Any, mesh: Any, state: Any, velocity: Any) -> Any:
-            return 0.0 * state[0]
-
     def body(self, outline: Outline) -> Body:
         """The dimensionless frame of an outline, whose numbers may be arrays.
 

@@ -95,9 +95,6 @@ class BeamElements(Discretization):
         """The :class:`Straining` of one element; damping adds a viscous share to every strain, and
         to the Hessian what keeps it symmetric."""
 
-    def has_elements(self) -> bool:
-        return True
-
     def axial_stiffness(self) -> Any:
         return self.stretching_stiffness / self.element_length
 
@@ -106,9 +103,6 @@ class BeamElements(Discretization):
 
     def rotation_length(self) -> Any:
         return self.element_length
-
-    def clamp_distance(self) -> float:
-        return 0.0
 
     def begin_chain(self, damping: Any, nodes: NodeMotion, tangents: Any) -> Any:
         zero = 0.0 * nodes.rate_factor

@@ -16,15 +16,6 @@ class LooseNodes(NamedTuple):
     def axial_stiffness(self) -> float:
         return 0.0
 
-    def node_dofs(self) -> int:
-        return 2
-
-    def rotation_length(self) -> float:
-        return 0.0
-
-    def clamp_distance(self) -> float:
-        return 0.0
-
     def begin_chain(
         self,
         damping: Any,
