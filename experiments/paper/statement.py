@@ -1,6 +1,6 @@
 """A statement of the paper, and what became of it when it was tested."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from snapjump.run.studies.base import Row
@@ -24,6 +24,7 @@ class Statement:
     found: str
     accuracy: str
     command: str = "task=paper"
+    key: str = ""
 
     def __post_init__(self) -> None:
         assert self.verdict in VERDICTS, self.verdict
@@ -32,6 +33,26 @@ class Statement:
 def verdict(holds: bool, within_limit: bool = False) -> str:
     """The verdict on a statement that holds throughout, or else within a limit that is told."""
     return CONFIRMED if holds else LIMITED if within_limit else NOT_CONFIRMED
+
+
+def weakest(*verdicts: str) -> str:
+    """Of a statement with several aspects: confirmed if all are, within a limit if none fails."""
+    return max(verdicts, key=VERDICTS.index)
+
+
+def stated(key: str, says: str, came: str, found: str, accuracy: str) -> Statement:
+    """The statement with this key, ``<part>.<name>``, as in the table of limits."""
+    return Statement(says, came, found, accuracy, f"task=paper figure={key.split('.')[0]}", key)
+
+
+def percent(share: float) -> str:
+    """A share for reading."""
+    return f"{100.0 * share:.2g} %"
+
+
+def listed(values: Iterable[float], how: str = "g") -> str:
+    """Numbers in a sentence."""
+    return ", ".join(f"{value:{how}}" for value in values)
 
 
 def statement_rows(statements: Sequence[Statement]) -> list[Row]:
