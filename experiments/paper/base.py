@@ -1,7 +1,7 @@
 """A part of the paper that is done again: one figure or several, and what they are to show."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
@@ -29,26 +29,33 @@ class Found:
 
 
 class Part(ABC):
-    """Base of all parts. ``name``: as in ``figure=<name>``; ``sources``: the modules that the rows
-    of its cells depend on, which does not include those that draw or judge."""
+    """Base of all parts. ``name``: as in ``figure=<name>``; ``title``: of its section; ``kinds``:
+    what computes the rows of a cell, by the ``kind`` among its inputs; ``every_jump``: its
+    statements need all of a sweep; ``sources``: the modules that rows depend on, if not its own."""
 
     name: ClassVar[str]
-    sources: ClassVar[tuple[str, ...]]
+    title: ClassVar[str] = ""
+    kinds: ClassVar[Mapping[str, Callable[[Mapping[str, Any]], list[Row]]]] = {}
+    every_jump: ClassVar[bool] = False
+    sources: ClassVar[tuple[str, ...]] = ()
 
     @abstractmethod
     def plan(self, groups: Mapping[str, Any], seed: int) -> Sequence[Cell]:
         """All cells. ``groups``: ``accuracy=standard`` as plain groups
         (:func:`experiments.compositions.composed` builds it), with the run's backend."""
 
-    @abstractmethod
     def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
         """The rows of a cell with these inputs; raises ParameterError for what is refused."""
+        return self.kinds[inputs["kind"]](inputs)
 
-    @abstractmethod
     def conclude(self, done: Mapping[str, Done]) -> Found:
-        """The section and the verdicts, from all cells by the names that ``plan`` gave them.
+        """The section and the verdicts, from all cells by the names that ``plan`` gave them; no
+        verdicts if cells failed, which are then named."""
+        return unfinished(self.title, done, self.every_jump) or self.judge(done)
 
-        Cells that failed are there too, with their status and without rows."""
+    def judge(self, done: Mapping[str, Done]) -> Found:
+        """The same of cells that all have their rows."""
+        raise NotImplementedError
 
 
 def unfinished(title: str, done: Mapping[str, Done], jumps: bool = False) -> Found | None:

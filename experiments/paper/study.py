@@ -1,5 +1,6 @@
 """``python run.py task=paper``: every figure and every testable statement of the paper."""
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from datetime import datetime
@@ -7,6 +8,7 @@ from typing import Any
 
 from experiments.compositions import composed, described, groups_of
 from experiments.paper.base import Part
+from experiments.paper.limits import limit_rows
 from experiments.paper.parts import PARTS
 from experiments.paper.statement import VERDICTS, Statement, statement_rows
 from snapjump.checks import ParameterError, check_choice
@@ -66,7 +68,7 @@ class Paper(Study):
     choices = ("figure",)
     # Cells name the sources of their own part among their inputs, so that an edited part is done
     # again and no other.
-    sources = ("experiments.paper.base",)
+    sources = ("experiments.paper.settings",)
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
         """The cells of the part that is asked for, or of all."""
@@ -106,7 +108,10 @@ class Paper(Study):
         judged = Section(
             "Statement by statement",
             INTRODUCTION,
-            tables={"statements": Table("The paper's statements", statement_rows(statements))},
+            tables={
+                "statements": Table("The paper's statements", statement_rows(statements)),
+                "limits": Table("The limits of the verdicts, and whose they are", limit_rows()),
+            },
         )
         return Conclusion(
             title=TITLE,
@@ -174,6 +179,11 @@ def duration(done: Mapping[str, Done]) -> str:
     return f"The {len(done)} computations behind them took {seconds / 60.0:.0f} minutes in all."
 
 
+# Modules that say what was found, draw it and judge it: no row depends on them.
+TOLD = re.compile(r"experiments\.paper\.(\w+\.(words|figure)|limits|statement)")
+
+
 def source_digest(part: Part) -> str:
     """A hash of the modules that compute a part, and of those that they import."""
-    return combined_hash(sources(part.sources))[:16]
+    used = sources(part.sources or (type(part).__module__,))
+    return combined_hash([one for one in used if not TOLD.fullmatch(one.name)])[:16]
