@@ -1,11 +1,15 @@
-"""Jumps that are followed in time: what is seen of the strike, the ground and the energy."""
+"""Cells of jumps: apexes, and what is seen of the strike, the ground and the energy in time."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
+from experiments.compositions import composed
+from experiments.paper.jumps import jump_rows
 from experiments.paper.settings import BASELINE, NAMES
+from snapjump.batch import variant
 from snapjump.composition import Simulation
 from snapjump.declare.members import member_class
 from snapjump.results import Result
@@ -105,8 +109,32 @@ def energy_row(simulation: Simulation) -> Row:
         "rise": upward_J + mass_kg * robot.gravity_m_s2 * climbed_m,
         "sideways": sideways_J,
         "turning": float(kept["kinetic_J"][-1]) - upward_J - sideways_J,
-        **{kind: float(kept[f"{kind}_loss_J"][-1]) for kind in ("friction", "damping", "numerical")},
+        **{
+            kind: float(kept[f"{kind}_loss_J"][-1]) for kind in ("friction", "damping", "numerical")
+        },
     }
     unit_J = released * robot.scales.energy_J
     shares = {f"{name}_share": value / unit_J for name, value in parts.items()}
     return {"energy_released_bar": released, **shares}
+
+
+def jumps(inputs: Mapping[str, Any]) -> list[Row]:
+    """A row for each of the cell's ``designs``."""
+    return jump_rows(composed(inputs["groups"]), inputs["designs"])
+
+
+def paths(inputs: Mapping[str, Any]) -> list[Row]:
+    """The paths of the cell's ``designs``, one after the other."""
+    base = composed(inputs["groups"])
+    return [row for design in inputs["designs"] for row in path_rows(variant(base, design))]
+
+
+def each(look: Callable[[Simulation], Row]) -> Callable[[Mapping[str, Any]], list[Row]]:
+    """What computes a row for each of a cell's ``designs``: its numbers, and what a look tells."""
+
+    def rows(inputs: Mapping[str, Any]) -> list[Row]:
+        base, designs = composed(inputs["groups"]), inputs["designs"]
+        named = [dict(zip(NAMES, design, strict=True)) for design in designs]
+        return [{**one, **look(variant(base, d))} for one, d in zip(named, designs, strict=True)]
+
+    return rows
