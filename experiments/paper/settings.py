@@ -16,6 +16,7 @@ NAMES = tuple(axis.column for axis in AXES)
 SYMBOLS = {axis.column: axis.short for axis in AXES}
 RANGES = {axis.column: axis.range for axis in AXES}
 LABELS = {
+    "mount_height_bar": "mount height h / L",
     "delta_alpha_rad": "mismatch Δα (rad)",
     "epsilon": "pre-compression ε",
     "mass_bar": "mass m̄",
