@@ -110,11 +110,11 @@ def nodes(
     coarse, fine = (1e3 * row["step_s"] for row in steps)
     return (
         "of angles, heights and energies of stable arches at ε = 0.1, 0.2 and 0.3 the largest "
-        f"error is {worst[0]:.2g} % ({worst[1]}); the critical angle is off by {angle:.2g} %. The cause is "
-        "the clamps of two fixed nodes, whose error is of first order in the mesh. Equilibria know "
-        "no step; clamps that turn at 20 rad/s, with a mismatch of 0.1 rad, snap at an angle "
-        f"{late:+.2g} % from that with {fine:g} ms if the step is {coarse:g} ms, and tilt "
-        f"{tilted:+.2g} %: the snap itself lasts {steps[1]['snap_duration_ms']:.2g} ms"
+        f"error is {worst[0]:.2g} % ({worst[1]}); the critical angle is off by {angle:.2g} %. The "
+        "cause is the clamps of two fixed nodes, whose error is of first order in the mesh. "
+        "Equilibria know no step; clamps that turn at 20 rad/s, with a mismatch of 0.1 rad, snap "
+        f"at an angle {late:+.2g} % from that with {fine:g} ms if the step is {coarse:g} ms, and "
+        f"tilt {tilted:+.2g} %: the snap itself lasts {steps[1]['snap_duration_ms']:.2g} ms"
     )
 
 
