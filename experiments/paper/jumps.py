@@ -1,6 +1,6 @@
 """Jumps as rows: what the parts that simulate them keep of each."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -47,3 +47,9 @@ def furthest(rows: Sequence[Row], others: Sequence[Row], key: str, place: str) -
     known = dict(zip(numbers(others, place).round(9), numbers(others, key), strict=True))
     pairs = zip(numbers(rows, place).round(9), numbers(rows, key), strict=True)
     return float(np.nanmax([abs(value - known[at]) for at, value in pairs if at in known]))
+
+
+def apart(sweep: Mapping[str, Sequence[Row]], place: str) -> tuple[float, float]:
+    """The largest differences of x and of y between standard and reference, where both are."""
+    x, y = (furthest(sweep["standard"], sweep["reference"], k, place) for k in ("x_bar", "y_bar"))
+    return x, y

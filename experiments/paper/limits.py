@@ -88,7 +88,7 @@ LIMITS: dict[str, Limit] = {
     "asymmetry.saturation": Limit(0.05, 0.3, "growth from ten thresholds to 0.2 rad, as a share",
         'paper: "minimal influence"; ours: flat, and broken off, where the mismatch grows '
         "twentyfold"),
-    "trajectories.tuned.vertical": Limit(0.01, 0.01,
+    "trajectories.types.vertical": Limit(0.01, 0.01,
         "distance of the apex from the vertical without a mismatch (share of its height)",
         'paper: "perpendicular to the rigid substrate"; ours: to a hundredth'),
     "trajectories.tuned.back": Limit(0.02, ANY,
@@ -101,6 +101,9 @@ LIMITS: dict[str, Limit] = {
         "largest lean at lift-off of the baseline (degrees)",
         'paper: "oblique to the rigid substrate"; ours: a slant that is seen, and carries the '
         "robot over half its length and more", LEAST),
+    "trajectories.types.inclined": Limit(0.01, 0.01,
+        "least distance of an apex with a mismatch from the vertical (share of its height)",
+        'paper: "oblique to the rigid substrate"; ours: what is not vertical', LEAST),
     "influences.below_h1": Limit(0.03, 0.1,
         "deviation of the apex below h1 from that at h1 (share; within a limit: of y_c alone)",
         'paper: "relatively constant"; ours: constant, and about so'),

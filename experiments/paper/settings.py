@@ -15,6 +15,12 @@ BASELINE = (0.1, 0.2, 0.768, 0.3)
 NAMES = tuple(axis.column for axis in AXES)
 SYMBOLS = {axis.column: axis.short for axis in AXES}
 RANGES = {axis.column: axis.range for axis in AXES}
+LABELS = {
+    "delta_alpha_rad": "mismatch Δα (rad)",
+    "epsilon": "pre-compression ε",
+    "mass_bar": "mass m̄",
+    "mu": "friction coefficient μ",
+}
 TIERS = ("standard", "paper", "reference")
 
 

@@ -68,3 +68,13 @@ def statement_rows(statements: Sequence[Statement]) -> list[Row]:
         }
         for k, statement in enumerate(statements, 1)
     ]
+
+
+def prose(text: str) -> str:
+    """A paragraph that is written over several lines, as one."""
+    return " ".join(text.split())
+
+
+def paragraphs(text: str) -> list[str]:
+    """Paragraphs, between which there are empty lines."""
+    return [prose(one) for one in text.split("\n\n")]

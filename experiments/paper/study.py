@@ -180,7 +180,7 @@ def duration(done: Mapping[str, Done]) -> str:
 
 
 # Modules that say what was found, draw it and judge it: no row depends on them.
-TOLD = re.compile(r"experiments\.paper\.(\w+\.(words|figure)|limits|statement)")
+TOLD = re.compile(r"experiments\.paper\.(\w+\.(words|figure)|limits|statement|styles)")
 
 
 def source_digest(part: Part) -> str:
