@@ -1,9 +1,10 @@
-"""What a curve does: whether it runs one way, and where it levels off."""
+"""What a curve does: whether it runs one way, where it levels off, and how it saturates."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import curve_fit
 
 Array = NDArray[np.float64]
 
@@ -17,6 +18,29 @@ def counter_step(values: Array, rising: bool) -> float:
     back = float(np.max(np.maximum.accumulate(upward) - upward))
     change = float(upward[-1] - upward[0])
     return back / change if change > 0.0 else np.inf
+
+
+def between(places: Array, values: Array, low: float, high: float) -> Array:
+    """The values between two places, those at either end by interpolation."""
+    inside = places[(places > low) & (places < high)]
+    return np.interp([low, *inside, high], places, values)
+
+
+def saturating(places: Array, slope: float, threshold: float) -> Array:
+    """slope * place, and slope * threshold far beyond the threshold: how the amplitude of an
+    unstable mode with a cubic limit depends on where it started."""
+    return np.asarray(slope * places / np.sqrt(1.0 + (places / threshold) ** 2))
+
+
+def fit_saturating(places: Array, values: Array) -> tuple[float, float]:
+    """Slope and threshold of the law above, by logarithms: small values count like large ones."""
+    guess = np.log([values[0] / places[0], values[-1] * places[0] / values[0]])
+    found, _ = curve_fit(
+        lambda at, slope, threshold: np.log(saturating(at, np.exp(slope), np.exp(threshold))),
+        places, np.log(values), guess,
+    )  # fmt: skip
+    slope, threshold = np.exp(found)
+    return float(slope), float(threshold)
 
 
 @dataclass(frozen=True)

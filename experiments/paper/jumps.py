@@ -9,7 +9,9 @@ from experiments.paper.settings import NAMES
 from snapjump.batch import Batch, simulate_designs
 from snapjump.composition import Simulation
 from snapjump.run.studies.base import Row
+from snapjump.run.studies.base import column as numbers
 
+__all__ = ["batch_rows", "furthest", "jump_rows", "numbers"]
 # Results depend on neither: eight lanes are a tier's own program, and a second thread halves time.
 LANES, THREADS = 8, 2
 KEPT = (
@@ -38,12 +40,6 @@ def jump_rows(simulation: Simulation, designs: Sequence[Any], lanes: int = LANES
         {**dict(zip(NAMES, design, strict=True)), **row}
         for design, row in zip(table.tolist(), batch_rows(batch), strict=True)
     ]
-
-
-def numbers(rows: Sequence[Row], key: str) -> Any:
-    """A column as an array, NaN where there is no number."""
-    values = [row.get(key) for row in rows]
-    return np.array([np.nan if value is None else float(value) for value in values])
 
 
 def furthest(rows: Sequence[Row], others: Sequence[Row], key: str, place: str) -> float:

@@ -1,34 +1,37 @@
 """The largest angle of the midpoint against the mismatch, at three pre-compressions."""
 
+import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from functools import partial
 from typing import Any
 
 import numpy as np
 
-from experiments.paper.asymmetry.compute import sweep_rows
+from experiments.paper.asymmetry import words
 from experiments.paper.asymmetry.figure import draw_asymmetry
-from experiments.paper.asymmetry.judge import (
-    FITTED_UPTO_RAD,
-    FLAT_FROM,
-    LINEAR_WITHIN,
-    Saturation,
-    largest_difference,
-    linear_statement,
-    saturation,
-    saturation_statement,
-)
-from experiments.paper.base import Found, Part, unfinished
-from experiments.paper.settings import RANGES, snap_groups
+from experiments.paper.base import Found, Part
+from experiments.paper.jumps import numbers
+from experiments.paper.limits import LIMITS, judged
+from experiments.paper.settings import snap_groups, snap_of
+from experiments.paper.statement import Statement, stated, weakest
+from experiments.trends import between, fit_saturating, saturating
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.scenes.swing import follow, outcome
 
+Array = Any
 EPSILONS = (0.1, 0.2, 0.3)
 PLATEAU_UPTO_RAD = 0.2  # about the end of the paper's designs
 LINEAR = tuple(round(0.01 * k, 3) for k in range(1, 21))
 BEYOND = tuple(round(0.2 + 0.02 * k, 3) for k in range(1, 11))
 FEW = (0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4)
 SWEEPS = {"standard": 6, "paper": 3, "undamped": 2, "reference": 2}  # mismatches a decade
+# The law is of tilts that come from the instability alone; beyond 0.01 rad the tilt that the
+# mismatch gives the arch at rest shows.
+FITTED_UPTO_RAD = 0.01
+SMALL = 0.1  # shares of the level: below the tilt is taken as linear, for the second estimate
+FLAT_FROM = 10.0  # thresholds, from where on the level is looked at
+SHOWN = (0.01, 0.1, 0.2, 0.4)  # rad
 
 
 def mismatches(setting: str) -> list[float]:
@@ -42,7 +45,7 @@ class Asymmetry(Part):
     """A sweep of the mismatch for each setting and pre-compression."""
 
     name = "asymmetry"
-    sources = ("experiments.paper.asymmetry.compute",)
+    title = words.TITLE
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
         """A cell for each sweep."""
@@ -60,38 +63,36 @@ class Asymmetry(Part):
         ]
 
     def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
-        """The snaps of a sweep."""
-        return sweep_rows(inputs)
+        """A snap for each mismatch (:func:`snapjump.scenes.swing.outcome`)."""
+        groups, epsilon = inputs["groups"], inputs["epsilon"]
+        return [
+            {"delta_alpha_rad": lag, **outcome(follow(snap_of(groups, epsilon, lag)))}
+            for lag in inputs["mismatches_rad"]
+        ]
 
-    def conclude(self, done: Mapping[str, Done]) -> Found:
-        """Two statements; none if a cell failed."""
-        missing = unfinished(TITLE, done)
-        if missing:
-            return missing
+    def judge(self, done: Mapping[str, Done]) -> Found:
+        """Two statements."""
         sweeps = {
             setting: {epsilon: done[cell_name(setting, epsilon)].rows for epsilon in EPSILONS}
             for setting in SWEEPS
         }
         found = {
-            setting: {
-                epsilon: saturation(rows, PLATEAU_UPTO_RAD) for epsilon, rows in by_epsilon.items()
-            }
+            setting: {epsilon: saturation(rows) for epsilon, rows in by_epsilon.items()}
             for setting, by_epsilon in sweeps.items()
         }
         off = max(
             largest_difference(sweeps["standard"][epsilon], sweeps["reference"][epsilon])
             for epsilon in EPSILONS
         )
-        accuracy = f"`standard` (angles within {100.0 * off:.1g} % of `reference`)"
-        statements = [
-            linear_statement(found, mismatches("standard")[0], accuracy),
-            saturation_statement(found, PLATEAU_UPTO_RAD, accuracy),
-        ]
-        return Found(
-            make_section(sweeps, found, PLATEAU_UPTO_RAD),
-            statements,
-            summary(found["standard"], off),
-        )
+        numbers: Row = {"asymmetry_off_reference_percent": 100.0 * off}
+        for epsilon, one in found["standard"].items():
+            key = f"epsilon_{epsilon:g}".replace(".", "_")
+            numbers |= {
+                f"asymmetry_threshold_{key}_rad": one.threshold_rad,
+                f"asymmetry_level_{key}_rad": one.level_rad,
+                f"asymmetry_rise_{key}": one.rise,
+            }
+        return Found(make_section(sweeps, found), statements(found, words.accuracy(off)), numbers)
 
 
 def cell_name(setting: str, epsilon: float) -> str:
@@ -99,78 +100,115 @@ def cell_name(setting: str, epsilon: float) -> str:
     return f"{setting}, epsilon {epsilon:g}"
 
 
-def summary(found: Mapping[float, Saturation], off: float) -> Row:
-    """Flat numbers for result.json."""
-    numbers: Row = {"asymmetry_off_reference_percent": 100.0 * off}
-    for epsilon, one in found.items():
-        key = f"{epsilon:g}".replace(".", "_")
-        numbers |= {
-            f"asymmetry_threshold_epsilon_{key}_rad": one.threshold_rad,
-            f"asymmetry_level_epsilon_{key}_rad": one.level_rad,
-            f"asymmetry_rise_epsilon_{key}": one.rise,
-        }
-    return numbers
+@dataclass(frozen=True)
+class Saturation:
+    """``slope``: rad per rad; ``level_rad``; ``threshold_rad``: the mismatch where the two lines
+    meet; ``other_threshold_rad``: the same from the smallest tilts and the tilt at the end of the
+    fit alone, without the law; ``misfit``: the largest relative difference from the law;
+    ``exponent``: of the power of the mismatch that the smallest tilts grow by;
+    ``linear_until_rad``: where the tilt has fallen behind the line; ``rise``: relative growth
+    from ten thresholds to the end of the plateau, ``rise_untilted``: the largest relative
+    change on that way, less the tilt at rest."""
+
+    slope: float
+    level_rad: float
+    threshold_rad: float
+    other_threshold_rad: float
+    misfit: float
+    exponent: float
+    linear_until_rad: float
+    rise: float
+    rise_untilted: float
 
 
-TITLE = "How asymmetric a snap becomes"
-SHOWN = (0.01, 0.1, 0.2, 0.4)  # rad
+def saturation(rows: Sequence[Row]) -> Saturation:
+    """What the tilts of a sweep come to."""
+    snapped = [r for r in rows if r["theta_max_rad"] is not None and r["delta_alpha_rad"] > 0.0]
+    snapped = sorted(snapped, key=lambda row: row["delta_alpha_rad"])
+    lags, tilts, rest = (
+        numbers(snapped, key) for key in ("delta_alpha_rad", "theta_max_rad", "theta_rest_rad")
+    )
+    near = lags <= FITTED_UPTO_RAD * (1.0 + 1e-9)
+    slope, threshold = fit_saturating(lags[near], tilts[near])
+    ratios = tilts / lags
+    line = float(np.mean(ratios[tilts <= SMALL * slope * threshold]))
+    level, untilted = (
+        between(lags, values, FLAT_FROM * threshold, PLATEAU_UPTO_RAD)
+        for values in (tilts, tilts - rest)
+    )
+    return Saturation(
+        slope=slope,
+        level_rad=slope * threshold,
+        threshold_rad=threshold,
+        other_threshold_rad=float(tilts[near][-1]) / line,
+        misfit=float(np.abs(tilts[near] / saturating(lags[near], slope, threshold) - 1.0).max()),
+        exponent=float(np.log(tilts[1] / tilts[0]) / np.log(lags[1] / lags[0])),
+        linear_until_rad=fallen_behind(lags, ratios / line),
+        rise=float(level[-1] / level[0] - 1.0),
+        rise_untilted=float(untilted.max() / untilted.min() - 1.0),
+    )
+
+
+def fallen_behind(lags: Array, shares: Array) -> float:
+    """The first mismatch where the share of the line is short of one; the last if there is none."""
+    least = 1.0 - LIMITS["asymmetry.linear.deviation"].confirmed
+    behind = np.flatnonzero(shares < least)
+    if len(behind) == 0:
+        return float(lags[-1])
+    k = int(behind[0])
+    if k == 0:
+        return 0.0
+    return float(np.exp(np.interp(-least, -shares[k - 1 : k + 1], np.log(lags[k - 1 : k + 1]))))
+
+
+def linear_verdict(found: Mapping[float, Saturation], smallest_rad: float) -> str:
+    """Linear up to mismatches that robots are designed with, or up to smaller ones only."""
+    until = [one.linear_until_rad for one in found.values()]
+    return weakest(
+        judged("asymmetry.linear.exponent", *(abs(one.exponent - 1.0) for one in found.values())),
+        judged("asymmetry.linear.range", *(one / smallest_rad for one in until)),
+        judged("asymmetry.linear.designs", *until),
+    )
+
+
+def saturation_verdict(found: Mapping[float, Saturation]) -> str:
+    """A plateau, or a growth that has at least broken off."""
+    return judged("asymmetry.saturation", *(abs(one.rise) for one in found.values()))
+
+
+def statements(found: Mapping[str, Mapping[float, Saturation]], accuracy: str) -> list[Statement]:
+    """Both; ``found``: laws by setting and pre-compression."""
+    own = found["standard"]
+    line, level = linear_verdict(own, mismatches("standard")[0]), saturation_verdict(own)
+    return [
+        stated("asymmetry.linear", words.LINEAR, line, words.linear(found), accuracy),
+        stated(
+            "asymmetry.saturation",
+            words.SATURATES,
+            level,
+            words.saturates(found, FLAT_FROM, PLATEAU_UPTO_RAD),
+            accuracy,
+        ),
+    ]
 
 
 def make_section(
     sweeps: Mapping[str, Mapping[float, Sequence[Row]]],
     found: Mapping[str, Mapping[float, Saturation]],
-    upto_rad: float,
 ) -> Section:
     """Text, the figure, the laws and some of the snaps."""
-    misfit = max(one.misfit for laws in found.values() for one in laws.values())
-    own = found["standard"]
-    far = max(one.threshold_rad for one in own.values())
-    faster, freely = (
-        [found[setting][epsilon].slope / own[epsilon].slope for epsilon in own]
-        for setting in ("paper", "undamped")
-    )
-    lags = sorted(row["delta_alpha_rad"] for row in sweeps["standard"][min(own)])
-    first = min(own)
-    later, same = with_vibration(sweeps["standard"][first])
+    own = sweeps["standard"]
     return Section(
-        TITLE,
-        [
-            "The same snaps at three pre-compressions and at mismatches from "
-            f"{lags[0]:g} to {lags[-1]:g} rad. θ_max is the largest absolute tangent angle at the "
-            "midpoint until the snap ends.",
-            "The threshold is found by fitting θ_max = slope · Δα / √(1 + (Δα / threshold)²) to "
-            f"all mismatches up to {FITTED_UPTO_RAD:g} rad, by logarithms: that is how the "
-            "amplitude of an unstable mode with a cubic limit depends on where it started. No snap "
-            f"is farther than {100.0 * misfit:.1f} % from it. For comparison the threshold is also "
-            f"taken as θ_max at {FITTED_UPTO_RAD:g} rad over the mean slope of the smallest.",
-            "Every design in the paper's range of mismatches, shaded, snaps beyond the threshold, "
-            f"by a factor of {RANGES['delta_alpha_rad'][0] / far:.0f} at least. What the mismatch "
-            "still changes there is the tilt at rest, and when the snap happens.",
-            f"At the paper's settings the slope is {min(faster):.1f} to {max(faster):.1f} times "
-            "that of the converged model, without damping "
-            f"{min(freely):.1f} to {max(freely):.1f} times. Kelvin-Voigt damping resists bending "
-            "as such, and so holds back the asymmetric mode whose net stiffness is lost. The "
-            "damping of implicit Euler goes with the net stiffness: it stills vibrations, but does "
-            "not slow down what buckles. How the slope depends on the rate of the clamps: the "
-            "section on symmetric and asymmetric snaps.",
-            "If the vibration after the snap is counted as well (`theta_later_rad`), the slope at "
-            f"ε = {first:g} is {later:.0f} instead of {own[first].slope:.0f} and the angles from "
-            f"{FITTED_UPTO_RAD:g} rad on {'are the same' if same else 'differ'}. Without damping "
-            "the vibration goes on, and its largest angle depends on the finest detail.",
-        ],
-        figures={
+        words.TITLE,
+        words.paragraphs(found, own, FITTED_UPTO_RAD),
+        {
             "asymmetry": Figure(
-                "θ_max against the mismatch: left with the paper's range shaded, and dash-dotted "
-                "what is left without the tilt at rest; right by logarithms, the law at standard "
-                "drawn thin, its threshold marked on it",
-                partial(draw_asymmetry, sweeps, found["standard"]),
+                words.FIGURE, partial(draw_asymmetry, sweeps, found["standard"], FITTED_UPTO_RAD)
             )
         },
-        tables={
+        {
             "saturation": Table(
-                "Slope, level and threshold of the law; how far it is linear (within "
-                f"{100.0 * LINEAR_WITHIN:g} %); how the level rises from {FLAT_FROM:g} thresholds "
-                f"to {upto_rad:g} rad",
+                words.laws(FLAT_FROM, PLATEAU_UPTO_RAD),
                 [
                     {"setting": setting, "epsilon": epsilon, **asdict(one)}
                     for setting, laws in found.items()
@@ -182,7 +220,7 @@ def make_section(
                 "Some of the snaps at standard",
                 [
                     {"epsilon": epsilon, **row}
-                    for epsilon, rows in sweeps["standard"].items()
+                    for epsilon, rows in own.items()
                     for row in rows
                     if row["delta_alpha_rad"] in SHOWN
                 ],
@@ -191,12 +229,12 @@ def make_section(
     )
 
 
-def with_vibration(rows: Sequence[Row]) -> tuple[float, bool]:
-    """The slope of the smallest mismatch with the vibration after the snap, and whether that adds
-    nothing to the angles of larger ones."""
-    smallest = min(rows, key=lambda row: row["delta_alpha_rad"])
-    large = [row for row in rows if row["delta_alpha_rad"] >= FITTED_UPTO_RAD]
-    return (
-        float(smallest["theta_later_rad"] / smallest["delta_alpha_rad"]),
-        all(row["theta_later_rad"] == row["theta_max_rad"] for row in large),
-    )
+def largest_difference(rows: Sequence[Row], truth: Sequence[Row]) -> float:
+    """Largest relative difference of the tilts at mismatches that both have."""
+    right = {row["delta_alpha_rad"]: row["theta_max_rad"] for row in truth}
+    off = [
+        abs(row["theta_max_rad"] / right[row["delta_alpha_rad"]] - 1.0)
+        for row in rows
+        if row["theta_max_rad"] is not None and right.get(row["delta_alpha_rad"])
+    ]
+    return float(np.max(off)) if off else math.nan

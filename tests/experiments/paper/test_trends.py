@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from experiments.trends import counter_step, plateau
+from experiments.trends import between, counter_step, fit_saturating, plateau, saturating
 
 
 def test_counter_step():
@@ -25,3 +25,16 @@ def test_plateau():
     assert straight.levelling == pytest.approx(1.0)
     waves = plateau(places, np.minimum(places, 0.4) + 0.02 * np.sin(40.0 * places))
     assert waves.swing == pytest.approx(0.04, rel=0.2)
+
+
+def test_saturating_law_and_its_fit():
+    places = np.logspace(-6, -2, 25)
+    values = saturating(places, 600.0, 1e-3)
+    assert fit_saturating(places, values) == pytest.approx((600.0, 1e-3))
+    assert values[0] == pytest.approx(600.0 * places[0], rel=1e-5)
+    assert values[-1] == pytest.approx(0.6, rel=0.01)
+
+
+def test_between():
+    places = np.array([0.0, 1.0, 2.0, 3.0])
+    assert between(places, places**2, 0.5, 2.5) == pytest.approx([0.5, 1.0, 4.0, 6.5])

@@ -1,0 +1,93 @@
+"""Our equilibria of the arch whose clamps turn alike, beside the exact elastica's."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from experiments.order import fitted_order
+from experiments.paper import exact
+from snapjump.run.studies.base import Row
+
+MISMATCH_RAD = 0.1  # for which there are exact numbers of a beam that stretches
+STRETCHES, RIGID = "stretches", "does not stretch"
+# The meshes whose errors an order is fitted to, coarsest first.
+LADDER = ("draft", "standard", "reference")
+# Key of our rows: what it is, and of which exact beam there is a number.
+NAMES = {
+    "alpha_critical_rad": ("critical angle", STRETCHES),
+    "alpha_fold_rad": ("angle of the symmetric fold", STRETCHES),
+    "mismatched_alpha_critical_rad": ("critical angle, Δα = 0.1", STRETCHES),
+    "mismatched_midpoint_before_bar": ("middle before the snap, Δα = 0.1", STRETCHES),
+    "mismatched_energy_before_bar": ("energy before the snap, Δα = 0.1", STRETCHES),
+    "mismatched_midpoint_after_bar": ("middle after the snap, Δα = 0.1", STRETCHES),
+    "mismatched_energy_after_bar": ("energy after the snap, Δα = 0.1", STRETCHES),
+    "midpoint_flat_bar": ("middle, flat clamps", RIGID),
+    "energy_flat_bar": ("energy, flat clamps", RIGID),
+    "midpoint_before_bar": ("middle before the snap", RIGID),
+    "lowest_before_bar": ("lowest point before the snap", RIGID),
+    "energy_before_bar": ("energy before the snap", RIGID),
+    "midpoint_after_bar": ("middle after the snap", RIGID),
+    "energy_after_bar": ("energy after the snap", RIGID),
+    "midpoint_fold_bar": ("middle at the symmetric fold", RIGID),
+    "energy_fold_bar": ("energy at the symmetric fold", RIGID),
+}
+
+
+def exact_row(epsilon: float) -> dict[str, float]:
+    """The exact number for each key of NAMES."""
+    flat, alike = exact.flat(epsilon), exact.symmetric(epsilon)
+    angles = exact.stretching(epsilon)
+    lagging = exact.mismatched(epsilon, MISMATCH_RAD, stretches=True)
+    return {
+        "alpha_critical_rad": angles["alpha_pitchfork"],
+        "alpha_fold_rad": angles["alpha_fold"],
+        "mismatched_alpha_critical_rad": lagging["aL"],
+        "mismatched_midpoint_before_bar": lagging["before_ymid"],
+        "mismatched_energy_before_bar": lagging["before_E"],
+        "mismatched_midpoint_after_bar": lagging["after_ymid"],
+        "mismatched_energy_after_bar": lagging["after_E"],
+        "midpoint_flat_bar": flat["ymid"],
+        "energy_flat_bar": flat["E"],
+        "midpoint_before_bar": alike["ymid_before_asym"],
+        "lowest_before_bar": alike["ymin_before_asym"],
+        "energy_before_bar": alike["E_before_asym"],
+        "midpoint_after_bar": alike["ymid_after_asym"],
+        "energy_after_bar": alike["E_after_asym"],
+        "midpoint_fold_bar": alike["ymid_before_fold"],
+        "energy_fold_bar": alike["E_before_fold"],
+    }
+
+
+def largest_difference(rows: Sequence[Row], key: str) -> float:
+    """Of one number from the exact one, over all pre-compressions (%)."""
+    return max(100.0 * abs(row[key] / exact_row(row["epsilon"])[key] - 1.0) for row in rows)
+
+
+def overall(rows: Sequence[Row], beam: str) -> tuple[float, str]:
+    """The largest difference (%) of all numbers for that exact beam, and what it is of."""
+    keys = [key for key, (_, kind) in NAMES.items() if kind == beam]
+    return max((largest_difference(rows, key), NAMES[key][0]) for key in keys)
+
+
+def order(tiers: Mapping[str, Sequence[Row]], key: str) -> float:
+    """Of convergence to the exact beam that stretches like ours, on the half-element clamps."""
+    sizes = [1.0 / tiers[tier][0]["elements"] for tier in LADDER]
+    return fitted_order(sizes, [largest_difference(tiers[tier], key) for tier in LADDER])
+
+
+def orders(tiers: Mapping[str, Sequence[Row]]) -> np.ndarray:
+    """All that can be observed."""
+    return np.array([order(tiers, k) for k, (_, beam) in NAMES.items() if beam == STRETCHES])
+
+
+def comparison(tiers: Mapping[str, Sequence[Row]]) -> list[Row]:
+    """A row for each number: its largest difference at every tier, and the order."""
+    return [
+        {
+            "number": name,
+            "exact beam": beam,
+            **{f"{tier} (%)": largest_difference(rows, key) for tier, rows in tiers.items()},
+            "order": order(tiers, key) if beam == STRETCHES else None,
+        }
+        for key, (name, beam) in NAMES.items()
+    ]
