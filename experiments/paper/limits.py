@@ -179,10 +179,11 @@ LIMITS: dict[str, Limit] = {
 def judged(key: str, *values: float) -> str:
     """The verdict by one limit, on the worst of the values."""
     limit = LIMITS[key]
-    return verdict(
-        all(limit.holds(value, limit.confirmed) for value in values),
-        all(limit.holds(value, limit.within) for value in values),
+    confirmed, within = (
+        all(limit.holds(value, least) for value in values)
+        for least in (limit.confirmed, limit.within)
     )
+    return verdict(confirmed and within, within)
 
 
 def limit_rows() -> list[Row]:
