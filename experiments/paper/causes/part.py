@@ -95,58 +95,12 @@ HARDER: dict[str, Changes] = {
 }
 
 
-def exchange(end: str, title: str) -> str:
-    """The name of the cell with one choice exchanged."""
-    return f"{end}, exchanged: {title}"
-
-
-def frame(ratio: float) -> str:
-    """The name of the cell with a frame so many times stiffer than the beam."""
-    return f"frame of {ratio:g} EI, standard"
-
-
-def step(step_s: float) -> str:
-    """The name of the cell with the paper's settings but the step."""
-    return f"step {step_s:g} s"
-
-
-def many(step_s: float) -> str:
-    """The name of the cell of jumps that are looked through for failures and gaps."""
-    return f"many jumps, step {step_s:g} s"
-
-
-def planned(groups: Mapping[str, Any], seed: int) -> list[Cell]:
-    """All cells."""
-    at = {end: groups_at(groups, end) for end in ENDS}
-    standard = groups_at(groups, "standard")
-    # In an elastic frame, whose clamps turn with its legs, the arch loses its stability earlier;
-    # a start near the rigid frame's critical angle can lie beyond that.
-    flat = changed(standard, {"sim": {"start_fraction": 0.0}})
-    programs = {program(one) for one in at.values()}
-
-    def cell(name: str, made: Groups, count: int = DESIGNS) -> Cell:
-        lanes = LANES if program(made) in programs else 1
-        return Cell(name, {"groups": made, "designs": spread_designs(count, seed), "lanes": lanes})
-
-    def stepped(step_s: float) -> Groups:
-        return changed(at[PAPER], {"stepping": {"step_s": step_s}})
-
-    def stiff(ratio: float) -> Groups:
-        stiffer = {"frame": {"bending_ratio": ratio, "stretching_ratio": ratio}}
-        return changed(changed(flat, ELASTIC), stiffer)
-
-    start = {"groups": changed(standard, ELASTIC), "designs": [BASELINE], "kind": "starts"}
-    return [
-        *(cell(end, at[end]) for end in ENDS),
-        *(cell(exchange(*key), made) for key, made in variants(at).items()),
-        cell(RIGID, flat),
-        *(cell(frame(ratio), stiff(ratio)) for ratio in STIFFNESSES),
-        Cell(STARTS, start),
-        *(cell(title, changed(flat, changes)) for title, changes in HARDER.items()),
-        *(cell(step(s), stepped(s)) for s in STEPS_S[1:]),
-        cell(many(STEPS_S[0]), at[PAPER], MANY),
-        *(cell(many(s), stepped(s), LONG) for s in LONG_STEPS_S),
-    ]
+# Names of cells: with one choice exchanged at an end; a frame so many times stiffer than the beam;
+# the paper's settings but the step; and jumps that are looked through for failures and gaps.
+exchange = "{}, exchanged: {}".format
+frame = "frame of {:g} EI, standard".format
+step = "step {:g} s".format
+many = "many jumps, step {:g} s".format
 
 
 def start_row(simulation: Any) -> Row:
@@ -168,7 +122,38 @@ class Causes(Part):
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
         """Ends, exchanges, frames, harder contact, steps, and many jumps."""
-        return planned(groups, seed)
+        at = {end: groups_at(groups, end) for end in ENDS}
+        standard = groups_at(groups, "standard")
+        # In an elastic frame, whose clamps turn with its legs, the arch loses its stability earlier;
+        # a start near the rigid frame's critical angle can lie beyond that.
+        flat = changed(standard, {"sim": {"start_fraction": 0.0}})
+        programs = {program(one) for one in at.values()}
+
+        def cell(name: str, made: Groups, count: int = DESIGNS) -> Cell:
+            lanes = LANES if program(made) in programs else 1
+            return Cell(
+                name, {"groups": made, "designs": spread_designs(count, seed), "lanes": lanes}
+            )
+
+        def stepped(step_s: float) -> Groups:
+            return changed(at[PAPER], {"stepping": {"step_s": step_s}})
+
+        def stiff(ratio: float) -> Groups:
+            stiffer = {"frame": {"bending_ratio": ratio, "stretching_ratio": ratio}}
+            return changed(changed(flat, ELASTIC), stiffer)
+
+        start = {"groups": changed(standard, ELASTIC), "designs": [BASELINE], "kind": "starts"}
+        return [
+            *(cell(end, at[end]) for end in ENDS),
+            *(cell(exchange(*key), made) for key, made in variants(at).items()),
+            cell(RIGID, flat),
+            *(cell(frame(ratio), stiff(ratio)) for ratio in STIFFNESSES),
+            Cell(STARTS, start),
+            *(cell(title, changed(flat, changes)) for title, changes in HARDER.items()),
+            *(cell(step(s), stepped(s)) for s in STEPS_S[1:]),
+            cell(many(STEPS_S[0]), at[PAPER], MANY),
+            *(cell(many(s), stepped(s), LONG) for s in LONG_STEPS_S),
+        ]
 
     def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
         """A row for each design: its jump, or, where that is asked for, its start.

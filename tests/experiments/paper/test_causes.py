@@ -19,7 +19,6 @@ from experiments.paper.causes.part import (
     REFERENCE,
     Causes,
     choices,
-    planned,
     program,
     variants,
 )
@@ -59,7 +58,7 @@ def test_exchanges_can_be_composed_and_differ_from_their_ends():
     for (end, title), groups in made.items():
         assert composed(groups) != composed(at[end]), (end, title)
     assert program(made[REFERENCE, DAMPING]) == program(at[REFERENCE])
-    names = [cell.name for cell in planned(STANDARD, 0)]
+    names = [cell.name for cell in Causes().plan(STANDARD, 0)]
     assert len(set(names)) == len(names)
 
 
