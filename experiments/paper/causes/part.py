@@ -124,8 +124,8 @@ class Causes(Part):
         """Ends, exchanges, frames, harder contact, steps, and many jumps."""
         at = {end: groups_at(groups, end) for end in ENDS}
         standard = groups_at(groups, "standard")
-        # In an elastic frame, whose clamps turn with its legs, the arch loses its stability earlier;
-        # a start near the rigid frame's critical angle can lie beyond that.
+        # In an elastic frame, whose clamps turn with its legs, the arch loses its stability
+        # earlier; a start near the rigid frame's critical angle can lie beyond that.
         flat = changed(standard, {"sim": {"start_fraction": 0.0}})
         programs = {program(one) for one in at.values()}
 

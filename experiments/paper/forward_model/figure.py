@@ -5,9 +5,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from experiments.paper.forward_model.compute import PAPER_MAE_BAR, PAPER_MEAN_MM
 
 from experiments.inverse_benchmark.table import column
-from experiments.paper.forward_model.compute import PAPER_MAE_BAR, PAPER_MEAN_MM
 from snapjump.run.studies.base import Row
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import picture

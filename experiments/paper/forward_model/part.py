@@ -6,9 +6,6 @@ from dataclasses import asdict
 from functools import partial
 from typing import Any
 
-from experiments.inverse_benchmark.study import stretches
-from experiments.inverse_benchmark.table import summary_row
-from experiments.paper.base import Found, Part, unfinished
 from experiments.paper.forward_model.compute import (
     METHODS,
     NETWORK,
@@ -18,13 +15,17 @@ from experiments.paper.forward_model.compute import (
     forward_rows,
     inverse_rows,
 )
-from experiments.paper.forward_model.figure import draw_forward_model
 from experiments.paper.forward_model.judge import (
     accuracy_statement,
     dataset_statement,
     error_statement,
     speed_statement,
 )
+
+from experiments.inverse_benchmark.study import stretches
+from experiments.inverse_benchmark.table import summary_row
+from experiments.paper.base import Found, Part, unfinished
+from experiments.paper.forward_model.figure import draw_forward_model
 from experiments.paper.learned import shipped_inputs
 from snapjump.declare.members import make_member, member_class, member_group
 from snapjump.learning.training import Training
