@@ -129,12 +129,12 @@ def paths(inputs: Mapping[str, Any]) -> list[Row]:
     return [row for design in inputs["designs"] for row in path_rows(variant(base, design))]
 
 
-def each(look: Callable[[Simulation], Row]) -> Callable[[Mapping[str, Any]], list[Row]]:
-    """What computes a row for each of a cell's ``designs``: its numbers, and what a look tells."""
+def each(look: Callable[[Simulation], Row], key: str) -> Callable[[Mapping[str, Any]], list[Row]]:
+    """What computes a row for each of a cell's ``designs``: one of its numbers, and what a look
+    tells."""
 
     def rows(inputs: Mapping[str, Any]) -> list[Row]:
-        base, designs = composed(inputs["groups"]), inputs["designs"]
-        named = [dict(zip(NAMES, design, strict=True)) for design in designs]
-        return [{**one, **look(variant(base, d))} for one, d in zip(named, designs, strict=True)]
+        base, place = composed(inputs["groups"]), NAMES.index(key)
+        return [{key: one[place], **look(variant(base, one))} for one in inputs["designs"]]
 
     return rows

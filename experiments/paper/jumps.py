@@ -8,6 +8,7 @@ import numpy as np
 from experiments.paper.settings import NAMES
 from snapjump.batch import Batch, simulate_designs
 from snapjump.composition import Simulation
+from snapjump.engine import status
 from snapjump.run.studies.base import Row
 from snapjump.run.studies.base import column as numbers
 
@@ -53,3 +54,10 @@ def apart(sweep: Mapping[str, Sequence[Row]], place: str) -> tuple[float, float]
     """The largest differences of x and of y between standard and reference, where both are."""
     x, y = (furthest(sweep["standard"], sweep["reference"], k, place) for k in ("x_bar", "y_bar"))
     return x, y
+
+
+def apexes_of(rows: Sequence[Row]) -> Any:
+    """Apexes (R, 2) in L, NaN unless the robot jumps."""
+    apexes = np.stack([numbers(rows, "x_bar"), numbers(rows, "y_bar")], axis=-1)
+    apexes[[row["status"] != status.NAMES[status.OK] for row in rows]] = np.nan
+    return apexes

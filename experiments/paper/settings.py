@@ -14,8 +14,10 @@ AXES = default_axes()
 BASELINE = (0.1, 0.2, 0.768, 0.3)
 NAMES = tuple(axis.column for axis in AXES)
 SYMBOLS = {axis.column: axis.short for axis in AXES}
+PLAIN = {name: symbol.removesuffix(" (rad)") for name, symbol in SYMBOLS.items()}
 RANGES = {axis.column: axis.range for axis in AXES}
 LABELS = {
+    "mount_height_bar": "mount height h / L",
     "delta_alpha_rad": "mismatch Δα (rad)",
     "epsilon": "pre-compression ε",
     "mass_bar": "mass m̄",
