@@ -62,3 +62,15 @@ class AchievableRegion:
     def outline(self) -> Any:
         """All of it as one geometry, for pictures."""
         return shapely.union_all(shapely.make_valid(self.triangles.geometries))
+
+
+def filled_outline(apexes: Array) -> Any:
+    """The region of a grid (n, n, 2) of apexes; triangles with a NaN are left out.
+
+    Holes are filled: where the map folds there are slivers, narrower than the grid can tell.
+    """
+    triangles = grid_triangles(apexes)
+    known = triangles[np.isfinite(triangles).all(axis=(1, 2))]
+    whole = shapely.union_all(shapely.make_valid(shapely.polygons(known)))
+    parts = [part for part in shapely.get_parts(whole) if part.geom_type == "Polygon"]
+    return shapely.union_all([shapely.Polygon(part.exterior) for part in parts])

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from made_up_maps import HEIGHT, SLOPE, MadeUpModel, folded, problem
 
-from snapjump.targets.region import AchievableRegion
+from snapjump.targets.region import AchievableRegion, filled_outline
 
 RANDOM = np.random.default_rng(3)
 LOW, HIGH = 0.1 * HEIGHT, 0.3 * HEIGHT  # of y at m_bar = 1
@@ -69,3 +69,13 @@ def test_a_map_onto_a_line():
     controls, apex = found.nearest(np.array([3.0, 12.0]))
     np.testing.assert_allclose(apex, [0.0, 12.0], atol=1e-9)
     assert controls[1] == pytest.approx(0.2)
+
+
+def test_an_apex_that_is_missing_leaves_a_hole_at_the_edge():
+    x, y = np.meshgrid(np.linspace(0.0, 4.0, 5), np.linspace(0.0, 4.0, 5), indexing="ij")
+    apexes = np.stack([x, y], axis=-1)
+    assert filled_outline(apexes).area == pytest.approx(16.0)
+    apexes[0, 0] = np.nan
+    assert filled_outline(apexes).area == pytest.approx(15.5)  # without that triangle's half
+    apexes[2, 2] = np.nan
+    assert filled_outline(apexes).area == pytest.approx(15.5), "holes are filled"

@@ -82,7 +82,7 @@ def section(
 ) -> list[str]:
     """What is shown, what is found, what differs and why; ``lines``: what tangents are off by in x
     and y at the errors ``held``, ``wide``: secants at the last of them; ``apart``: tangents of the
-    tiers from secants."""  # fmt: skip
+    tiers from secants."""
     lag, epsilon, mass_bar, mu = BASELINE
     here, first = 100.0 * curves["standard"].largest, NAMES.index("delta_alpha_rad")
     there = {axis: 100.0 * np.median(others[axis][first]) for axis in "xy"}

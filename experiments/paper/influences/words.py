@@ -128,7 +128,7 @@ def fall(
     powers: Mapping[str, Sequence[float]],
     energies: Mapping[str, Sequence[Row]],
 ) -> str:
-    """The same with the mass; ``powers``: exponents of x and y by tier."""  # fmt: skip
+    """The same with the mass; ``powers``: exponents of x and y by tier."""
     (in_x, in_y), (paper_x, paper_y) = powers["standard"], powers["paper"]
     released = energies["standard"][0]["energy_released_bar"]
     return prose(f"""From m̄ = {v[0]:g} to {v[-1]:g} x_c falls from {x[0]:.2g} to {x[-1]:.2g} L and
