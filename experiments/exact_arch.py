@@ -6,7 +6,11 @@ import numpy as np
 
 from experiments.order import fitted_order
 from experiments.paper import exact
+from snapjump.composition import Simulation
 from snapjump.run.studies.base import Row
+from snapjump.statics.arch import StaticArch
+from snapjump.statics.critical import find_snap
+from snapjump.statics.landmarks import find_landmarks
 
 MISMATCH_RAD = 0.1  # for which there are exact numbers of a beam that stretches
 STRETCHES, RIGID = "stretches", "does not stretch"
@@ -56,6 +60,53 @@ def exact_row(epsilon: float) -> dict[str, float]:
         "midpoint_fold_bar": alike["ymid_before_fold"],
         "energy_fold_bar": alike["E_before_fold"],
     }
+
+
+def landmark_rows(simulation: Simulation, epsilons: Sequence[float]) -> list[Row]:
+    """Angles (rad), heights (L) and energies (EI/L) of the landmarks at each pre-compression."""
+    rows = []
+    for epsilon in epsilons:
+        found = find_landmarks(simulation, epsilon)
+        before, after, fold = found.snap.before, found.snap.after, found.fold
+        rows.append(
+            {
+                "epsilon": epsilon,
+                "alpha_critical_rad": float(found.snap.alpha_rad),
+                "alpha_fold_rad": float(fold.left),
+                "alpha_back_rad": float(found.back_rad),
+                "leaning": found.leaning,
+                "midpoint_before_bar": before.midpoint,
+                "lowest_before_bar": before.lowest,
+                "energy_before_bar": before.energy,
+                "midpoint_after_bar": after.midpoint,
+                "energy_after_bar": after.energy,
+                "negative_pivots_after": after.negative_pivots,
+                "midpoint_fold_bar": fold.midpoint,
+                "energy_fold_bar": fold.energy,
+            }
+        )
+    return rows
+
+
+def all_rows(simulation: Simulation, epsilons: Sequence[float]) -> list[Row]:
+    """The same with what else there are exact numbers for: flat clamps and mismatched ones."""
+    robot, mesh = simulation.robot, simulation.discretization
+    rows = landmark_rows(simulation, epsilons)
+    for row in rows:
+        arch = StaticArch(robot, mesh, row["epsilon"])
+        flat = arch.equilibrium(arch.settle(arch.guess(), 0.0, 0.0), 0.0, 0.0)
+        snap = find_snap(robot, mesh, row["epsilon"], MISMATCH_RAD)
+        row |= {
+            "midpoint_flat_bar": flat.midpoint,
+            "energy_flat_bar": flat.energy,
+            "mismatched_alpha_critical_rad": float(snap.alpha_rad),
+            "mismatched_midpoint_before_bar": snap.before.midpoint,
+            "mismatched_energy_before_bar": snap.before.energy,
+            "mismatched_midpoint_after_bar": snap.after.midpoint,
+            "mismatched_energy_after_bar": snap.after.energy,
+            "elements": mesh.elements,
+        }
+    return rows
 
 
 def largest_difference(rows: Sequence[Row], key: str) -> float:

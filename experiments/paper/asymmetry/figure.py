@@ -6,10 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.jumps import numbers
 from experiments.paper.settings import RANGES
 from experiments.trends import saturating
-from snapjump.run.studies.base import Row
+from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import panels
 
@@ -55,7 +54,7 @@ def columns(rows: Sequence[Row]) -> list[Any]:
     """Mismatches, largest angles and angles at rest of the snaps."""
     snapped = [row for row in rows if row["theta_max_rad"] is not None]
     keys = ("delta_alpha_rad", "theta_max_rad", "theta_rest_rad")
-    return [numbers(snapped, key) for key in keys]
+    return [column(snapped, key) for key in keys]
 
 
 def _sweeps(axes: Any, sweeps: Sweeps, marked_from: float) -> None:

@@ -11,12 +11,11 @@ import numpy as np
 from experiments.paper.asymmetry import words
 from experiments.paper.asymmetry.figure import draw_asymmetry
 from experiments.paper.base import Found, Part
-from experiments.paper.jumps import numbers
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import snap_groups, snap_of
-from experiments.paper.statement import Statement, stated, weakest
+from experiments.paper.statement import stated, weakest
 from experiments.trends import between, fit_saturating, saturating
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.swing import follow, outcome
 
 Array = Any
@@ -49,16 +48,13 @@ class Asymmetry(Part):
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
         """A cell for each sweep."""
+        at = {setting: snap_groups(groups, setting) for setting in SWEEPS}
         return [
             Cell(
-                cell_name(setting, epsilon),
-                {
-                    "groups": snap_groups(groups, setting),
-                    "epsilon": epsilon,
-                    "mismatches_rad": mismatches(setting),
-                },
+                cell_name(name, epsilon),
+                {"groups": made, "epsilon": epsilon, "mismatches_rad": mismatches(name)},
             )
-            for setting in SWEEPS
+            for name, made in at.items()
             for epsilon in EPSILONS
         ]
 
@@ -80,19 +76,50 @@ class Asymmetry(Part):
             setting: {epsilon: saturation(rows) for epsilon, rows in by_epsilon.items()}
             for setting, by_epsilon in sweeps.items()
         }
-        off = max(
-            largest_difference(sweeps["standard"][epsilon], sweeps["reference"][epsilon])
-            for epsilon in EPSILONS
-        )
-        numbers: Row = {"asymmetry_off_reference_percent": 100.0 * off}
-        for epsilon, one in found["standard"].items():
+        own, laws = sweeps["standard"], found["standard"]
+        off = max(largest_difference(own[e], sweeps["reference"][e]) for e in EPSILONS)
+        summary: Row = {"asymmetry_off_reference_percent": 100.0 * off}
+        for epsilon, one in laws.items():
             key = f"epsilon_{epsilon:g}".replace(".", "_")
-            numbers |= {
+            summary |= {
                 f"asymmetry_threshold_{key}_rad": one.threshold_rad,
                 f"asymmetry_level_{key}_rad": one.level_rad,
                 f"asymmetry_rise_{key}": one.rise,
             }
-        return Found(make_section(sweeps, found), statements(found, words.accuracy(off)), numbers)
+        figure = partial(draw_asymmetry, sweeps, laws, FITTED_UPTO_RAD)
+        rows = [
+            {"setting": setting, "epsilon": epsilon, **asdict(one)}
+            for setting, by_epsilon in found.items()
+            for epsilon, one in by_epsilon.items()
+        ]
+        some = [
+            {"epsilon": epsilon, **row}
+            for epsilon in EPSILONS
+            for row in own[epsilon]
+            if row["delta_alpha_rad"] in SHOWN
+        ]
+        range_of_level = FLAT_FROM, PLATEAU_UPTO_RAD
+        digits = dict.fromkeys(Saturation.__dataclass_fields__, 3)
+        tables = {
+            "saturation": Table(words.laws(*range_of_level), rows, digits),
+            "snap_sweep": Table("Some of the snaps at standard", some),
+        }
+        line, level = linear_verdict(laws, mismatches("standard")[0]), saturation_verdict(laws)
+        says = words.saturates(found, *range_of_level)
+        accuracy = words.accuracy(off)
+        return Found(
+            Section(
+                words.TITLE,
+                words.told(found, own, FITTED_UPTO_RAD),
+                {"asymmetry": Figure(words.FIGURE, figure)},
+                tables,
+            ),
+            [
+                stated("asymmetry.linear", words.LINEAR, line, words.linear(found), accuracy),
+                stated("asymmetry.saturation", words.SATURATES, level, says, accuracy),
+            ],
+            summary,
+        )
 
 
 def cell_name(setting: str, epsilon: float) -> str:
@@ -126,7 +153,7 @@ def saturation(rows: Sequence[Row]) -> Saturation:
     snapped = [r for r in rows if r["theta_max_rad"] is not None and r["delta_alpha_rad"] > 0.0]
     snapped = sorted(snapped, key=lambda row: row["delta_alpha_rad"])
     lags, tilts, rest = (
-        numbers(snapped, key) for key in ("delta_alpha_rad", "theta_max_rad", "theta_rest_rad")
+        column(snapped, key) for key in ("delta_alpha_rad", "theta_max_rad", "theta_rest_rad")
     )
     near = lags <= FITTED_UPTO_RAD * (1.0 + 1e-9)
     slope, threshold = fit_saturating(lags[near], tilts[near])
@@ -176,65 +203,8 @@ def saturation_verdict(found: Mapping[float, Saturation]) -> str:
     return judged("asymmetry.saturation", *(abs(one.rise) for one in found.values()))
 
 
-def statements(found: Mapping[str, Mapping[float, Saturation]], accuracy: str) -> list[Statement]:
-    """Both; ``found``: laws by setting and pre-compression."""
-    own = found["standard"]
-    line, level = linear_verdict(own, mismatches("standard")[0]), saturation_verdict(own)
-    return [
-        stated("asymmetry.linear", words.LINEAR, line, words.linear(found), accuracy),
-        stated(
-            "asymmetry.saturation",
-            words.SATURATES,
-            level,
-            words.saturates(found, FLAT_FROM, PLATEAU_UPTO_RAD),
-            accuracy,
-        ),
-    ]
-
-
-def make_section(
-    sweeps: Mapping[str, Mapping[float, Sequence[Row]]],
-    found: Mapping[str, Mapping[float, Saturation]],
-) -> Section:
-    """Text, the figure, the laws and some of the snaps."""
-    own = sweeps["standard"]
-    return Section(
-        words.TITLE,
-        words.paragraphs(found, own, FITTED_UPTO_RAD),
-        {
-            "asymmetry": Figure(
-                words.FIGURE, partial(draw_asymmetry, sweeps, found["standard"], FITTED_UPTO_RAD)
-            )
-        },
-        {
-            "saturation": Table(
-                words.laws(FLAT_FROM, PLATEAU_UPTO_RAD),
-                [
-                    {"setting": setting, "epsilon": epsilon, **asdict(one)}
-                    for setting, laws in found.items()
-                    for epsilon, one in laws.items()
-                ],
-                digits=dict.fromkeys(Saturation.__dataclass_fields__, 3),
-            ),
-            "snap_sweep": Table(
-                "Some of the snaps at standard",
-                [
-                    {"epsilon": epsilon, **row}
-                    for epsilon, rows in own.items()
-                    for row in rows
-                    if row["delta_alpha_rad"] in SHOWN
-                ],
-            ),
-        },
-    )
-
-
 def largest_difference(rows: Sequence[Row], truth: Sequence[Row]) -> float:
     """Largest relative difference of the tilts at mismatches that both have."""
-    right = {row["delta_alpha_rad"]: row["theta_max_rad"] for row in truth}
-    off = [
-        abs(row["theta_max_rad"] / right[row["delta_alpha_rad"]] - 1.0)
-        for row in rows
-        if row["theta_max_rad"] is not None and right.get(row["delta_alpha_rad"])
-    ]
-    return float(np.max(off)) if off else math.nan
+    known = {row["delta_alpha_rad"]: row["theta_max_rad"] for row in truth}
+    pairs = [(row["theta_max_rad"], known.get(row["delta_alpha_rad"])) for row in rows]
+    return max((abs(own / right - 1.0) for own, right in pairs if own and right), default=math.nan)

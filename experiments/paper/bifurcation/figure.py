@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from experiments.paper import exact
-from experiments.paper.jumps import numbers
-from snapjump.run.studies.base import Row
+from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.branches import stable_runs
 from snapjump.show.plots.saving import panels, picture
@@ -31,13 +30,13 @@ SHAPES = {
 
 def pieces(rows: Sequence[Row], key: str) -> Iterator[tuple[Any, Any, dict[str, Any]]]:
     """Angles, values and style of each stretch of a branch with the same stability."""
-    for name in ("up", "down", "leaning"):
-        branch = [row for row in rows if row["branch"] == name]
+    for kind in ("up", "down", "leaning"):
+        branch = [row for row in rows if row["branch"] == kind]
         alpha, values, negative = (
-            numbers(branch, column) for column in ("alpha_rad", key, "negative_eigenvalues")
+            column(branch, name) for name in ("alpha_rad", key, "negative_eigenvalues")
         )
         for piece, stable in stable_runs(np.zeros(len(alpha)), negative):
-            style = STABLE if stable else LEANING if name == "leaning" else UNSTABLE
+            style = STABLE if stable else LEANING if kind == "leaning" else UNSTABLE
             yield alpha[piece], values[piece], style
 
 
@@ -159,7 +158,7 @@ def draw_angles(
     their elements and largest differences (%)."""
     title = "Critical angle of the arch whose clamps turn alike"
     boxes = [(0.06 + 0.33 * k, 0.15, 0.265, 0.68) for k in range(3)]
-    epsilon, alpha = (numbers(angles, key) for key in ("epsilon", "alpha_critical_rad"))
+    epsilon, alpha = (column(angles, key) for key in ("epsilon", "alpha_critical_rad"))
     known = [exact.symmetric(e) for e in exact.SYMMETRIC]
     hollow = {"mfc": "none", "mec": palette.INK, "label": "exact"}
     with panels(path, (12.5, 4.6), title, *boxes) as (left, middle, right):

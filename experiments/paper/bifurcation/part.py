@@ -7,22 +7,30 @@ from typing import Any
 import numpy as np
 
 from experiments.compositions import changed, composed
-from experiments.exact_arch import LADDER, MISMATCH_RAD, NAMES, STRETCHES, comparison, overall
+from experiments.exact_arch import (
+    LADDER,
+    MISMATCH_RAD,
+    NAMES,
+    STRETCHES,
+    all_rows,
+    comparison,
+    landmark_rows,
+    overall,
+)
 from experiments.exact_arch import largest_difference as off
 from experiments.paper import exact
 from experiments.paper.base import Found, Part
 from experiments.paper.bifurcation import words
 from experiments.paper.bifurcation.figure import draw_angles, draw_branches, draw_loop
-from experiments.paper.jumps import numbers
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import PAPER_ELEMENTS, groups_at, snap_groups, snap_of
 from experiments.paper.statement import Statement, stated, weakest
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.swing import follow, outcome
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch
-from snapjump.statics.critical import find_snap, start_point
-from snapjump.statics.landmarks import find_landmarks, symmetric_fold
+from snapjump.statics.critical import Snap, find_snap, start_point
+from snapjump.statics.landmarks import symmetric_fold
 from snapjump.statics.paths import leaning_path, symmetric_path
 
 SHOWN = 0.2  # epsilon of the shapes, the paper's baseline
@@ -34,40 +42,47 @@ NODES = f"paper, {PAPER_ELEMENTS + 1} nodes"  # of the paper's study of the snap
 STEPS_S = (1e-3, 1e-5)  # the paper's of that study, and that of its jumps
 
 
+def arch_of(inputs: Mapping[str, Any]) -> tuple[StaticArch, Snap]:
+    """The arch of a cell, and its snap."""
+    simulation, epsilon = composed(inputs["groups"]), inputs["epsilon"]
+    robot, mesh = simulation.robot, simulation.discretization
+    return StaticArch(robot, mesh, epsilon), find_snap(robot, mesh, epsilon, 0.0)
+
+
 def branch_rows(inputs: Mapping[str, Any]) -> list[Row]:
     """Points of the branches at one pre-compression: angle, middle, energy, negative eigenvalues.
 
     ``up`` and ``down`` go to both sides of flat clamps; ``leaning`` leaves ``up`` at its first
     instability and ends at that of ``down``.
     """
-    simulation = composed(inputs["groups"])
-    robot, mesh, epsilon = simulation.robot, simulation.discretization, inputs["epsilon"]
-    arch = StaticArch(robot, mesh, epsilon)
-    snap = find_snap(robot, mesh, epsilon, 0.0)
+    arch, snap = arch_of(inputs)
     branch, near = Branch(arch, 0.0), NEAR * snap.alpha_rad
     paths = {
         "up": symmetric_path(branch, True, near),
         "down": symmetric_path(branch, False, near),
         "leaning": leaning_path(arch, snap.before),
     }
-    rows = []
-    for name, path in paths.items():
-        for point in path:
-            found = arch.equilibrium(point.state, point.left, point.left)
-            row = {"branch": name, "alpha_rad": float(point.left), "midpoint_bar": found.midpoint}
-            negative = {"negative_eigenvalues": point.negative_eigenvalues}
-            rows.append({**row, "energy_bar": found.energy, **negative})
-    return rows
+    points = [
+        (name, point, arch.equilibrium(point.state, point.left, point.left))
+        for name, path in paths.items()
+        for point in path
+    ]
+    return [
+        {
+            "branch": name,
+            "alpha_rad": float(point.left),
+            "midpoint_bar": found.midpoint,
+            "energy_bar": found.energy,
+            "negative_eigenvalues": point.negative_eigenvalues,
+        }
+        for name, point, found in points
+    ]
 
 
 def shape_rows(inputs: Mapping[str, Any]) -> list[Row]:
     """Nodes of the shapes before, at and after the snap, and of two that are not stable."""
-    simulation = composed(inputs["groups"])
-    robot, mesh, epsilon = simulation.robot, simulation.discretization, inputs["epsilon"]
-    arch = StaticArch(robot, mesh, epsilon)
-    branch = Branch(arch, 0.0)
-    snap = find_snap(robot, mesh, epsilon, 0.0)
-    half = HALF_WAY * snap.alpha_rad
+    arch, snap = arch_of(inputs)
+    branch, half = Branch(arch, 0.0), HALF_WAY * snap.alpha_rad
     states = {
         "flat clamps": start_point(branch).state,
         "critical": snap.before.state,
@@ -83,51 +98,13 @@ def shape_rows(inputs: Mapping[str, Any]) -> list[Row]:
 
 
 def angle_rows(inputs: Mapping[str, Any]) -> list[Row]:
-    """Angles (rad), heights (L) and energies (EI/L) of the landmarks at each pre-compression."""
-    rows = []
-    for epsilon in inputs["epsilons"]:
-        found = find_landmarks(composed(inputs["groups"]), epsilon)
-        before, after, fold = found.snap.before, found.snap.after, found.fold
-        rows.append(
-            {
-                "epsilon": epsilon,
-                "alpha_critical_rad": float(found.snap.alpha_rad),
-                "alpha_fold_rad": float(fold.left),
-                "alpha_back_rad": float(found.back_rad),
-                "leaning": found.leaning,
-                "midpoint_before_bar": before.midpoint,
-                "lowest_before_bar": before.lowest,
-                "energy_before_bar": before.energy,
-                "midpoint_after_bar": after.midpoint,
-                "energy_after_bar": after.energy,
-                "negative_pivots_after": after.negative_pivots,
-                "midpoint_fold_bar": fold.midpoint,
-                "energy_fold_bar": fold.energy,
-            }
-        )
-    return rows
+    """The landmarks at each pre-compression."""
+    return landmark_rows(composed(inputs["groups"]), inputs["epsilons"])
 
 
 def compared_rows(inputs: Mapping[str, Any]) -> list[Row]:
-    """The same with what else there are exact numbers for: flat clamps and mismatched ones."""
-    simulation = composed(inputs["groups"])
-    robot, mesh = simulation.robot, simulation.discretization
-    rows = angle_rows(inputs)
-    for row in rows:
-        arch = StaticArch(robot, mesh, row["epsilon"])
-        flat = arch.equilibrium(arch.settle(arch.guess(), 0.0, 0.0), 0.0, 0.0)
-        snap = find_snap(robot, mesh, row["epsilon"], MISMATCH_RAD)
-        row |= {
-            "midpoint_flat_bar": flat.midpoint,
-            "energy_flat_bar": flat.energy,
-            "mismatched_alpha_critical_rad": float(snap.alpha_rad),
-            "mismatched_midpoint_before_bar": snap.before.midpoint,
-            "mismatched_energy_before_bar": snap.before.energy,
-            "mismatched_midpoint_after_bar": snap.after.midpoint,
-            "mismatched_energy_after_bar": snap.after.energy,
-            "elements": mesh.elements,
-        }
-    return rows
+    """The same with all that there are exact numbers for."""
+    return all_rows(composed(inputs["groups"]), inputs["epsilons"])
 
 
 def step_rows(inputs: Mapping[str, Any]) -> list[Row]:
@@ -176,26 +153,17 @@ class Bifurcation(Part):
         marks, angles = rows["standard"], rows["angles"]
         branches = {e: rows[f"branches {e:g}"] for e in exact.COMPARED}
         shown = next(row for row in marks if row["epsilon"] == SHOWN)
-        errors = [(tier, tiers[tier][0]["elements"], overall(tiers[tier], STRETCHES)[0])
-                  for tier in TIERS]  # fmt: skip
-        gaps = [gap_percent(row) for row in angles]
+        errors = [(t, own[0]["elements"], overall(own, STRETCHES)[0]) for t, own in tiers.items()]
+        angle = partial(draw_angles, angles, [gap_percent(r) for r in angles], errors[:-1])
+        loop = partial(draw_loop, rows["shapes"], branches[SHOWN], shown)
         figures = {
-            "bifurcation_loop": Figure(
-                words.loop(SHOWN), partial(draw_loop, rows["shapes"], branches[SHOWN], shown)
-            ),
+            "bifurcation_loop": Figure(words.loop(SHOWN), loop),
             "bifurcation": Figure(words.BRANCHES, partial(draw_branches, branches, marks)),
-            "bifurcation_angles": Figure(
-                words.ANGLES, partial(draw_angles, angles, gaps, errors[:-1], errors[-1])
-            ),
+            "bifurcation_angles": Figure(words.ANGLES, partial(angle, errors[-1])),
         }
-        compared = {**tiers, NODES: rows[NODES]}
+        compared = Table(words.COMPARED, comparison({**tiers, NODES: rows[NODES]}))
         return Found(
-            Section(
-                words.TITLE,
-                words.paragraphs(tiers),
-                figures,
-                {"bifurcation_exact": Table(words.COMPARED, comparison(compared))},
-            ),
+            Section(words.TITLE, words.told(tiers), figures, {"bifurcation_exact": compared}),
             [
                 snap_statement(tiers),
                 growth_statement(angles, tiers),
@@ -243,7 +211,7 @@ def snap_statement(tiers: Mapping[str, Sequence[Row]]) -> Statement:
 
 def growth_statement(angles: Sequence[Row], tiers: Mapping[str, Sequence[Row]]) -> Statement:
     """The critical angle against the pre-compression."""
-    epsilon, alpha = (numbers(angles, key) for key in ("epsilon", "alpha_critical_rad"))
+    epsilon, alpha = (column(angles, key) for key in ("epsilon", "alpha_critical_rad"))
     falls = np.diff(alpha) <= 0.0
     inside = epsilon[1:] >= min(row["epsilon"] for row in tiers["standard"])
     came = weakest(
@@ -272,7 +240,7 @@ def nodes_statement(rows: Sequence[Row], steps: Sequence[Row]) -> Statement:
     static = [(off(rows, key), NAMES[key][0]) for key in NAMES if "fold" not in key]
     late, tilted = (
         100.0 * (coarse / fine - 1.0)
-        for coarse, fine in (numbers(steps, key) for key in ("alpha_snap_rad", "theta_max_rad"))
+        for coarse, fine in (column(steps, key) for key in ("alpha_snap_rad", "theta_max_rad"))
     )
     came = weakest(
         judged("bifurcation.nodes", *(error for error, _ in static)),

@@ -5,23 +5,18 @@ from typing import Any
 
 import numpy as np
 import pytest
-from cells import STANDARD
+from cells import STANDARD, all_done, check_figures
 
-from experiments.paper.asymmetry import words
-from experiments.paper.asymmetry.figure import draw_asymmetry
 from experiments.paper.asymmetry.part import (
     EPSILONS,
-    FITTED_UPTO_RAD,
     SWEEPS,
     Asymmetry,
     Saturation,
     largest_difference,
     linear_verdict,
-    make_section,
     mismatches,
     saturation,
     saturation_verdict,
-    statements,
 )
 from experiments.paper.settings import snap_groups
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
@@ -83,15 +78,15 @@ def test_the_verdicts_can_come_out_each_way():
     assert {r: saturation_verdict({0.1: replace(GOOD, rise=r)}) for r in rises} == rises
 
 
-def test_statements_and_section():
-    found = {setting: dict.fromkeys(EPSILONS, GOOD) for setting in SWEEPS}
-    linear, level = statements(found, words.accuracy(0.01))
+def test_statements_section_and_figure(tmp_path):
+    cells = all_done(Asymmetry(), STANDARD, lambda cell: made_up(600.0, 1e-3, rest=0.5))
+    found = Asymmetry().conclude(cells)
+    linear, level = found.statements
     assert linear.verdict == LIMITED and "600, 600, 600" in linear.found
-    assert level.verdict == LIMITED and "rises by 15, 15, 15 %" in level.found
-    sweeps = {setting: dict.fromkeys(EPSILONS, made_up(600.0, 1e-3)) for setting in SWEEPS}
-    section = make_section(sweeps, found)
-    assert len(section.tables["saturation"].rows) == len(SWEEPS) * len(EPSILONS)
-    assert any("by a factor of 10 at least" in text for text in section.paragraphs)
+    assert level.verdict == LIMITED and "rises by 16, 16, 16 %" in level.found
+    assert len(found.section.tables["saturation"].rows) == len(SWEEPS) * len(EPSILONS)
+    assert any("by a factor of 10 at least" in text for text in found.section.paragraphs)
+    check_figures(found, tmp_path)
 
 
 def test_differences_are_of_the_same_mismatch():
@@ -112,10 +107,3 @@ def test_a_sweep_saturates():
     rows = Asymmetry().compute({"groups": groups, "epsilon": 0.3, "mismatches_rad": lags})
     angles = [row["theta_max_rad"] for row in rows]
     assert angles[0] < 0.02 and angles[2] < 1.2 * angles[1]
-
-
-def test_the_figure(tmp_path):
-    sweeps = {setting: dict.fromkeys(EPSILONS, made_up(600.0, 1e-3)) for setting in SWEEPS}
-    path = tmp_path / "asymmetry.png"
-    draw_asymmetry(sweeps, dict.fromkeys(EPSILONS, GOOD), FITTED_UPTO_RAD, path)
-    assert path.stat().st_size > 10_000
