@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from snapjump.run.studies.base import Row
 
@@ -43,6 +44,19 @@ def weakest(*verdicts: str) -> str:
 def stated(key: str, says: str, came: str, found: str, accuracy: str) -> Statement:
     """The statement with this key, ``<part>.<name>``, as in the table of limits."""
     return Statement(says, came, found, accuracy, f"task=paper figure={key.split('.')[0]}", key)
+
+
+class Said(NamedTuple):
+    """A statement's words, which may be written over several lines; as in :class:`Statement`."""
+
+    says: str
+    found: str
+    accuracy: str
+
+    def judged(self, key: str, came: str) -> Statement:
+        """The statement with a key and a verdict."""
+        says, found, accuracy = (prose(text) for text in self)
+        return stated(key, says, came, found, accuracy)
 
 
 def percent(share: float) -> str:

@@ -13,7 +13,7 @@ from experiments.paper.asymmetry.figure import draw_asymmetry
 from experiments.paper.base import Found, Part
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import snap_groups, snap_of
-from experiments.paper.statement import stated, weakest
+from experiments.paper.statement import weakest
 from experiments.trends import between, fit_saturating, saturating
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.swing import follow, outcome
@@ -105,8 +105,7 @@ class Asymmetry(Part):
             "snap_sweep": Table("Some of the snaps at standard", some),
         }
         line, level = linear_verdict(laws, mismatches("standard")[0]), saturation_verdict(laws)
-        says = words.saturates(found, *range_of_level)
-        accuracy = words.accuracy(off)
+        accuracy = f"`standard` (angles within {100.0 * off:.1g} % of `reference`)"
         return Found(
             Section(
                 words.TITLE,
@@ -115,8 +114,10 @@ class Asymmetry(Part):
                 tables,
             ),
             [
-                stated("asymmetry.linear", words.LINEAR, line, words.linear(found), accuracy),
-                stated("asymmetry.saturation", words.SATURATES, level, says, accuracy),
+                words.linear(found, accuracy).judged("asymmetry.linear", line),
+                words.saturates(found, *range_of_level, accuracy).judged(
+                    "asymmetry.saturation", level
+                ),
             ],
             summary,
         )

@@ -6,12 +6,10 @@ from typing import Any
 
 from experiments.paper.limits import LIMITS
 from experiments.paper.settings import RANGES
-from experiments.paper.statement import listed, paragraphs, prose
+from experiments.paper.statement import Said, listed, paragraphs, prose
 from snapjump.run.studies.base import Row
 
 TITLE = "How asymmetric a snap becomes"
-LINEAR = "The largest angle θ_max of the midpoint grows linearly with a small mismatch"
-SATURATES = "Beyond a threshold of the mismatch θ_max saturates"
 FIGURE = prose("""θ_max against the mismatch: left with the paper's range shaded, and dash-dotted
     what is left without the tilt at rest; right by logarithms, the law at standard drawn thin, its
     threshold marked on it""")
@@ -29,41 +27,44 @@ TOLD: dict[str, Callable[[float], str]] = {
 }
 
 
-def accuracy(off: float) -> str:
-    """How far the tilts are from those at reference."""
-    return f"`standard` (angles within {100.0 * off:.1g} % of `reference`)"
-
-
 def each(laws: Mapping[float, Any], key: str) -> str:
     """A number at every pre-compression."""
     return ", ".join(TOLD[key](getattr(one, key)) for one in laws.values())
 
 
-def linear(found: Laws) -> str:
+def linear(found: Laws, accuracy: str) -> Said:
     """Slopes, and how far they hold. Begins with a word, as the table makes a capital of the first
     letter."""
     own, paper, undamped = (found[name] for name in ("standard", "paper", "undamped"))
     until = [one.linear_until_rad for one in own.values()]
-    return prose(f"""The slope θ_max / Δα is {each(own, "slope")} at ε = {listed(own)}, within
+    return Said(
+        "The largest angle θ_max of the midpoint grows linearly with a small mismatch",
+        f"""The slope θ_max / Δα is {each(own, "slope")} at ε = {listed(own)}, within
         {LINEAR_PERCENT:g} % up to Δα = {each(own, "linear_until_rad")} rad, which is
         {math.degrees(max(until)):.1g}° at most: the smallest mismatch of the paper's designs,
         {SMALLEST_DESIGN_RAD:g} rad, is {SMALLEST_DESIGN_RAD / max(until):.0f} to
         {SMALLEST_DESIGN_RAD / min(until):.0f} times larger. The slopes are {each(paper, "slope")}
-        at the paper's settings and {each(undamped, "slope")} without damping""")
+        at the paper's settings and {each(undamped, "slope")} without damping""",
+        accuracy,
+    )
 
 
-def saturates(found: Laws, flat_from: float, upto_rad: float) -> str:
+def saturates(found: Laws, flat_from: float, upto_rad: float, accuracy: str) -> Said:
     """Thresholds, levels, and what they still rise by up to the end of the plateau."""
     own, paper, undamped = (found[name] for name in ("standard", "paper", "undamped"))
     twice = max(abs(one.other_threshold_rad / one.threshold_rad - 1.0) for one in own.values())
-    return prose(f"""The thresholds are {each(own, "threshold_rad")} rad at ε = {listed(own)} (two
+    return Said(
+        "Beyond a threshold of the mismatch θ_max saturates",
+        f"""The thresholds are {each(own, "threshold_rad")} rad at ε = {listed(own)} (two
         ways of finding them differ by {100.0 * twice:.1g} %), the levels {each(own, "level_rad")}
         rad. Between {flat_from:g} thresholds and {upto_rad:g} rad the level still rises by
         {each(own, "rise")} %; less the tilt that the mismatch gives the arch at rest it changes by
         {each(own, "rise_untilted")} %. At the paper's settings the thresholds are
         {each(paper, "threshold_rad")} rad, the levels {each(paper, "level_rad")} rad, the rises
         {each(paper, "rise")} %; without damping {each(undamped, "threshold_rad")} rad,
-        {each(undamped, "level_rad")} rad and {each(undamped, "rise")} %""")
+        {each(undamped, "level_rad")} rad and {each(undamped, "rise")} %""",
+        accuracy,
+    )
 
 
 def laws(flat_from: float, upto_rad: float) -> str:

@@ -24,7 +24,7 @@ from experiments.paper.bifurcation import words
 from experiments.paper.bifurcation.figure import draw_angles, draw_branches, draw_loop
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import PAPER_ELEMENTS, groups_at, snap_groups, snap_of
-from experiments.paper.statement import Statement, stated, weakest
+from experiments.paper.statement import Statement, weakest
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.swing import follow, outcome
 from snapjump.statics.arch import StaticArch
@@ -205,8 +205,8 @@ def snap_statement(tiers: Mapping[str, Sequence[Row]]) -> Statement:
         judged("bifurcation.snap.arches", held / len(rows)),
         judged("bifurcation.snap.angle", errors["standard"]),
     )
-    found = words.snap(rows, held, [loop_width(row) for row in rows], errors)
-    return stated("bifurcation.snap", words.SNAPS, came, found, words.accuracy(tiers))
+    widths = [loop_width(row) for row in rows]
+    return words.snap(tiers, held, widths, errors).judged("bifurcation.snap", came)
 
 
 def growth_statement(angles: Sequence[Row], tiers: Mapping[str, Sequence[Row]]) -> Statement:
@@ -218,8 +218,8 @@ def growth_statement(angles: Sequence[Row], tiers: Mapping[str, Sequence[Row]]) 
         judged("bifurcation.growth", falls.sum()),
         judged("bifurcation.growth.range", falls[inside].sum()),
     )
-    found = words.growth(epsilon, alpha, int((~falls).sum()))
-    return stated("bifurcation.growth", words.GROWS, came, found, words.accuracy(tiers))
+    said = words.growth(tiers, epsilon, alpha, int((~falls).sum()))
+    return said.judged("bifurcation.growth", came)
 
 
 def fold_statement(angles: Sequence[Row], tiers: Mapping[str, Sequence[Row]]) -> Statement:
@@ -229,8 +229,7 @@ def fold_statement(angles: Sequence[Row], tiers: Mapping[str, Sequence[Row]]) ->
     gaps, on_paper = ([gap_percent(row) for row in one] for one in (angles, tiers["paper"]))
     beyond = sum(gap >= times * off(rows, "alpha_critical_rad") for gap in gaps)
     came = judged("bifurcation.fold", 1.0 - beyond / len(gaps))
-    found = words.fold(angles, rows, beyond, gaps, on_paper)
-    return stated("bifurcation.fold", words.FOLDS, came, found, words.accuracy(tiers))
+    return words.fold(tiers, angles, beyond, gaps, on_paper).judged("bifurcation.fold", came)
 
 
 def nodes_statement(rows: Sequence[Row], steps: Sequence[Row]) -> Statement:
@@ -246,8 +245,8 @@ def nodes_statement(rows: Sequence[Row], steps: Sequence[Row]) -> Statement:
         judged("bifurcation.nodes", *(error for error, _ in static)),
         judged("bifurcation.nodes.step", abs(late)),
     )
-    found = words.nodes(max(static), off(rows, "alpha_critical_rad"), steps, late, tilted)
-    return stated("bifurcation.nodes", words.NODES, came, found, words.NODES_ACCURACY)
+    said = words.nodes(max(static), off(rows, "alpha_critical_rad"), steps, late, tilted)
+    return said.judged("bifurcation.nodes", came)
 
 
 def summary(tiers: Mapping[str, Sequence[Row]]) -> dict[str, float]:

@@ -6,22 +6,10 @@ from typing import Any
 import numpy as np
 
 from experiments.exact_arch import RIGID, STRETCHES, orders, overall
-from experiments.paper.statement import listed, paragraphs, prose
+from experiments.paper.statement import Said, listed, paragraphs, prose
 from snapjump.run.studies.base import Row
 
 TITLE = "The critical angle, and the loop"
-SNAPS = (
-    "Rotating the clamps makes the arch lose its stability at a critical angle and snap to "
-    "the other side; rotating them back, it snaps back at another angle (the way back, hysteresis, "
-    "is our reading)"
-)
-GROWS = "The critical angle grows with the pre-compression ε (our reading)"
-FOLDS = (
-    "With equal clamp angles the snap is symmetric: the symmetric arch loses its stability at "
-    "its fold (the fold is our reading)"
-)
-NODES = "100 nodes and steps of 1 ms make the static analysis converged and accurate"
-NODES_ACCURACY = "the paper's settings, 99 elements; exact elastica"
 BRANCHES = (
     "Height of the middle and elastic energy of all equilibria on these branches, and exact ones"
 )
@@ -46,54 +34,73 @@ def accuracy(tiers: Tiers) -> str:
     return f"`standard` ({own:.2g} %), `reference` ({reference:.2g} %)"
 
 
-def snap(
-    rows: Sequence[Row], held: int, widths: Sequence[float], errors: Mapping[str, float]
-) -> str:
+def snap(tiers: Tiers, held: int, widths: Sequence[float], errors: Mapping[str, float]) -> Said:
     """At standard; ``errors``: of the angle, by tier (%)."""
+    rows = tiers["standard"]
     angles = listed([row["alpha_critical_rad"] for row in rows], ".4f")
     mirrored = max(abs(row["alpha_critical_rad"] + row["alpha_back_rad"]) for row in rows)
-    return prose(f"""critical angles {angles} rad for ε = {listed(r["epsilon"] for r in rows)}; at
+    return Said(
+        """Rotating the clamps makes the arch lose its stability at a critical angle and snap to
+        the other side; rotating them back, it snaps back at another angle (the way back,
+        hysteresis, is our reading)""",
+        f"""critical angles {angles} rad for ε = {listed(r["epsilon"] for r in rows)}; at
         {held} of {len(rows)} the snapped arch is stable, of less energy and stays when its clamps
         turn back. It loses its own stability at the mirrored angle to within {mirrored:.0e} rad:
         the loop is {listed(widths, ".3f")} rad wide. The critical angles are within
         {errors["standard"]:.2g} % of the exact elastica's, {errors["reference"]:.2g} % at
         `reference`; with two fixed nodes a clamp at the paper's mesh they are off by up to
-        {errors["paper"]:.2g} %""")
+        {errors["paper"]:.2g} %""",
+        accuracy(tiers),
+    )
 
 
-def growth(epsilon: Any, alpha: Any, rises: int) -> str:
+def growth(tiers: Tiers, epsilon: Any, alpha: Any, rises: int) -> Said:
     """Along all pre-compressions."""
     ratio = alpha / np.sqrt(epsilon)
-    return prose(f"""from {alpha[0]:.2g} rad at ε = {epsilon[0]:g} to {alpha[-1]:.2g} rad at
+    return Said(
+        "The critical angle grows with the pre-compression ε (our reading)",
+        f"""from {alpha[0]:.2g} rad at ε = {epsilon[0]:g} to {alpha[-1]:.2g} rad at
         ε = {epsilon[-1]:g}, at {rises} of {len(alpha) - 1} steps: as {ratio.min():.2f} to
-        {ratio.max():.2f} √ε (2 √ε for shallow arches)""")
+        {ratio.max():.2f} √ε (2 √ε for shallow arches)""",
+        accuracy(tiers),
+    )
 
 
-def fold(angles: Rows, rows: Rows, beyond: int, gaps: Gaps, on_paper: Gaps) -> str:
+def fold(tiers: Tiers, angles: Rows, beyond: int, gaps: Gaps, on_paper: Gaps) -> Said:
     """How much later the fold comes (%), at standard and on the paper's mesh."""
+    rows = tiers["standard"]
     higher = [100.0 * (r["midpoint_before_bar"] / r["midpoint_fold_bar"] - 1.0) for r in rows]
     energy = max(100.0 * (r["energy_fold_bar"] / r["energy_before_bar"] - 1.0) for r in rows)
     leaning = 100.0 * min(row["leaning"] for row in angles)
-    return prose(f"""at {beyond} of {len(gaps)} pre-compressions the arch tips over before it gets
+    return Said(
+        """With equal clamp angles the snap is symmetric: the symmetric arch loses its stability at
+        its fold (the fold is our reading)""",
+        f"""at {beyond} of {len(gaps)} pre-compressions the arch tips over before it gets
         there ({leaning:.4g} % of the critical mode is antisymmetric): the fold of the symmetric
         branch comes {min(gaps):.2g} to {max(gaps):.2g} % later in the angle than the first
         instability (ε = {angles[0]["epsilon"]:g} to {angles[-1]["epsilon"]:g}; on the paper's mesh
         {min(on_paper):.2g} to {max(on_paper):.2g} % for ε = {rows[0]["epsilon"]:g} to
         {rows[-1]["epsilon"]:g}). There the arch has up to {energy:.2g} % more energy than at the
-        first instability, where its middle is {min(higher):.2g} to {max(higher):.2g} % higher""")
+        first instability, where its middle is {min(higher):.2g} to {max(higher):.2g} % higher""",
+        accuracy(tiers),
+    )
 
 
 def nodes(
     worst: tuple[float, str], angle: float, steps: Sequence[Row], late: float, tilted: float
-) -> str:
+) -> Said:
     """Errors (%) of the paper's mesh, of its critical angle, and what its step does to a snap."""
     coarse, fine = (1e3 * row["step_s"] for row in steps)
-    return prose(f"""of angles, heights and energies of stable arches at ε = 0.1, 0.2 and 0.3 the
+    return Said(
+        "100 nodes and steps of 1 ms make the static analysis converged and accurate",
+        f"""of angles, heights and energies of stable arches at ε = 0.1, 0.2 and 0.3 the
         largest error is {worst[0]:.2g} % ({worst[1]}); the critical angle is off by {angle:.2g} %.
         The cause is the clamps of two fixed nodes, whose error is of first order in the mesh.
         Equilibria know no step; clamps that turn at 20 rad/s, with a mismatch of 0.1 rad, snap at
         an angle {late:+.2g} % from that with {fine:g} ms if the step is {coarse:g} ms, and tilt
-        {tilted:+.2g} %: the snap itself lasts {steps[1]["snap_duration_ms"]:.2g} ms""")
+        {tilted:+.2g} %: the snap itself lasts {steps[1]["snap_duration_ms"]:.2g} ms""",
+        "the paper's settings, 99 elements; exact elastica",
+    )
 
 
 def told(tiers: Tiers) -> list[str]:

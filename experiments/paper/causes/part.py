@@ -15,7 +15,7 @@ from experiments.paper.causes.figure import draw_causes
 from experiments.paper.jumps import LANES, jump_rows
 from experiments.paper.limits import judged
 from experiments.paper.settings import BASELINE, groups_at
-from experiments.paper.statement import stated, weakest
+from experiments.paper.statement import weakest
 from snapjump.batch import variants as robots
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.jump_march import jump_march
@@ -188,51 +188,30 @@ class Causes(Part):
             s: (len(failed(jumps)), len(jumps), float(np.nanmin(column(jumps, "min_gap_m"))))
             for s, jumps in ((s, rows[many(s)]) for s in (STEPS_S[0], *LONG_STEPS_S))
         }
+        mesh = [moved[end, ELEMENTS] for end in ENDS]
         lost = [incomplete(name, one) for name, one in done.items() if failed(one.rows)]
         flat = {"paper_to_reference": apart, "frame_1000_ei": ladder[STIFFNESSES[0]],
                 "step_1e_5_s": by_step[STEPS_S[0]]}  # fmt: skip
         return Found(
             Section(
                 words.TITLE,
-                words.paragraphs(moved, apart, lost),
+                words.told(moved, apart, lost),
                 {"causes": Figure(words.figure(DESIGNS), partial(draw_causes, moved, apart))},
                 tables(moved, by_step, counted),
             ),
             [
-                stated(
-                    "causes.frame",
-                    words.FRAME,
-                    matters(ladder[STIFFNESSES[0]]),
-                    words.frame(moved[PAPER, FRAME], ladder, epsilon, (len(failed(soft)), DESIGNS)),
-                    words.frame_accuracy(DESIGNS, off),
+                words.frame(
+                    DESIGNS, moved[PAPER, FRAME], ladder, off, epsilon, len(failed(soft))
+                ).judged("causes.frame", matters(ladder[STIFFNESSES[0]])),
+                words.step(DESIGNS, by_step, STEPS_S[-1]).judged(
+                    "causes.step", matters(by_step[STEPS_S[0]])
                 ),
-                stated(
-                    "causes.step",
-                    words.small_enough(STEPS_S[0]),
-                    matters(by_step[STEPS_S[0]]),
-                    words.step(by_step, STEPS_S[-1]),
-                    words.step_accuracy(DESIGNS, by_step),
+                words.nodes(DESIGNS, *mesh, moved[PAPER, START]).judged(
+                    "causes.nodes", matters(mesh[0])
                 ),
-                stated(
-                    "causes.nodes",
-                    words.NODES,
-                    matters(moved[PAPER, ELEMENTS]),
-                    words.nodes(*(moved[end, ELEMENTS] for end in ENDS), moved[PAPER, START]),
-                    words.nodes_accuracy(DESIGNS),
-                ),
-                stated(
-                    "causes.contact",
-                    words.CONTACT,
-                    matters(*harder.values()),
-                    words.contact(harder),
-                    words.contact_accuracy(DESIGNS),
-                ),
-                stated(
-                    "causes.stability",
-                    words.STABLE,
-                    stable(rows[many(STEPS_S[0])]),
-                    words.stability(counted, groups[PAPER]["contact"]["distance_m"]),
-                    words.stability_accuracy(counted),
+                words.contact(DESIGNS, harder).judged("causes.contact", matters(*harder.values())),
+                words.stability(counted, groups[PAPER]["contact"]["distance_m"]).judged(
+                    "causes.stability", stable(rows[many(STEPS_S[0])])
                 ),
             ],
             {

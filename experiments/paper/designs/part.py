@@ -13,7 +13,7 @@ from experiments.paper.designs.figure import draw_flights, draw_misses
 from experiments.paper.learned import shipped_forward, shipped_inputs
 from experiments.paper.limits import judged
 from experiments.paper.settings import BASELINE, TIERS, groups_at, simulation_at
-from experiments.paper.statement import Statement, stated, weakest
+from experiments.paper.statement import Statement, weakest
 from snapjump.batch import simulate_designs, variant
 from snapjump.declare.members import member_class
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
@@ -141,7 +141,7 @@ class Designs(Part):
             ),
         }
         return Found(
-            Section(words.TITLE, words.paragraphs(misses, GROUPS), figures, tables),
+            Section(words.TITLE, words.told(misses, GROUPS), figures, tables),
             [millimetres(misses)],
             {
                 f"designs_{line['method']}_{key}": line[source]
@@ -213,8 +213,7 @@ def millimetres(methods: Mapping[str, Sequence[Row]]) -> Statement:
     )
     lines = {name: line(name, rows) for name, rows in methods.items()}
     off = {tier: apart(methods, tier) for tier in ("reference", "paper")}
-    found = words.millimetres(lines, LEARNED)
-    return stated("designs.millimetres", words.REACHES, came, found, words.accuracy(off))
+    return words.millimetres(lines, LEARNED, off).judged("designs.millimetres", came)
 
 
 def apart(methods: Mapping[str, Sequence[Row]], tier: str) -> float:

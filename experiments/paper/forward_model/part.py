@@ -20,7 +20,7 @@ from experiments.paper.forward_model.figure import draw_forward_model
 from experiments.paper.learned import shipped_inputs
 from experiments.paper.limits import judged
 from experiments.paper.settings import groups_at
-from experiments.paper.statement import Statement, stated, weakest
+from experiments.paper.statement import Statement, weakest
 from snapjump.batch import simulate_designs
 from snapjump.dataset.specification import specify
 from snapjump.dataset.whole import whole_dataset
@@ -236,8 +236,7 @@ def real_time_statement(pace: Mapping[str, list[Row]]) -> Statement:
         judged("forward_model.real_time", rows["paper"]["most_of_time_to_apex"]),
         judged("forward_model.real_time.liftoff", rows["paper"]["most_of_time_to_liftoff"]),
     )
-    found = words.real_time(rows)
-    return stated("forward_model.real_time", words.REAL_TIME, came, found, words.PACE_ACCURACY)
+    return words.real_time(rows).judged("forward_model.real_time", came)
 
 
 def dataset_statement(row: Row) -> Statement:
@@ -247,14 +246,13 @@ def dataset_statement(row: Row) -> Statement:
         judged("forward_model.dataset.time", share),
         judged("forward_model.dataset.jumps", row["ok"]),
     )
-    told = words.dataset(row, 1.0 / share)
-    return stated("forward_model.dataset", words.MADE, came, told, words.STANDARD)
+    return words.dataset(row, 1.0 / share).judged("forward_model.dataset", came)
 
 
 def error_statement(row: Row) -> Statement:
     """What the paper's network learns."""
-    came = judged("forward_model.error", row["mae_bar"])
-    return stated("forward_model.error", words.PREDICTS, came, words.error(row), words.STANDARD)
+    key = "forward_model.error"
+    return words.error(row).judged(key, judged(key, row["mae_bar"]))
 
 
 def inverse_statements(rows: Mapping[str, Row]) -> list[Statement]:
@@ -264,16 +262,12 @@ def inverse_statements(rows: Mapping[str, Row]) -> list[Statement]:
     mean_mm, seconds = own["mean_mm_standard"], own["seconds_mean"]
     ratios = {name: rows[name]["seconds_median"] / own["seconds_median"] for name in SEARCHES}
     shares = [ratio / words.PAPER_RATIOS[name] for name, ratio in ratios.items()]
-    planned = weakest(
-        judged("forward_model.plan.time", seconds), judged("forward_model.plan.miss", mean_mm)
-    )
-    timed, every = words.times(rows, own), words.judged_at(rows, own)
-    return [
-        stated("forward_model.accuracy", words.MISSES, judged("forward_model.accuracy", mean_mm),
-               words.accuracy(rows, own), every),
-        stated("forward_model.time", words.TAKES, judged("forward_model.time", seconds),
-               words.time(rows, own), timed),
-        stated("forward_model.plan", words.PLANS, planned, words.plan(own), timed),
-        stated("forward_model.speed", words.FASTER, judged("forward_model.speed", *shares),
-               words.speed(rows, own, ratios), timed),
-    ]  # fmt: skip
+    plan = judged("forward_model.plan.time", seconds), judged("forward_model.plan.miss", mean_mm)
+    came = {
+        "accuracy": judged("forward_model.accuracy", mean_mm),
+        "time": judged("forward_model.time", seconds),
+        "plan": weakest(*plan),
+        "speed": judged("forward_model.speed", *shares),
+    }
+    said = words.inverse(rows, own, ratios)
+    return [one.judged(f"forward_model.{key}", came[key]) for key, one in said.items()]

@@ -84,15 +84,19 @@ def test_failures_in_a_frame_are_told():
     ladder = {1e3: shifted(2.0, 1.0), 1e4: shifted(0.2, 0.1)}
 
     def found(lost: int) -> str:
-        return words.frame(ladder[1e3], ladder, (0.2, 0.19), (lost, 32))
+        own = ladder[1e3]
+        said = words.frame(32, own, ladder, own, (0.2, 0.19), lost)
+        return said.judged("causes.frame", LIMITED).found
 
     assert "1 of 32 jumps fail and count as infinitely far." in found(1)
     assert "0 of 32 jumps fail." in found(0)
 
 
 def test_steps_that_do_not_help_are_told():
-    slow = words.step({1e-5: shifted(6.0, 2.0), 1e-6: shifted(4.0, 1.0)}, 1e-7)
-    fast = words.step({1e-5: shifted(6.0, 2.0), 1e-6: shifted(0.6, 0.2)}, 1e-7)
+    slow, fast = (
+        words.step(32, {1e-5: shifted(6.0, 2.0), 1e-6: last}, 1e-7).judged("", LIMITED).found
+        for last in (shifted(4.0, 1.0), shifted(0.6, 0.2))
+    )
     assert "agree: to 4 % in x_c and 1 % in y_c" in slow
     assert "slowly" in slow and "slowly" not in fast
 
