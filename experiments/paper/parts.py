@@ -14,15 +14,7 @@ from experiments.paper.snaps.part import Snaps
 from experiments.paper.trajectories.part import Trajectories
 
 PARTS: dict[str, type[Part]] = {
-    "bifurcation": Bifurcation,
-    "released_energy": ReleasedEnergy,
-    "snaps": Snaps,
-    "asymmetry": Asymmetry,
-    "trajectories": Trajectories,
-    "influences": Influences,
-    "causes": Causes,
-    "regions": Regions,
-    "designs": Designs,
-    "imperfections": Imperfections,
-    "forward_model": ForwardModels,
-}
+    part.name: part
+    for part in (Bifurcation, ReleasedEnergy, Snaps, Asymmetry, Trajectories, Influences, Causes,
+                 Regions, Designs, Imperfections, ForwardModels)
+}  # fmt: skip
