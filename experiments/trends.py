@@ -87,3 +87,25 @@ def plateau(places: Array, values: Array) -> Plateau:
         float(np.ptp(beyond)),
         float(np.mean(beyond)),
     )
+
+
+@dataclass(frozen=True)
+class Line:
+    """intercept + slope * place, by least squares, and where it is off most."""
+
+    slope: float
+    intercept: float
+    deviation_percent: float  # the largest, of the value there
+    worst_place: float
+
+    def at(self, places: Array) -> Array:
+        """The line's values."""
+        return self.intercept + self.slope * places
+
+
+def straight_line(places: Array, values: Array) -> Line:
+    """The best line through a curve."""
+    slope, intercept = np.polyfit(places, values, 1)
+    off = 100.0 * np.abs((intercept + slope * places) / values - 1.0)
+    worst = int(np.argmax(off))
+    return Line(float(slope), float(intercept), float(off[worst]), float(places[worst]))

@@ -1,9 +1,11 @@
 """Cells of arches under slow loading: the state that loses stability, and the one it snaps to."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from experiments.compositions import composed
+from experiments.paper import exact
+from experiments.paper.settings import RANGES
 from snapjump.run.studies.base import Row
 from snapjump.statics.critical import find_snap
 
@@ -31,3 +33,43 @@ def critical_rows(inputs: Mapping[str, Any]) -> list[Row]:
                 }
             )
     return rows
+
+
+def within(rows: Sequence[Row]) -> list[Row]:
+    """The rows of the paper's range of epsilon, ends included."""
+    low, high = RANGES["epsilon"]
+    return [row for row in rows if low - 1e-9 <= row["epsilon"] <= high + 1e-9]
+
+
+def exact_value(epsilon: float, delta_alpha: float, key: str) -> float | None:
+    """The exact number beside a row of an arch, by its key; None where there is none: h1 is known
+    of clamps that turn alike."""
+    if epsilon not in (exact.SYMMETRIC if delta_alpha == 0.0 else exact.COMPARED):
+        return None
+    if delta_alpha == 0.0:
+        entry = exact.symmetric(epsilon)
+        released, middle = entry["dE_asym"], -entry["ymid_after_asym"]
+        lowest: float | None = -entry["ymin_before_asym"]
+    else:
+        entry = exact.mismatched(epsilon, delta_alpha, stretches=False)
+        released, middle = entry["before_E"] - entry["after_E"], -entry["after_ymid"]
+        lowest = None
+    return {"energy_released_bar": released, "h1_bar": lowest, "h2_bar": middle}[key]
+
+
+def exact_points(rows: Sequence[Row], key: str) -> tuple[list[float], list[float]]:
+    """Pre-compressions of a curve at which there is an exact number, and these numbers."""
+    pairs = [(r["epsilon"], exact_value(r["epsilon"], r["delta_alpha_rad"], key)) for r in rows]
+    known = [(epsilon, value) for epsilon, value in pairs if value is not None]
+    return [epsilon for epsilon, _ in known], [value for _, value in known]
+
+
+def largest_difference(rows: Sequence[Row], keys: Sequence[str]) -> float:
+    """Of ours from the exact numbers (%), wherever there is one."""
+    found = [0.0]
+    for row in rows:
+        for key in keys:
+            value = exact_value(row["epsilon"], row["delta_alpha_rad"], key)
+            if value is not None:
+                found.append(100.0 * abs(row[key] / value - 1.0))
+    return max(found)

@@ -3,7 +3,14 @@
 import numpy as np
 import pytest
 
-from experiments.trends import between, counter_step, fit_saturating, plateau, saturating
+from experiments.trends import (
+    between,
+    counter_step,
+    fit_saturating,
+    plateau,
+    saturating,
+    straight_line,
+)
 
 
 def test_counter_step():
@@ -38,3 +45,12 @@ def test_saturating_law_and_its_fit():
 def test_between():
     places = np.array([0.0, 1.0, 2.0, 3.0])
     assert between(places, places**2, 0.5, 2.5) == pytest.approx([0.5, 1.0, 4.0, 6.5])
+
+
+def test_straight_line():
+    places = np.linspace(0.1, 0.3, 21)
+    line = straight_line(places, 80.0 * places - 1.0)
+    assert (line.slope, line.intercept) == (pytest.approx(80.0), pytest.approx(-1.0))
+    assert line.deviation_percent < 1e-9 and line.at(places)[0] == pytest.approx(7.0)
+    places = np.linspace(0.01, 0.3, 30)
+    assert straight_line(places, 80.0 * places + 25.0 * places**2).worst_place == 0.01
