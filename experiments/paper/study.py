@@ -14,7 +14,7 @@ from experiments.paper.statement import VERDICTS, Statement, paragraphs, stateme
 from snapjump.checks import ParameterError, check_choice
 from snapjump.composition import with_tier
 from snapjump.dataset.specification import first_difference
-from snapjump.files.sources import combined_hash
+from snapjump.files.sources import Source, combined_hash
 from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Row, Section, Table
 from snapjump.run.studies.fingerprint import sources
 from snapjump.run.studies.study import Study
@@ -27,10 +27,10 @@ SETTINGS = (
     "of two fixed nodes, contact stiffness per node, no material damping"
 )
 TITLE = "The paper, reproduced and judged"
-INTRODUCTION = paragraphs(f"""The paper is *Inverse Design of Snap-Actuated Jumping Robots Powered by
-    Mechanics-Aided Machine Learning* (Tong, Hao, Liu, Huang, arXiv 2408.10470). Every figure below
-    is simulated anew by this library and every number is computed by the command above, at the
-    tier `standard` unless it says otherwise; `paper` is the tier of the paper's settings:
+INTRODUCTION = paragraphs(f"""The paper is *Inverse Design of Snap-Actuated Jumping Robots Powered
+    by Mechanics-Aided Machine Learning* (Tong, Hao, Liu, Huang, arXiv 2408.10470). Every figure
+    below is simulated anew by this library and every number is computed by the command above, at
+    the tier `standard` unless it says otherwise; `paper` is the tier of the paper's settings:
     {SETTINGS}. (Lagged friction and clamps of two fixed nodes are the released program's: the text
     writes all forces at the end of a step, and does not say how clamps hold the beam.) A verdict
     is decided by the program from the numbers beside it, by the limits in the second table. Where
@@ -52,8 +52,8 @@ def readme_block(statements: Sequence[Statement]) -> str:
     """Statements and verdicts alone, for the README."""
     rows = [[str(k), one.says.rstrip("."), one.verdict] for k, one in enumerate(statements, 1)]
     return (
-        markdown_table(["", "the paper says", "verdict"], rows)
-        + f"\n\n{counts(statements)}; the numbers, figures and causes: [docs/paper.md](docs/paper.md).\n"
+        markdown_table(["", "the paper says", "verdict"], rows) + f"\n\n{counts(statements)}; "
+        "the numbers, figures and causes: [docs/paper.md](docs/paper.md).\n"
         "`python run.py task=paper publish=docs` makes this table and that report."
     )
 
@@ -176,7 +176,12 @@ def duration(done: Mapping[str, Done]) -> str:
 TOLD = re.compile(r"experiments\.paper\.(\w+\.(words|figure)|limits|statement|styles)")
 
 
-def source_digest(part: Part) -> str:
-    """A hash of the modules that compute a part, and of those that they import."""
+def row_sources(part: Part) -> list[Source]:
+    """The modules that compute a part, and those that they import."""
     used = sources(part.sources or (type(part).__module__,))
-    return combined_hash([one for one in used if not TOLD.fullmatch(one.name)])[:16]
+    return [one for one in used if not TOLD.fullmatch(one.name)]
+
+
+def source_digest(part: Part) -> str:
+    """A hash of these."""
+    return combined_hash(row_sources(part))[:16]
