@@ -188,7 +188,7 @@ class Causes(Part):
             s: (len(failed(jumps)), len(jumps), float(np.nanmin(column(jumps, "min_gap_m"))))
             for s, jumps in ((s, rows[many(s)]) for s in (STEPS_S[0], *LONG_STEPS_S))
         }
-        mesh = [moved[end, ELEMENTS] for end in ENDS]
+        mesh, finer = (moved[end, ELEMENTS] for end in ENDS)
         lost = [incomplete(name, one) for name, one in done.items() if failed(one.rows)]
         flat = {"paper_to_reference": apart, "frame_1000_ei": ladder[STIFFNESSES[0]],
                 "step_1e_5_s": by_step[STEPS_S[0]]}  # fmt: skip
@@ -206,8 +206,8 @@ class Causes(Part):
                 words.step(DESIGNS, by_step, STEPS_S[-1]).judged(
                     "causes.step", matters(by_step[STEPS_S[0]])
                 ),
-                words.nodes(DESIGNS, *mesh, moved[PAPER, START]).judged(
-                    "causes.nodes", matters(mesh[0])
+                words.nodes(DESIGNS, mesh, finer, moved[PAPER, START]).judged(
+                    "causes.nodes", matters(mesh)
                 ),
                 words.contact(DESIGNS, harder).judged("causes.contact", matters(*harder.values())),
                 words.stability(counted, groups[PAPER]["contact"]["distance_m"]).judged(
