@@ -3,11 +3,13 @@
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
+from types import MappingProxyType
 from typing import Any, ClassVar
 
-from experiments.paper.statement import Statement
+from experiments.paper.statement import Statement, paragraphs, prose
 from snapjump.engine import status
-from snapjump.run.studies.base import OK, Cell, Done, Row, Section
+from snapjump.run.studies.base import OK, Cell, Done, Figure, Row, Section, Table
 
 # Of jumps that ended as jumps do.
 FINE = status.NAMES[status.OK], status.NAMES[status.NO_JUMP]
@@ -77,3 +79,22 @@ def incomplete(name: str, one: Done) -> str:
     lost = failed(one.rows)
     reasons = ", ".join(sorted({row["status"] for row in lost}))
     return f"{name} ({len(lost)} of {len(one.rows)} jumps failed: {reasons})"
+
+
+def section(
+    title: str,
+    text: str,
+    figures: Mapping[str, Callable[[Path], Any]],
+    tables: Mapping[str, Sequence[Row]],
+    captions: Mapping[str, str],
+    digits: Mapping[str, Mapping[str, int]] = MappingProxyType({}),
+) -> Section:
+    """A part's section: paragraphs with empty lines between; figures and tables, whose captions are
+    those of ``<name>.png`` and ``<name>``; digits of tables for reading."""
+    return Section(
+        title,
+        paragraphs(text),
+        {name: Figure(prose(captions[f"{name}.png"]), draw) for name, draw in figures.items()},
+        {name: Table(prose(captions[name]), rows, digits.get(name, {}))
+         for name, rows in tables.items()},
+    )  # fmt: skip

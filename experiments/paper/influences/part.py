@@ -9,9 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from experiments.compositions import changed, composed
-from experiments.paper.arches import critical_rows
+from experiments.critical_arch import critical_rows
 from experiments.paper.base import Found, Part
-from experiments.paper.followed import each, energy_row, jumps, pressed_row, sliding_row, varied
+from experiments.paper.followed import (
+    LOADING_S,
+    each,
+    energy_row,
+    followed,
+    jumps,
+    sliding_row,
+    varied,
+)
 from experiments.paper.influences import figure, words
 from experiments.paper.jumps import LANES, THREADS, apart, batch_rows
 from experiments.paper.limits import LIMITS, judged
@@ -21,6 +29,7 @@ from experiments.trends import Plateau, counter_step, plateau
 from snapjump.batch import simulate_batch, variant
 from snapjump.composition import Simulation
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
+from snapjump.scenes import strike
 
 Array = NDArray[np.float64]
 Sweeps = Mapping[str, Sequence[Row]]  # by tier
@@ -89,7 +98,7 @@ def height_rows(inputs: Mapping[str, Any]) -> list[Row]:
 def pressed_rows(inputs: Mapping[str, Any]) -> list[Row]:
     """A row for each height of the mounts: the ground under the beam before it snaps."""
     pairs = zip(inputs["heights"], mounted(inputs), strict=True)
-    return [{MOUNT_HEIGHT: height, **pressed_row(robot)} for height, robot in pairs]
+    return [{MOUNT_HEIGHT: h, **strike.pressed(followed(robot, LOADING_S))} for h, robot in pairs]
 
 
 @dataclass(frozen=True)

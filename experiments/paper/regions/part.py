@@ -1,23 +1,22 @@
 """``figure=regions``: the achievable region against the robot's mass and the ground's friction."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import partial
 from typing import Any
 
 import numpy as np
-import shapely
 from numpy.typing import NDArray
 
-from experiments.paper.base import Found, Part
+from experiments.paper.base import Found, Part, section
 from experiments.paper.followed import jumps
 from experiments.paper.jumps import apexes_of
 from experiments.paper.learned import shipped_forward, shipped_inputs
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.regions import figure, words
 from experiments.paper.settings import BASELINE, NAMES, RANGES, groups_at
-from experiments.paper.statement import Statement, stated, weakest
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
+from experiments.paper.statement import Statement, weakest
+from snapjump.run.studies.base import Cell, Done, Row, column
+from snapjump.targets.region import SimulatedRegion as Region
 from snapjump.targets.region import filled_outline
 
 Array = NDArray[np.float64]
@@ -37,83 +36,36 @@ def grid(environment: Environment, points: int) -> list[list[float]]:
     return [[lag, epsilon, *environment] for lag in lags for epsilon in epsilons]
 
 
-@dataclass(frozen=True)
-class Region:
-    """``apexes``, ``predicted`` (n, n, 2): of the grid of controls, in L, delta_alpha along the
-    first axis, NaN where the robot does not jump."""
+def region_of(rows: Sequence[Row]) -> Region:
+    """The region of a grid's jumps, and the forward model's."""
+    designs = np.stack([column(rows, name) for name in NAMES], axis=-1)
+    shape = (round(len(rows) ** 0.5), -1, 2)
+    predicted = shipped_forward().predict(designs).reshape(shape)
+    mass_bar, mu = designs[0, 2:].tolist()
+    return Region(mass_bar, mu, apexes_of(rows).reshape(shape), predicted)
 
-    mass_bar: float
-    mu: float
-    apexes: Array
-    predicted: Array
 
-    @staticmethod
-    def of(rows: Sequence[Row]) -> "Region":
-        """The region of a grid's jumps."""
-        designs = np.stack([column(rows, name) for name in NAMES], axis=-1)
-        shape = (round(len(rows) ** 0.5), -1, 2)
-        predicted = shipped_forward().predict(designs).reshape(shape)
-        apexes = apexes_of(rows).reshape(shape)
-        return Region(float(designs[0, 2]), float(designs[0, 3]), apexes, predicted)
-
-    @cached_property
-    def outline(self) -> Any:
-        """The region."""
-        return filled_outline(self.apexes)
-
-    @cached_property
-    def learned(self) -> Any:
-        """The forward model's."""
-        return filled_outline(self.predicted)
-
-    @property
-    def largest_x(self) -> float:
-        """The right end."""
-        return float(self.outline.bounds[2])
-
-    @property
-    def extent(self) -> tuple[float, float]:
-        """Width and height."""
-        left, low, right, high = self.outline.bounds
-        return right - left, high - low
-
-    @property
-    def cone_share(self) -> float:
-        """The largest share of 2 mu y that an x is, which is what the friction cone allows."""
-        return float(np.nanmax(self.apexes[..., 0] / (2.0 * self.mu * self.apexes[..., 1])))
-
-    def width_bar(self, height_bar: float) -> float:
-        """How much of a horizontal line at a height (L) is in the region, in L."""
-        low, _, high, _ = self.outline.bounds
-        line = shapely.LineString([(low, height_bar), (high, height_bar)])
-        return float(self.outline.intersection(line).length)
-
-    def held(self, outer: "Region") -> float:
-        """The share of the area that another one holds."""
-        return float(self.outline.intersection(outer.outline).area / self.outline.area)
-
-    def row(self, levels: Mapping[str, float]) -> Row:
-        """A line of the table."""
-        _, low, _, high = self.outline.bounds
-        common = self.outline.intersection(self.learned).area
-        return {
-            "m̄": self.mass_bar,
-            "μ": self.mu,
-            "area": self.outline.area,
-            "area by every 2nd design": filled_outline(self.apexes[::2, ::2]).area,
-            "area by the forward model": self.learned.area,
-            "shared with it (%)": 100.0 * common / self.outline.union(self.learned).area,
-            "largest x": self.largest_x,
-            "least y": low,
-            "largest y": high,
-            **{f"width at y = {y:.3g}": self.width_bar(y) for y in levels.values()},
-            "largest x / 2μy": self.cone_share,
-        }
+def row_of(region: Region, levels: Mapping[str, float]) -> Row:
+    """A line of the table."""
+    common = region.outline.intersection(region.learned).area
+    return {
+        "m̄": region.mass_bar,
+        "μ": region.mu,
+        "area": region.outline.area,
+        "area by every 2nd design": filled_outline(region.apexes[::2, ::2]).area,
+        "area by the forward model": region.learned.area,
+        "shared with it (%)": 100.0 * common / region.outline.union(region.learned).area,
+        "largest x": region.largest_x,
+        "least y": region.least_y,
+        "largest y": region.largest_y,
+        **{f"width at y = {y:.3g}": region.width_bar(y) for y in levels.values()},
+        "largest x / 2μy": region.cone_share,
+    }
 
 
 def heights(baseline: Region) -> dict[str, float]:
     """The heights (L) that widths are told at."""
-    _, low, _, high = baseline.outline.bounds
+    low, high = baseline.least_y, baseline.largest_y
     return {name: low + share * (high - low) for name, share in LEVELS.items()}
 
 
@@ -131,13 +83,14 @@ def mass_exponent(masses: Sequence[Region]) -> float:
 
 def changes(regions: Sequence[Region]) -> tuple[float, float]:
     """By how much of itself the least and the largest y change over the regions."""
-    bounds = np.array([region.outline.bounds for region in regions])
-    low, high = ((bounds[:, k].max() - bounds[:, k].min()) / bounds[0, k] for k in (1, 3))
-    return float(low), float(high)
+    ends = np.array([(region.least_y, region.largest_y) for region in regions])
+    low, high = (np.ptp(ends, axis=0) / ends[0]).tolist()
+    return low, high
 
 
 def agreement(
-    standard: Mapping[Environment, Region], reference: Mapping[Environment, Region]
+    standard: Mapping[Environment, Region],
+    reference: Mapping[Environment, Region],
 ) -> tuple[int, float, float]:
     """How many designs both tiers have, and how far 95 % of their x and y are apart (%)."""
     errors = []
@@ -158,8 +111,8 @@ def shrinks(masses: Sequence[Region], paper: Sequence[Region], accuracy: str) ->
         judged("regions.mass.extent",
                *(against([r.extent[k] for r in one]) for one in both for k in (0, 1))),
     )  # fmt: skip
-    found = words.shrinks(masses, paper, mass_exponent(masses))
-    return stated("regions.mass", words.SHRINKS, came, found, accuracy)
+    said = words.shrinks(masses, paper, mass_exponent(masses), accuracy)
+    return said.judged("regions.mass", came)
 
 
 def widens(
@@ -180,8 +133,8 @@ def widens(
         judged("regions.friction.saturated", sum(ended.values())),
         judged("regions.friction.heights", *moved[0]),
     )
-    found = words.widens(frictions, paper, ended, moved)
-    return stated("regions.friction", words.WIDENS, came, found, accuracy)
+    said = words.widens(frictions, paper, ended, moved, accuracy)
+    return said.judged("regions.friction", came)
 
 
 def cell_name(tier: str, environment: Environment) -> str:
@@ -216,45 +169,36 @@ class Regions(Part):
     def judge(self, done: Mapping[str, Done]) -> Found:
         """Figures of outlines, a table of areas and extents, two statements."""
         standard, paper, reference = (
-            {one: Region.of(done[cell_name(tier, one)].rows) for one in environments(tier)}
+            {one: region_of(done[cell_name(tier, one)].rows) for one in environments(tier)}
             for tier in POINTS
         )
         masses, frictions = ([standard[e] for e in row] for row in (BY_MASS, BY_FRICTION))
-        theirs = [[paper[e] for e in row if e in paper] for row in (BY_MASS, BY_FRICTION)]
+        few = [[paper[e] for e in row if e in paper] for row in (BY_MASS, BY_FRICTION)]
         pairs = [(standard[environment], other) for environment, other in paper.items()]
         levels = heights(standard[MASS_BAR, MU])
         rows = [
-            {"settings": tier, **region.row(levels)}
+            {"settings": tier, **row_of(region, levels)}
             for tier, regions in (("standard", standard), ("paper", paper))
             for region in regions.values()
         ]
         accuracy = words.accuracy(*agreement(standard, reference))
         low, high = changes(frictions)
+        figures = {
+            "regions": partial(figure.draw_regions, masses, frictions),
+            "regions_settings": partial(figure.draw_settings, pairs),
+        }
+        text = words.text(masses, frictions, pairs, mass_exponent(masses))
+        summary = {
+            "region_area_lightest_bar2": masses[0].outline.area,
+            "region_area_heaviest_bar2": masses[-1].outline.area,
+            "region_area_mass_exponent": mass_exponent(masses),
+            "region_largest_x_least_friction_bar": frictions[0].largest_x,
+            "region_largest_x_most_friction_bar": frictions[-1].largest_x,
+            "region_largest_y_change_over_friction": high,
+            "region_least_y_change_over_friction": low,
+        }
         return Found(
-            Section(
-                self.title,
-                words.section(masses, frictions, pairs, mass_exponent(masses)),
-                {
-                    "regions": Figure(
-                        words.REGIONS, partial(figure.draw_regions, masses, frictions)
-                    ),
-                    "regions_settings": Figure(
-                        words.SETTINGS, partial(figure.draw_settings, pairs)
-                    ),
-                },
-                {"regions": Table("Achievable regions: areas in L², the rest in L", rows)},
-            ),
-            [
-                shrinks(masses, theirs[0], accuracy),
-                widens(frictions, theirs[1], levels, accuracy),
-            ],
-            {
-                "region_area_lightest_bar2": masses[0].outline.area,
-                "region_area_heaviest_bar2": masses[-1].outline.area,
-                "region_area_mass_exponent": mass_exponent(masses),
-                "region_largest_x_least_friction_bar": frictions[0].largest_x,
-                "region_largest_x_most_friction_bar": frictions[-1].largest_x,
-                "region_largest_y_change_over_friction": high,
-                "region_least_y_change_over_friction": low,
-            },
+            section(self.title, text, figures, {"regions": rows}, words.CAPTIONS),
+            [shrinks(masses, few[0], accuracy), widens(frictions, few[1], levels, accuracy)],
+            summary,
         )

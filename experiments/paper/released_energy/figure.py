@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from experiments.critical_arch import exact_points, within
 from experiments.paper import exact
-from experiments.paper.arches import exact_points, within
 from experiments.paper.settings import LABELS
 from experiments.paper.styles import DASHES, DOTS, boxes
 from experiments.trends import straight_line

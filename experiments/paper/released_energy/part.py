@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from experiments.compositions import Groups, changed, composed
+from experiments.critical_arch import critical_rows, largest_difference, within
 from experiments.paper import exact
-from experiments.paper.arches import critical_rows, largest_difference, within
 from experiments.paper.base import Found, Part
 from experiments.paper.limits import judged
 from experiments.paper.released_energy import figure, words

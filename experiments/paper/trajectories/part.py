@@ -8,15 +8,15 @@ from typing import Any
 import numpy as np
 
 from experiments.designs import spread_designs
-from experiments.paper.base import Found, Part, failed, unfinished
-from experiments.paper.followed import jumps, paths, varied
+from experiments.paper.base import Found, Part, section, unfinished
+from experiments.paper.followed import jumps, path, varied
 from experiments.paper.jumps import apart
 from experiments.paper.limits import judged
 from experiments.paper.settings import RANGES, TIERS, groups_at
-from experiments.paper.statement import stated, weakest
+from experiments.paper.statement import weakest
 from experiments.paper.trajectories import figure, words
 from experiments.trends import counter_step
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
+from snapjump.run.studies.base import Cell, Done, Row, column
 
 FAMILIES: dict[str, tuple[float, ...]] = {
     "delta_alpha_rad": (0.0, 0.01, 0.05, 0.1, 0.19),
@@ -99,7 +99,7 @@ class Trajectories(Part):
 
     name = "trajectories"
     title = "Trajectories"
-    kinds = {"jumps": jumps, "path": paths}
+    kinds = {"jumps": jumps, "path": path}
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
         """Families and sweeps by tier, then the ranges and the paths at standard."""
@@ -133,34 +133,29 @@ class Trajectories(Part):
         flights = {tier: done[f"flights, {tier}"].rows for tier in DRAWN}
         sweeps = {tier: done[f"mismatches, {tier}"].rows for tier in TIERS}
         paths = {lag: done[f"path to lift-off, {lag:g}"].rows for lag in FOLLOWED}
-        own, spread = slant(sweeps["standard"]), done[RANGE].rows
-        steepest, aside = float(np.nanmax(leans_deg(spread))), ratios(spread)
+        own, papers = (slant(sweeps[tier]) for tier in DRAWN)
+        spread = done[RANGE].rows
+        leans, aside = leans_deg(spread), ratios(spread)
+        steepest = float(np.nanmax(leans))
         came = tuned(own, steepest)
         types = weakest(
             judged("trajectories.types.vertical", own.off_vertical),
             judged("trajectories.types.inclined", float(np.nanmin(aside))),
         )
         told = words.accuracy(sweeps, apart(sweeps, "delta_alpha_rad"))
-        most = spread[int(np.nanargmax(leans_deg(spread)))]
-        tuning = words.tuning(came, own, slant(sweeps["paper"]), most, steepest, len(spread),
-                              len(failed(spread)))  # fmt: skip
-        angles = partial(figure.draw_angles, sweeps, {t: ratios(sweeps[t]) for t in TIERS}, paths)
+        tuning = words.tuning(came, own, papers, spread, leans, told)
         slopes = [first_slope(rows) for lag, rows in paths.items() if lag > 0.0]
+        by_tier = {tier: ratios(sweeps[tier]) for tier in TIERS}
+        figures = {
+            "trajectories": partial(figure.draw_flights, FAMILIES, flights),
+            "trajectories_angles": partial(figure.draw_angles, sweeps, by_tier, paths),
+        }
+        tables = {"trajectories": table_rows(flights)}
         return Found(
-            Section(
-                self.title,
-                words.section(sweeps, slopes),
-                {
-                    "trajectories": Figure(
-                        words.FLIGHTS, partial(figure.draw_flights, FAMILIES, flights)
-                    ),
-                    "trajectories_angles": Figure(words.ANGLES, angles),
-                },
-                {"trajectories": Table("The flights of the figure", table_rows(flights))},
-            ),
+            section(self.title, words.text(sweeps, slopes), figures, tables, words.CAPTIONS),
             [
-                stated("trajectories.tuned", words.TUNED, came, tuning, told),
-                stated("trajectories.types", words.TYPES, types, words.types(own, aside), told),
+                tuning.judged("trajectories.tuned", came),
+                words.types(own, aside, told).judged("trajectories.types", types),
             ],
             {
                 "trajectories_ratio_at_most_mismatch": own.ratio,

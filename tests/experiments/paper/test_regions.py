@@ -11,10 +11,11 @@ from experiments.paper.learned import shipped_forward, shipped_inputs
 from experiments.paper.regions.part import (
     EXTREMES,
     POINTS,
-    Region,
     Regions,
     grid,
     mass_exponent,
+    region_of,
+    row_of,
     shrinks,
     widens,
 )
@@ -24,18 +25,18 @@ from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
 from snapjump.inverse.base import Problem
 from snapjump.run.studies.base import Cell
-from snapjump.targets.region import AchievableRegion
+from snapjump.targets.region import AchievableRegion, SimulatedRegion
 
 LEVELS = {"low": 4.0, "middle": 6.0, "high": 8.0}
 
 
 def rectangle(
     width: float, low: float, high: float, mass_bar: float = 1.0, mu: float = 0.3
-) -> Region:
+) -> SimulatedRegion:
     """A region that is one."""
     x, y = np.meshgrid(np.linspace(0.0, width, 5), np.linspace(low, high, 5), indexing="ij")
     apexes = np.stack([x, y], axis=-1)
-    return Region(mass_bar, mu, apexes, apexes)
+    return SimulatedRegion(mass_bar, mu, apexes, apexes)
 
 
 @pytest.fixture(scope="module")
@@ -46,7 +47,7 @@ def cells() -> list[Cell]:
 def test_the_area_of_a_rectangle():
     region = rectangle(3.0, 2.0, 6.0)
     assert region.outline.area == pytest.approx(12.0)
-    row = region.row(LEVELS)
+    row = row_of(region, LEVELS)
     assert row["area by every 2nd design"] == row["area by the forward model"] == row["area"]
     assert region.width_bar(4.0) == pytest.approx(3.0)
     assert region.width_bar(7.0) == 0.0
@@ -57,7 +58,7 @@ def test_a_cell_at_draft_is_the_region_that_inverse_design_knows():
     mass_bar, mu = 0.768, 0.3
     draft = described(with_tier("draft"))
     inputs = {"kind": "jumps", "groups": draft, "designs": grid((mass_bar, mu), 3)}
-    region = Region.of(Regions().compute(inputs))
+    region = region_of(Regions().compute(inputs))
     assert (region.mass_bar, region.mu) == (mass_bar, mu)
     # The forward model's apexes are within a percent or two of a coarse simulation's.
     assert np.abs(region.apexes / region.predicted - 1.0).max() < 0.1
@@ -99,7 +100,7 @@ def test_heavier_robots_have_smaller_regions_or_not():
 def test_friction_widens_regions_or_not():
     frictions = (0.1, 0.3, 0.6)
 
-    def regions(widths: Any, highs: Any) -> list[Region]:
+    def regions(widths: Any, highs: Any) -> list[SimulatedRegion]:
         return [
             rectangle(w, 2.0, high, mu=mu)
             for w, high, mu in zip(widths, highs, frictions, strict=True)

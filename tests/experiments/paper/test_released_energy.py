@@ -9,8 +9,8 @@ import pytest
 from cells import STANDARD, all_done, check_figures
 
 from experiments.compositions import changed
+from experiments.critical_arch import critical_rows, exact_value, largest_difference, within
 from experiments.paper import exact
-from experiments.paper.arches import critical_rows, exact_value, largest_difference, within
 from experiments.paper.released_energy import words
 from experiments.paper.released_energy.part import (
     PAPER,

@@ -11,7 +11,7 @@ from experiments.paper.followed import varied
 from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.trajectories import part as module
 from experiments.paper.trajectories.figure import flight
-from experiments.paper.trajectories.part import Trajectories, slant, tuned
+from experiments.paper.trajectories.part import Trajectories, leans_deg, slant, tuned
 from experiments.paper.trajectories.words import tuning
 from snapjump.run.studies.base import FAILED, column
 
@@ -37,8 +37,11 @@ def test_verdicts():
         (LIMITED, 60.0, "Not throughout. Without"),
         (CONFIRMED, 60.0, "Without"),
     ):
-        most = dict.fromkeys(("delta_alpha_rad", "epsilon", "mass_bar", "mu"), 0.1)
-        assert tuning(came, growing, growing, most, lean, 8, 0).startswith(begun)
+        spread = sweep([0.0, 0.6], lean)
+        for row in spread:
+            row |= dict.fromkeys(("delta_alpha_rad", "epsilon", "mass_bar", "mu"), 0.1)
+        told = tuning(came, growing, growing, spread, leans_deg(spread), "")
+        assert told.found.startswith(begun)
     turning = slant(sweep([0.0, 0.4, 0.3, 0.5], 20.0))
     assert turning.grows_until_rad == pytest.approx(0.01)
     assert turning.back == pytest.approx(0.2)

@@ -1,4 +1,4 @@
-"""Cells of arches under slow loading: the state that loses stability, and the one it snaps to."""
+"""Arches as they lose stability and as they have snapped, beside the exact elastica's."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
