@@ -4,8 +4,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
+from experiments import exact
 from experiments.order import fitted_order
-from experiments.paper import exact
 from snapjump.composition import Simulation
 from snapjump.run.studies.base import Row
 from snapjump.statics.arch import StaticArch

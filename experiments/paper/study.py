@@ -7,10 +7,19 @@ from datetime import datetime
 from typing import Any
 
 from experiments.compositions import composed, described, groups_of
-from experiments.paper.base import Part
+from experiments.paper.asymmetry.part import Asymmetry
+from experiments.paper.base import VERDICTS, Part, Statement, paragraphs, statement_rows
+from experiments.paper.bifurcation.part import Bifurcation
+from experiments.paper.causes.part import Causes
+from experiments.paper.designs.part import Designs
+from experiments.paper.forward_model.part import ForwardModels
+from experiments.paper.imperfections.part import Imperfections
+from experiments.paper.influences.part import Influences
 from experiments.paper.limits import limit_rows
-from experiments.paper.parts import PARTS
-from experiments.paper.statement import VERDICTS, Statement, paragraphs, statement_rows
+from experiments.paper.regions.part import Regions
+from experiments.paper.released_energy.part import ReleasedEnergy
+from experiments.paper.snaps.part import Snaps
+from experiments.paper.trajectories.part import Trajectories
 from snapjump.checks import ParameterError, check_choice
 from snapjump.composition import with_tier
 from snapjump.dataset.specification import first_difference
@@ -20,6 +29,13 @@ from snapjump.run.studies.fingerprint import sources
 from snapjump.run.studies.study import Study
 from snapjump.show.terminal.block import markdown_table
 from snapjump.tiers import TIERS
+
+# In the order of the report; a new one is a folder and a name here.
+PARTS: dict[str, type[Part]] = {
+    part.name: part
+    for part in (Bifurcation, ReleasedEnergy, Snaps, Asymmetry, Trajectories, Influences, Causes,
+                 Regions, Designs, Imperfections, ForwardModels)
+}  # fmt: skip
 
 # Of the tier `paper`, as in conf/accuracy/paper.yaml.
 SETTINGS = (
@@ -173,7 +189,7 @@ def duration(done: Mapping[str, Done]) -> str:
 
 
 # Modules that say what was found, draw it and judge it: no row depends on them.
-TOLD = re.compile(r"experiments\.paper\.(\w+\.(words|figure)|limits|statement|styles)")
+TOLD = re.compile(r"experiments\.paper\.(\w+\.(words|figure)|limits)")
 
 
 def row_sources(part: Part) -> list[Source]:

@@ -10,10 +10,9 @@ import numpy as np
 
 from experiments.paper.asymmetry import words
 from experiments.paper.asymmetry.figure import draw_asymmetry
-from experiments.paper.base import Found, Part
+from experiments.paper.base import Found, Part, weakest
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import snap_groups, snap_of
-from experiments.paper.statement import weakest
 from experiments.trends import between, fit_saturating, saturating
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.swing import follow, outcome

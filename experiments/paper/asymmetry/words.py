@@ -4,9 +4,9 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from experiments.paper.base import Said, listed, paragraphs, prose
 from experiments.paper.limits import LIMITS
 from experiments.paper.settings import RANGES
-from experiments.paper.statement import Said, listed, paragraphs, prose
 from snapjump.run.studies.base import Row
 
 TITLE = "How asymmetric a snap becomes"

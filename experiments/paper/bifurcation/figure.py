@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from experiments import exact_arch
-from experiments.paper import exact
+from experiments import exact, exact_arch
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.branches import stable_runs

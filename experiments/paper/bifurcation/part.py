@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from experiments import exact
 from experiments.compositions import changed, composed
 from experiments.exact_arch import (
     LADDER,
@@ -18,13 +19,11 @@ from experiments.exact_arch import (
     overall,
 )
 from experiments.exact_arch import largest_difference as off
-from experiments.paper import exact
-from experiments.paper.base import Found, Part
+from experiments.paper.base import Found, Part, Statement, weakest
 from experiments.paper.bifurcation import words
 from experiments.paper.bifurcation.figure import draw_angles, draw_branches, draw_loop
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import PAPER_ELEMENTS, groups_at, snap_groups, snap_of
-from experiments.paper.statement import Statement, weakest
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.swing import follow, outcome
 from snapjump.statics.arch import StaticArch

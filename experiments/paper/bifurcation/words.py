@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from experiments.exact_arch import RIGID, STRETCHES, orders, overall
-from experiments.paper.statement import Said, listed, paragraphs, prose
+from experiments.paper.base import Said, listed, paragraphs, prose
 from snapjump.run.studies.base import Row
 
 TITLE = "The critical angle, and the loop"

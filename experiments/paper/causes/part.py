@@ -9,13 +9,12 @@ import numpy as np
 from experiments.compositions import Groups, changed, composed
 from experiments.designs import spread_designs
 from experiments.errors import Shift, shift
-from experiments.paper.base import Found, Part, failed, incomplete
+from experiments.paper.base import Found, Part, failed, incomplete, weakest
 from experiments.paper.causes import words
 from experiments.paper.causes.figure import draw_causes
-from experiments.paper.jumps import LANES, jump_rows
+from experiments.paper.cells import LANES, jump_rows
 from experiments.paper.limits import judged
 from experiments.paper.settings import BASELINE, groups_at
-from experiments.paper.statement import weakest
 from snapjump.batch import variants as robots
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.jump_march import jump_march

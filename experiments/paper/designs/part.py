@@ -7,13 +7,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from experiments.compositions import composed
-from experiments.paper.base import Found, Part
+from experiments.paper.base import Found, Part, Statement, weakest
+from experiments.paper.cells import shipped_forward, shipped_inputs
 from experiments.paper.designs import words
 from experiments.paper.designs.figure import draw_flights, draw_misses
-from experiments.paper.learned import shipped_forward, shipped_inputs
 from experiments.paper.limits import judged
 from experiments.paper.settings import BASELINE, TIERS, groups_at, simulation_at
-from experiments.paper.statement import Statement, weakest
 from snapjump.batch import simulate_designs, variant
 from snapjump.declare.members import member_class
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column

@@ -14,13 +14,12 @@ from experiments.compositions import changed, composed
 from experiments.designs import spread_designs
 from experiments.inverse_benchmark.study import stretches
 from experiments.inverse_benchmark.table import summary_row
-from experiments.paper.base import Found, Part
+from experiments.paper.base import Found, Part, Statement, weakest
+from experiments.paper.cells import shipped_inputs
 from experiments.paper.forward_model import words
 from experiments.paper.forward_model.figure import draw_forward_model
-from experiments.paper.learned import shipped_inputs
 from experiments.paper.limits import judged
 from experiments.paper.settings import groups_at
-from experiments.paper.statement import Statement, weakest
 from snapjump.batch import simulate_designs
 from snapjump.dataset.specification import specify
 from snapjump.dataset.whole import whole_dataset

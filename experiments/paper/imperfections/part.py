@@ -10,13 +10,11 @@ from numpy.typing import NDArray
 
 from experiments.compositions import composed
 from experiments.designs import spread_designs
-from experiments.paper.base import Found, Part
-from experiments.paper.followed import Design, jumps
+from experiments.paper.base import Found, Part, stated, weakest
+from experiments.paper.cells import Design, apexes_of, jumps
 from experiments.paper.imperfections import figure, words
-from experiments.paper.jumps import apexes_of
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import BASELINE, NAMES, PLAIN, TIERS, groups_at
-from experiments.paper.statement import stated, weakest
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.targets.simulator import JumpSimulator, differentiable
 

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
+from experiments.paper.base import paragraphs, prose
 from experiments.paper.settings import BASELINE, NAMES, PLAIN
-from experiments.paper.statement import paragraphs, prose
 from snapjump.targets.simulator import RESOLVED_STICK_ZONE_M_S
 
 ROBUST = (

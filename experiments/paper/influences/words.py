@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from experiments.paper.base import LIMITED, paragraphs, percent, prose
 from experiments.paper.limits import LIMITS
 from experiments.paper.settings import RANGES
-from experiments.paper.statement import LIMITED, paragraphs, percent, prose
 from snapjump.run.studies.base import Row, column
 
 # By the sweep: the paper's text has the vertical jump; its figure's baseline is oblique.

@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper import exact
+from experiments import exact
+from experiments.paper.base import listed, paragraphs, prose
 from experiments.paper.settings import RANGES
-from experiments.paper.statement import listed, paragraphs, prose
 from snapjump.run.studies.base import Row, column
 
 LINEAR = "The energy that the snap releases grows linearly with ε."

@@ -1,4 +1,4 @@
-"""``figure=snaps``: the snap with equal clamps and with a mismatch, and what a tiny mismatch does."""
+"""``figure=snaps``: equal clamps, a mismatch, and what a tiny mismatch does to a snap."""
 
 import json
 import math
@@ -9,11 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.base import Found, Part
+from experiments.paper.base import Found, Part, stated, weakest
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import RATE_RAD_S, SETTINGS, snap_groups, snap_of
 from experiments.paper.snaps import figure, words
-from experiments.paper.statement import stated, weakest
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.swing import Swing, crossing, follow, lowest, outcome
 
@@ -245,7 +244,10 @@ class Snaps(Part):
         }
         return Found(
             Section(
-                self.title, words.section(EPSILON, off), figures, tables(numbers, limits, tiny, against)
+                self.title,
+                words.section(EPSILON, off),
+                figures,
+                tables(numbers, limits, tiny, against),
             ),
             [stated("snaps.symmetry", words.SYMMETRY, came, found, accuracy)],
             {

@@ -18,8 +18,8 @@ from experiments.paper.asymmetry.part import (
     saturation,
     saturation_verdict,
 )
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.settings import snap_groups
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.trends import saturating as law
 
 GOOD = Saturation(

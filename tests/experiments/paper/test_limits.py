@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from experiments.paper import limits
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.limits import ANY, LEAST, LIMITS, Limit, judged, limit_rows
-from experiments.paper.parts import PARTS
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.study import PARTS
 
 FOLDER = Path(limits.__file__).parent
 CODE = "\n".join(file.read_text(encoding="utf-8") for file in FOLDER.glob("*/*.py"))

@@ -6,10 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 from cells import STANDARD
-
-from experiments.paper.settings import SETTINGS, snap_groups, snap_of
 from experiments.paper.snaps.compute import imperfection_rows, motion_rows
-from experiments.paper.snaps.figure import STYLES, draw_imperfections, draw_snaps
 from experiments.paper.snaps.judge import (
     agreement,
     exact_snaps,
@@ -19,8 +16,11 @@ from experiments.paper.snaps.judge import (
     symmetry_statement,
     symmetry_verdict,
 )
+
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.settings import SETTINGS, snap_groups, snap_of
+from experiments.paper.snaps.figure import STYLES, draw_imperfections, draw_snaps
 from experiments.paper.snaps.part import TINY, Snaps
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.scenes.swing import follow, outcome
 from snapjump.simulation import simulate
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from experiments.paper.statement import (
+from experiments.paper.base import (
     CONFIRMED,
     LIMITED,
     NOT_CONFIRMED,

@@ -8,10 +8,8 @@ import pytest
 from cells import GIVEN, STANDARD, done, run_study
 
 from experiments.paper import study as module
-from experiments.paper.base import Found, Part
-from experiments.paper.parts import PARTS
-from experiments.paper.statement import CONFIRMED, Statement
-from experiments.paper.study import Paper, row_sources, source_digest
+from experiments.paper.base import CONFIRMED, Found, Part, Statement
+from experiments.paper.study import PARTS, Paper, row_sources, source_digest
 from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
 from snapjump.run.studies.base import FAILED, Cell, Done, Section
