@@ -11,7 +11,6 @@ from experiments.paper.asymmetry.part import (
     EPSILONS,
     SWEEPS,
     Asymmetry,
-    Saturation,
     largest_difference,
     linear_verdict,
     mismatches,
@@ -20,6 +19,7 @@ from experiments.paper.asymmetry.part import (
 )
 from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.settings import snap_groups
+from experiments.trends import Saturation
 from experiments.trends import saturating as law
 
 GOOD = Saturation(
