@@ -175,3 +175,13 @@ def straight_line(places: Array, values: Array) -> Line:
     off = 100.0 * np.abs((intercept + slope * places) / values - 1.0)
     worst = int(np.argmax(off))
     return Line(float(slope), float(intercept), float(off[worst]), float(places[worst]))
+
+
+def power(places: Array, values: Array) -> float:
+    """The exponent of the power law through positive values."""
+    return float(np.polyfit(np.log(places), np.log(values), 1)[0])
+
+
+def relative_range(values: Array) -> float:
+    """From the lowest to the highest, as a share of the mean."""
+    return float(np.ptp(values) / np.mean(values))

@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from experiments.compositions import composed
 from experiments.designs import spread_designs
-from experiments.paper.base import Found, Part, stated, weakest
+from experiments.paper.base import Found, Part, section, weakest
 from experiments.paper.cells import Design, apexes_of, jumps
 from experiments.paper.imperfections import figure, words
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import BASELINE, NAMES, PLAIN, TIERS, groups_at
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
+from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.targets.simulator import JumpSimulator, differentiable
 
 Array = NDArray[np.float64]
@@ -123,45 +123,31 @@ def by_parameter(columns: Mapping[str, Array]) -> list[Row]:
 
 def tables(
     curves: Mapping[str, Changes], tangents: Mapping[str, Array], others: Mapping[str, Array]
-) -> dict[str, Table]:
+) -> dict[str, list[Row]]:
     """Changes at every tier, elasticities, deviations of straight lines, and other designs."""
-    fine = curves["reference"]
+    fine, axes = curves["reference"], [*enumerate("xy")]
     kinds = {"trend": fine.trends, f"secant of {100 * SECANT:g} %": fine.secants}
     kinds |= {f"tangent, {tier}": exact for tier, exact in tangents.items()}
-    elasticities = by_parameter(
-        {f"{a}: {kind}": one[:, j] for j, a in enumerate("xy") for kind, one in kinds.items()}
-    )
+    lines = {"tangent": tangents["reference"], "secant": fine.secants}
     spread = {"median": 0.5, "95 %": MOST, "largest": 1.0}
-    return {
-        "imperfections": Table(
-            "Errors of up to 20 % at the test design: largest changes of the apex (%)",
-            by_parameter(
-                {f"{a}, {tier}": 100.0 * one.largest[:, j]
-                 for j, a in enumerate("xy") for tier, one in curves.items()}
-            ),
-        ),
-        "imperfections_slopes": Table(
-            "Elasticities at the test design (% of change for 1 % of error): a line fitted to all "
-            "errors and the secant, at `reference`, and exact tangents",
-            elasticities,
-            digits=dict.fromkeys(elasticities[0], 3),
-        ),
-        "imperfections_lines": Table(
-            "How far straight lines are off at an error either way, at `reference` (% of x or y)",
-            by_parameter(
-                {f"{kind}, {a} at {100 * error:g} %": 100.0 * fine.deviations(one, error)[:, j]
-                 for kind, one in (("tangent", tangents["reference"]), ("secant", fine.secants))
-                 for j, a in enumerate("xy") for error in HELD}
-            ),
-        ),
-        "imperfections_elsewhere": Table(
-            f"Errors of 20 % at {DESIGNS} designs spread over the ranges: largest change (%)",
-            by_parameter(
-                {f"{label}, {name}": 100.0 * np.quantile(values, share, axis=1)
-                 for label, values in others.items() for name, share in spread.items()}
-            ),
-        ),
+    columns = {
+        "imperfections": {
+            f"{a}, {tier}": 100.0 * one.largest[:, j]
+            for j, a in axes for tier, one in curves.items()
+        },
+        "imperfections_slopes": {
+            f"{a}: {kind}": one[:, j] for j, a in axes for kind, one in kinds.items()
+        },
+        "imperfections_lines": {
+            f"{kind}, {a} at {100 * error:g} %": 100.0 * fine.deviations(one, error)[:, j]
+            for kind, one in lines.items() for j, a in axes for error in HELD
+        },
+        "imperfections_elsewhere": {
+            f"{label}, {name}": 100.0 * np.quantile(values, share, axis=1)
+            for label, values in others.items() for name, share in spread.items()
+        },
     }  # fmt: skip
+    return {name: by_parameter(one) for name, one in columns.items()}
 
 
 def robust(curves: Mapping[str, Changes], others: Mapping[str, Array]) -> str:
@@ -207,29 +193,26 @@ class Imperfections(Part):
         lines = [fine.deviations(exact, error).max(axis=0) for error in HELD]
         wide = fine.deviations(fine.secants, HELD[-1]).max(axis=0)
         apart = {tier: float(np.abs(one - fine.secants).max()) for tier, one in tangents.items()}
-        paragraphs = words.section(curves, others, HELD, lines, wide, apart, SECANT)
+        text = words.text(curves, others, HELD, lines, wide, apart, SECANT)
         figures = {
-            "imperfections": Figure(
-                words.ERRORS, partial(figure.draw_errors, curves, RELEASED - 1.0)
-            ),
-            "imperfections_lines": Figure(
-                words.LINES.format(100 * SECANT),
-                partial(figure.draw_lines, curves, exact, 100 * SECANT),
-            ),
+            "imperfections": partial(figure.draw_errors, curves, RELEASED - 1.0),
+            "imperfections_lines": partial(figure.draw_lines, curves, exact, 100 * SECANT),
         }
-        found = words.robust(curves, others, MOST, INVERSE)
+        rows = tables(curves, tangents, others)
+        digits = {"imperfections_slopes": dict.fromkeys(rows["imperfections_slopes"][0], 3)}
+        said = words.robust(curves, others, MOST, INVERSE)
+        summary = {
+            f"{kind[0]}_{name.removesuffix('_rad')}_{axis}_{kind[1]}": float(values[k, j])
+            for kind, values in {
+                ("imperfection", "percent"): 100.0 * curves["standard"].largest,
+                ("elasticity", "trend"): curves["standard"].trends,
+                ("elasticity", "tangent_reference"): exact,
+            }.items()
+            for k, name in enumerate(NAMES)
+            for j, axis in enumerate("xy")
+        }
         return Found(
-            Section(self.title, paragraphs, figures, tables(curves, tangents, others)),
-            [stated("imperfections.robust", words.ROBUST, robust(curves, others), found,
-                    words.accuracy(curves))],
-            {
-                f"{kind[0]}_{name.removesuffix('_rad')}_{axis}_{kind[1]}": float(values[k, j])
-                for kind, values in {
-                    ("imperfection", "percent"): 100.0 * curves["standard"].largest,
-                    ("elasticity", "trend"): curves["standard"].trends,
-                    ("elasticity", "tangent_reference"): exact,
-                }.items()
-                for k, name in enumerate(NAMES)
-                for j, axis in enumerate("xy")
-            },
-        )  # fmt: skip
+            section(self.title, text, figures, rows, words.CAPTIONS, digits),
+            [said.judged("imperfections.robust", robust(curves, others))],
+            summary,
+        )

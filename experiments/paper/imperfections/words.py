@@ -5,23 +5,25 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.base import paragraphs, prose
+from experiments.paper.base import Said
 from experiments.paper.settings import BASELINE, NAMES, PLAIN
 from snapjump.targets.simulator import RESOLVED_STICK_ZONE_M_S
 
-ROBUST = (
-    "(released program) The jump is robust against manufacturing errors: 20 % in a parameter moves "
-    "the apex in proportion, no more (our reading of its test; the paper's text has none)."
-)
-ERRORS = (
-    "Relative errors of the apex's x and y for errors of each parameter about the test design; "
-    "marks: the ten points of the released program's test; pale dashes: at the paper's settings"
-)
-LINES = (
-    "The same with their signs, for each parameter: simulated at `standard` (line) and at the "
-    "paper's settings (crosses), the exact tangent at `reference` (dashed), and the secant of "
-    "errors of {:g} % either way (dotted)"
-)
+CAPTIONS = {
+    "imperfections.png": """Relative errors of the apex's x and y for errors of each parameter about
+        the test design; marks: the ten points of the released program's test; pale dashes: at the
+        paper's settings""",
+    "imperfections_lines.png": """The same with their signs, for each parameter: simulated at
+        `standard` (line) and at the paper's settings (crosses), the exact tangent at `reference`
+        (dashed), and the secant of errors of 2 % either way (dotted)""",
+    "imperfections": "Errors of up to 20 % at the test design: largest changes of the apex (%)",
+    "imperfections_slopes": """Elasticities at the test design (% of change for 1 % of error): a
+        line fitted to all errors and the secant, at `reference`, and exact tangents""",
+    "imperfections_lines": """How far straight lines are off at an error either way, at `reference`
+        (% of x or y)""",
+    "imperfections_elsewhere": """Errors of 20 % at 64 designs spread over the ranges: largest
+        change (%)""",
+}
 
 
 def ordered(values: Any) -> str:
@@ -38,40 +40,38 @@ def worst(largest: Any) -> tuple[str, float]:
 
 def robust(
     curves: Mapping[str, Any], others: Mapping[str, Any], most: float, inverse: float
-) -> str:
+) -> Said:
     """``most``: the share of designs that is told; ``inverse``: of an apex in inverse
     proportion."""
-    here = curves["standard"].largest
-    (name, percent), (paper, paper_percent) = (
-        worst(curves[t].largest) for t in ("standard", "paper")
-    )
+    here, (name, percent), (paper, paper_percent) = (
+        curves["standard"].largest, *(worst(curves[tier].largest) for tier in ("standard", "paper"))
+    )  # fmt: skip
     x, y = others["x"], others["y"]
     beyond = [100.0 * float(np.mean(one.max(axis=0) > inverse)) for one in (x, y)]
     half, limit = (
         [100.0 * float(np.quantile(one.max(axis=0), share)) for one in (x, y)]
         for share in (0.5, most)
     )
-    return prose(f"""At the test design, errors of up to 20 % move x by at most
-        {ordered(here[:, 0])}; y by {ordered(here[:, 1])}. The largest is that of {name},
-        {percent:.3g} % (paper's settings: {paper}, {paper_percent:.2g} %). An apex in inverse
-        proportion to a parameter moves by {100 * inverse:g} %: over the paper's ranges
-        {beyond[0]:.0f} % of the designs move more in x, {beyond[1]:.0f} % in y. The medians of x
-        are {ordered(np.median(x, axis=1))}; of y {ordered(np.median(y, axis=1))}; by the worst
-        parameter half of the designs move by less than {half[0]:.2g} % in x and {half[1]:.2g} % in
-        y, {100 * most:g} % by less than {limit[0]:.2g} and {limit[1]:.2g} %.""")
-
-
-def accuracy(curves: Mapping[str, Any]) -> str:
-    """How far the curves of standard and of reference are apart."""
     apart = 100.0 * np.abs(curves["standard"].relative - curves["reference"].relative)
-    x, y = np.nanmax(apart, axis=(0, 1))
-    return (
-        f"`standard`; its curves against `reference`: changes of x within {x:.1g} %, of y within "
-        f"{y:.1g} % of x and y; curves at `paper` too"
+    x_off, y_off = np.nanmax(apart, axis=(0, 1))
+    return Said(
+        """(released program) The jump is robust against manufacturing errors: 20 % in a parameter
+        moves the apex in proportion, no more (our reading of its test; the paper's text has
+        none).""",
+        f"""At the test design, errors of up to 20 % move x by at most {ordered(here[:, 0])}; y by
+        {ordered(here[:, 1])}. The largest is that of {name}, {percent:.3g} % (paper's settings:
+        {paper}, {paper_percent:.2g} %). An apex in inverse proportion to a parameter moves by
+        {100 * inverse:g} %: over the paper's ranges {beyond[0]:.0f} % of the designs move more in
+        x, {beyond[1]:.0f} % in y. The medians of x are {ordered(np.median(x, axis=1))}; of y
+        {ordered(np.median(y, axis=1))}; by the worst parameter half of the designs move by less
+        than {half[0]:.2g} % in x and {half[1]:.2g} % in y, {100 * most:g} % by less than
+        {limit[0]:.2g} and {limit[1]:.2g} %.""",
+        f"""`standard`; its curves against `reference`: changes of x within {x_off:.1g} %, of y
+        within {y_off:.1g} % of x and y; curves at `paper` too""",
     )
 
 
-def section(
+def text(
     curves: Mapping[str, Any],
     others: Mapping[str, Any],
     held: Sequence[float],
@@ -79,7 +79,7 @@ def section(
     wide: Any,
     apart: Mapping[str, float],
     secant: float,
-) -> list[str]:
+) -> str:
     """What is shown, what is found, what differs and why; ``lines``: what tangents are off by in x
     and y at the errors ``held``, ``wide``: secants at the last of them; ``apart``: tangents of the
     tiers from secants."""
@@ -89,7 +89,7 @@ def section(
     (near_x, near_y), (x, y), (far_x, far_y) = (100.0 * one for one in lines)
     near, middle, far = (100.0 * error for error in held)
     rough = {tier: 100.0 * one.roughness for tier, one in curves.items()}
-    return paragraphs(f"""The test design is Δα = {lag:g} rad, ε = {epsilon:g}, m̄ = {mass_bar:g},
+    return f"""The test design is Δα = {lag:g} rad, ε = {epsilon:g}, m̄ = {mass_bar:g},
         μ = {mu:g}; one parameter at a time is off by up to 20 %, and the relative errors of x and y
         are drawn as the released program's test of imperfections has them. The paper's text says
         nothing of it; what that test is taken to state, that the jump is robust in the sense of the
@@ -113,4 +113,4 @@ def section(
 
         At the paper's settings neighbouring points scatter: second differences of the curves are
         {rough["paper"]:.2g} % of x in the mean, against {rough["standard"]:.2g} % at `standard`.
-        What moves x there from one point to the next is that scatter, more than the error.""")
+        What moves x there from one point to the next is that scatter, more than the error."""

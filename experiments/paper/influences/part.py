@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from experiments.compositions import changed, composed
 from experiments.critical_arch import critical_rows
-from experiments.paper.base import Found, Part, Statement, stated, verdict, weakest
+from experiments.paper.base import Found, Part, Statement, section, verdict, weakest
 from experiments.paper.cells import (
     LANES,
     LOADING_S,
@@ -27,10 +27,10 @@ from experiments.paper.cells import (
 from experiments.paper.influences import figure, words
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import BASELINE, RANGES, TIERS, groups_at
-from experiments.trends import Plateau, counter_step, plateau
+from experiments.trends import Plateau, counter_step, plateau, power, relative_range
 from snapjump.batch import simulate_batch, variant
 from snapjump.composition import Simulation
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
+from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.scenes import strike
 
 Array = NDArray[np.float64]
@@ -149,24 +149,46 @@ def height(rows: Sequence[Row], h1: float, h2: float, names: Sequence[str]) -> H
     )
 
 
-def level_verdict(found: Height) -> str:
-    """Constant below h1 in all coordinates; or the height at least, about."""
+def height_verdicts(found: Height) -> dict[str, str]:
+    """Constant below h1 in all coordinates, or the height at least, about; a decline between h1 and
+    h2; no jump from h2 on; and none higher than that at h1."""
     limit = LIMITS["influences.below_h1"]
-    worst = max(found.off.values())
-    return verdict(worst <= limit.confirmed, found.off["y_c"] <= limit.within)
+    return {
+        "below_h1": verdict(
+            max(found.off.values()) <= limit.confirmed, found.off["y_c"] <= limit.within
+        ),
+        "decline": judged("influences.decline", *found.back.values()),
+        "beyond_h2": weakest(
+            judged("influences.beyond_h2.rise", found.rise_beyond),
+            judged("influences.beyond_h2.last", found.last_jump - found.h2),
+        ),
+        "best": judged("influences.best", found.best),
+    }
 
 
-def decline_verdict(found: Height) -> str:
-    """A decline between h1 and h2 in all coordinates; or one with waves."""
-    return judged("influences.decline", *found.back.values())
-
-
-def stop_verdict(found: Height) -> str:
-    """Jumps, but none from h2 on; or none from within the barrier's reach beyond it."""
-    return weakest(
-        judged("influences.beyond_h2.rise", found.rise_beyond),
-        judged("influences.beyond_h2.last", found.last_jump - found.h2),
-    )
+def height_statements(
+    sweeps: Mapping[str, Sweeps],
+    statics: Mapping[str, Row],
+    pressed: Sequence[Row],
+    told: Mapping[str, str],
+) -> list[Statement]:
+    """Of the paper's vertical jump, and, as our reading, of the baseline's; statics: of each tier's
+    own mesh."""
+    found = []
+    for name, coordinates in ((VERTICAL, ("y_c",)), (MOUNT_HEIGHT, ("y_c", "x_c"))):
+        own, papers = (
+            height(
+                sweeps[name][tier], statics[tier]["h1_bar"], statics[tier]["h2_bar"], coordinates
+            )
+            for tier in FOLLOWED
+        )
+        came, first = height_verdicts(own), sweeps[name]["standard"][0][MOUNT_HEIGHT]
+        said = words.heights(came["below_h1"], own, papers, first, told[name])
+        suffix = ""
+        if name == MOUNT_HEIGHT:
+            suffix, said = ".oblique", words.oblique(said, own, pressed, statics["standard"])
+        found += [one.judged(f"influences.{key}{suffix}", came[key]) for key, one in said.items()]
+    return found
 
 
 def columns(rows: Sequence[Row], key: str, last: float = np.inf) -> tuple[Array, Array, Array]:
@@ -182,6 +204,24 @@ def ways_back(rows: Sequence[Row], key: str, rising: bool) -> tuple[float, float
     return counter_step(x, rising), counter_step(y, rising)
 
 
+def growth_statement(sweeps: Sweeps, told: str) -> Statement:
+    """Growth with the pre-compression."""
+    own, papers = (ways_back(sweeps[tier], "epsilon", True) for tier in FOLLOWED)
+    said = words.growth(*columns(sweeps["standard"], "epsilon"), own, papers, told)
+    return said.judged("influences.growth", judged("influences.monotone", *own))
+
+
+def mass_statement(sweeps: Sweeps, energies: Mapping[str, Sequence[Row]], told: str) -> Statement:
+    """Fall with the mass; energies: at standard and with the paper's settings, by mass."""
+    backs, powers = [], []
+    for tier in FOLLOWED:
+        backs.append(ways_back(sweeps[tier], "mass_bar", False))
+        v, x, y = columns(sweeps[tier], "mass_bar")
+        powers += [power(v, x), power(v, y)]
+    said = words.fall(*columns(sweeps["standard"], "mass_bar"), backs, powers, energies, told)
+    return said.judged("influences.mass", judged("influences.monotone", *backs[0]))
+
+
 def levels_off(*found: Plateau) -> str:
     """All level off to a constant; or to a much smaller slope, and one to about a constant."""
     limit, swings = LIMITS["influences.plateau"], [one.relative_swing for one in found]
@@ -189,16 +229,6 @@ def levels_off(*found: Plateau) -> str:
         judged("influences.levelling", *(one.levelling for one in found)),
         verdict(max(swings) <= limit.confirmed, min(swings) <= limit.within),
     )
-
-
-def relative_range(values: Array) -> float:
-    """From the lowest to the highest, as a share of the mean."""
-    return float(np.ptp(values) / np.mean(values))
-
-
-def power(places: Array, values: Array) -> float:
-    """The exponent of the power law through positive values."""
-    return float(np.polyfit(np.log(places), np.log(values), 1)[0])
 
 
 @dataclass(frozen=True)
@@ -211,14 +241,43 @@ class Mismatched:
     back: tuple[float, float]
     beyond: Array
 
-    @staticmethod
-    def of(rows: Sequence[Row]) -> "Mismatched":
-        """The sweep's."""
-        v, x, y = columns(rows, MISMATCH)
-        in_x, in_y = plateau(v, x), plateau(v, y)
-        rising, falling = v <= in_x.threshold, v <= in_y.threshold
-        back = counter_step(x[rising], True), counter_step(y[falling], False)
-        return Mismatched(in_x, in_y, back, x[v >= in_x.threshold])
+
+def mismatched(rows: Sequence[Row]) -> Mismatched:
+    """The sweep's."""
+    v, x, y = columns(rows, MISMATCH)
+    in_x, in_y = plateau(v, x), plateau(v, y)
+    rising, falling = v <= in_x.threshold, v <= in_y.threshold
+    back = counter_step(x[rising], True), counter_step(y[falling], False)
+    return Mismatched(in_x, in_y, back, x[v >= in_x.threshold])
+
+
+def mismatch_statements(sweeps: Sweeps, told: str) -> list[Statement]:
+    """Growth of x and fall of y with the mismatch, and the plateau that follows."""
+    own, papers = (mismatched(sweeps[tier]) for tier in FOLLOWED)
+    v, short_x, _ = columns(sweeps[SHORT], MISMATCH)
+    short = float(np.ptp(short_x[v >= papers.x.threshold]) / papers.x.level)
+    came = levels_off(own.x, own.y)
+    level = words.plateau(came, own, papers, float(v[-1]), short, told)
+    tuning = judged("influences.monotone", *own.back)
+    return [
+        words.mismatch(own, papers, told).judged("influences.mismatch", tuning),
+        level.judged("influences.plateau", came),
+    ]
+
+
+def friction_statements(sweeps: Sweeps, sliding: Sequence[Row], told: str) -> list[Statement]:
+    """What friction does not change, and where it changes no more."""
+    last, wide = RANGES["mu"][1], columns(sweeps["standard"], "mu")[2]
+    (v, x, y), (_, paper_x, paper_y) = (columns(sweeps[tier], "mu", last) for tier in FOLLOWED)
+    own, papers = plateau(v, x), plateau(v, paper_x)
+    spreads = [relative_range(one) for one in (y, paper_y, wide)]
+    came, alone = levels_off(own), judged("influences.friction_height", spreads[0])
+    return [
+        words.friction_height(y, spreads, told).judged("influences.friction_height", alone),
+        words.threshold(came, own, papers, sliding, told).judged(
+            "influences.friction_threshold", came
+        ),
+    ]
 
 
 class Influences(Part):
@@ -259,133 +318,38 @@ class Influences(Part):
         """The statements in the paper's order; figures of sweeps, heights and friction."""
         rows = {name: one.rows for name, one in done.items()}
         sweeps = {name: {tier: rows[f"{name}, {tier}"] for tier in TIERS} for name in SWEEPS}
-        sweeps[MISMATCH] = {**sweeps[MISMATCH], SHORT: rows[f"{MISMATCH}, {SHORT}"]}
+        told = {name: words.accuracy(sweeps[name], apart(sweeps[name], one.place))
+                for name, one in SWEEPS.items()}  # fmt: skip
+        sweeps[MISMATCH] |= {SHORT: rows[f"{MISMATCH}, {SHORT}"]}
         statics = {tier: rows[f"statics, {tier}"][0] for tier in TIERS}
         energies = {tier: rows[f"energies, {tier}"] for tier in FOLLOWED}
         sliding, pressed = rows["sliding, standard"], rows["pressed, standard"]
-        told = {name: words.accuracy(sweeps[name], apart(sweeps[name], one.place))
-                for name, one in SWEEPS.items()}  # fmt: skip
-        four = {name: sweeps[name] for name in list(SWEEPS)[2:]}
         heights = {name: sweeps[name] for name in (VERTICAL, MOUNT_HEIGHT)}
+        four = {name: sweep for name, sweep in sweeps.items() if name not in heights}
         figures = {
-            "influences": Figure(words.SWEEPS, partial(figure.draw_influences, four)),
-            "influences_height": Figure(
-                words.HEIGHTS, partial(figure.draw_heights, heights, statics["standard"])
-            ),
-            "influences_friction": Figure(
-                words.FRICTION, partial(figure.draw_friction, sweeps["mu"], sliding)
-            ),
+            "influences": partial(figure.draw_influences, four),
+            "influences_height": partial(figure.draw_heights, heights, statics["standard"]),
+            "influences_friction": partial(figure.draw_friction, sweeps["mu"], sliding),
         }
         kept = ("h1_bar", "h2_bar", "alpha_critical_rad", "energy_released_bar")
         tables = {
-            "influences_heights": Table(
-                "Depths of the arch under slow loading, and the energy released",
-                [{"tier": t, **{key: row[key] for key in kept}} for t, row in statics.items()],
-            ),
-            "influences_energies": Table(
-                "Shares of the energy that the baseline's slow snap releases, by mass",
-                [{"tier": t, **row} for t, found in energies.items() for row in found],
-            ),
-            "influences_pressed": Table("The ground under the beam before it snaps", pressed),
-            "influences_sliding": Table("The beam's contact during the strike", sliding),
+            "influences_heights": [
+                {"tier": tier, **{key: row[key] for key in kept}} for tier, row in statics.items()
+            ],
+            "influences_energies": [
+                {"tier": tier, **row} for tier, found in energies.items() for row in found
+            ],
+            "influences_pressed": pressed,
+            "influences_sliding": sliding,
         }
-        paragraphs = words.section([*four.values(), sweeps[MOUNT_HEIGHT]])
+        text = words.text([*four.values(), sweeps[MOUNT_HEIGHT]])
         return Found(
-            Section(self.title, paragraphs, figures, tables),
+            section(self.title, text, figures, tables, words.CAPTIONS),
             [
                 *height_statements(heights, statics, pressed, told),
-                growth_statement("epsilon", sweeps["epsilon"], told["epsilon"]),
+                growth_statement(sweeps["epsilon"], told["epsilon"]),
                 *mismatch_statements(sweeps[MISMATCH], told[MISMATCH]),
                 *friction_statements(sweeps["mu"], sliding, told["mu"]),
                 mass_statement(sweeps["mass_bar"], energies, told["mass_bar"]),
             ],
         )
-
-
-def height_statements(
-    sweeps: Mapping[str, Sweeps],
-    statics: Mapping[str, Row],
-    pressed: Sequence[Row],
-    told: Mapping[str, str],
-) -> list[Statement]:
-    """Of the paper's vertical jump, and, as our reading, of the baseline's; statics: of each tier's
-    own mesh."""
-    found = {
-        name: {
-            tier: height(rows, statics[tier]["h1_bar"], statics[tier]["h2_bar"], coordinates)
-            for tier, rows in tiers.items()
-        }
-        for (name, tiers), coordinates in zip(sweeps.items(), (("y_c",), ("y_c", "x_c")),
-                                              strict=True)
-    }  # fmt: skip
-    statements = []
-    for name, says in words.HEIGHT_STATEMENTS.items():
-        own, papers = found[name]["standard"], found[name]["paper"]
-        first = sweeps[name]["standard"][0][MOUNT_HEIGHT]
-        level = words.level(level_verdict(own), own, papers, first)
-        if name != VERTICAL:
-            level += words.pressed(own, pressed, statics["standard"])
-        aspects = {
-            "below_h1": (level_verdict(own), level),
-            "decline": (decline_verdict(own), words.decline(own, papers)),
-            "beyond_h2": (stop_verdict(own), words.stop(own, papers)),
-            "best": (judged("influences.best", own.best), words.best(own, papers)),
-        }
-        suffix = "" if name == VERTICAL else ".oblique"
-        statements += [
-            stated(f"influences.{key}{suffix}", one, *aspects[key], told[name])
-            for key, one in says.items()
-        ]
-    return statements
-
-
-def growth_statement(key: str, sweeps: Sweeps, told: str) -> Statement:
-    """Growth with the pre-compression."""
-    own, papers = (ways_back(sweeps[tier], key, True) for tier in ("standard", "paper"))
-    found = words.growth(*columns(sweeps["standard"], key), own, papers)
-    return stated("influences.growth", words.GROWTH, judged("influences.monotone", *own), found,
-                  told)  # fmt: skip
-
-
-def mass_statement(sweeps: Sweeps, energies: Mapping[str, Sequence[Row]], told: str) -> Statement:
-    """Fall with the mass; energies: at standard and with the paper's settings, by mass."""
-    own, papers = (ways_back(sweeps[tier], "mass_bar", False) for tier in ("standard", "paper"))
-    powers = {}
-    for tier in ("standard", "paper"):
-        v, x, y = columns(sweeps[tier], "mass_bar")
-        powers[tier] = power(v, x), power(v, y)
-    found = words.fall(*columns(sweeps["standard"], "mass_bar"), own, papers, powers, energies)
-    return stated("influences.mass", words.FALL, judged("influences.monotone", *own), found, told)
-
-
-def mismatch_statements(sweeps: Sweeps, told: str) -> list[Statement]:
-    """Growth of x and fall of y with the mismatch, and the plateau that follows."""
-    own, papers = (Mismatched.of(sweeps[tier]) for tier in ("standard", "paper"))
-    v, short_x, _ = columns(sweeps[SHORT], MISMATCH)
-    short = float(np.ptp(short_x[v >= papers.x.threshold]) / papers.x.level)
-    came = levels_off(own.x, own.y)
-    level = words.limit_of_level(came, {"x_c": own.x, "y_c": own.y})
-    return [
-        stated("influences.mismatch", words.MISMATCH, judged("influences.monotone", *own.back),
-               words.mismatch(own, papers), told),
-        stated("influences.plateau", words.PLATEAU, came,
-               level + words.plateau(own, papers, float(v[-1]), short), told),
-    ]  # fmt: skip
-
-
-def friction_statements(sweeps: Sweeps, sliding: Sequence[Row], told: str) -> list[Statement]:
-    """What friction does not change, and where it changes no more."""
-    last = RANGES["mu"][1]
-    v, x, y = columns(sweeps["standard"], "mu", last)
-    _, paper_x, paper_y = columns(sweeps["paper"], "mu", last)
-    own, papers = plateau(v, x), plateau(v, paper_x)
-    wide = columns(sweeps["standard"], "mu")[2]
-    spreads = [relative_range(one) for one in (y, paper_y, wide)]
-    threshold = words.limit_of_level(levels_off(own), {"x_c": own})
-    return [
-        stated("influences.friction_height", words.FRICTION_HEIGHT,
-               judged("influences.friction_height", spreads[0]),
-               words.friction_height(y, spreads), told),
-        stated("influences.friction_threshold", words.THRESHOLD, levels_off(own),
-               threshold + words.threshold(own, papers, sliding), told),
-    ]  # fmt: skip

@@ -12,6 +12,7 @@ from experiments.paper.cells import apexes_of, jumps, shipped_forward, shipped_i
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.regions import figure, words
 from experiments.paper.settings import BASELINE, NAMES, RANGES, groups_at
+from experiments.trends import power
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.targets.region import SimulatedRegion as Region
 from snapjump.targets.region import filled_outline
@@ -74,8 +75,8 @@ def against(values: Sequence[float], rising: bool = False) -> int:
 
 def mass_exponent(masses: Sequence[Region]) -> float:
     """The power of m_bar that the area goes with."""
-    areas = [region.outline.area for region in masses]
-    return float(np.polyfit(np.log([region.mass_bar for region in masses]), np.log(areas), 1)[0])
+    values = [(region.mass_bar, region.outline.area) for region in masses]
+    return power(*np.array(values).T)
 
 
 def changes(regions: Sequence[Region]) -> tuple[float, float]:

@@ -8,6 +8,8 @@ from experiments.trends import (
     counter_step,
     fit_saturating,
     plateau,
+    power,
+    relative_range,
     saturating,
     straight_line,
 )
@@ -54,3 +56,9 @@ def test_straight_line():
     assert line.deviation_percent < 1e-9 and line.at(places)[0] == pytest.approx(7.0)
     places = np.linspace(0.01, 0.3, 30)
     assert straight_line(places, 80.0 * places + 25.0 * places**2).worst_place == 0.01
+
+
+def test_power_law_and_range():
+    places = np.linspace(0.3, 2.0, 18)
+    assert power(places, 3.0 * places**-0.7) == pytest.approx(-0.7)
+    assert relative_range(np.array([9.0, 10.0, 11.0])) == pytest.approx(0.2)
