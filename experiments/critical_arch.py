@@ -3,8 +3,8 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from experiments import exact
 from experiments.compositions import composed
-from experiments.paper import exact
 from experiments.paper.settings import RANGES
 from snapjump.run.studies.base import Row
 from snapjump.statics.critical import find_snap

@@ -82,9 +82,9 @@ class Shift:
 def shift(rows: Sequence[Row], base: Sequence[Row]) -> Shift:
     """The shift of the jumps of some rows from those of others."""
     x, y, x0, y0 = (column(r, key) for r in (rows, base) for key in ("x_bar", "y_bar"))
-    figures = [
-        percentile(errors, share)
+    (x_median, x_p95), (y_median, y_p95) = (
+        [percentile(errors, share) for share in (50.0, 95.0)]
         for errors in relative_errors(x, y, x0, y0)
-        for share in (50.0, 95.0)
-    ]
-    return Shift(*figures, float(np.nanmedian(100.0 * (y / y0 - 1.0))))
+    )
+    signed = float(np.nanmedian(100.0 * (y / y0 - 1.0)))
+    return Shift(x_median, x_p95, y_median, y_p95, signed)

@@ -1,11 +1,11 @@
 """Our equilibria of the arch whose clamps turn alike, beside the exact elastica's."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
+from experiments import exact
 from experiments.order import fitted_order
-from experiments.paper import exact
 from snapjump.composition import Simulation
 from snapjump.run.studies.base import Row
 from snapjump.statics.arch import StaticArch
@@ -60,6 +60,22 @@ def exact_row(epsilon: float) -> dict[str, float]:
         "midpoint_fold_bar": alike["ymid_before_fold"],
         "energy_fold_bar": alike["E_before_fold"],
     }
+
+
+def exact_points(epsilon: float, kind: str) -> Iterator[tuple[float, float]]:
+    """Angle and middle (``ymid``) or energy (``E``) of the exact equilibria: flat clamps up and
+    down, the pitchfork, the state behind it, the fold, and the mirror images of these."""
+    mirror = -1.0 if kind == "ymid" else 1.0
+    flat, entry, angles = exact.flat(epsilon), exact.symmetric(epsilon), exact.stretching(epsilon)
+    points = [
+        (0.0, flat[kind]),
+        (angles["alpha_pitchfork"], entry[f"{kind}_before_asym"]),
+        (angles["alpha_pitchfork"], entry[f"{kind}_after_asym"]),
+        (angles["alpha_fold"], entry[f"{kind}_before_fold"]),
+    ]
+    for alpha, value in points:
+        yield alpha, value
+        yield -alpha, mirror * value
 
 
 def landmark_rows(simulation: Simulation, epsilons: Sequence[float]) -> list[Row]:

@@ -43,6 +43,72 @@ def fit_saturating(places: Array, values: Array) -> tuple[float, float]:
     return float(slope), float(threshold)
 
 
+SMALL = 0.1  # shares of the level: below a value is taken as linear, for the second estimate
+
+
+@dataclass(frozen=True)
+class Saturation:
+    """``slope``: rad per rad; ``level_rad``; ``threshold_rad``: the place where the two lines
+    meet; ``other_threshold_rad``: the same from the smallest values and that at the end of the
+    fit alone, without the law; ``misfit``: the largest relative difference from the law;
+    ``exponent``: of the power of the place that the smallest values grow by;
+    ``linear_until_rad``: where the value has fallen behind the line; ``rise``: relative growth
+    from so many thresholds to the end of the plateau, ``rise_untilted``: the largest relative
+    change on that way, less what is there without the instability."""
+
+    slope: float
+    level_rad: float
+    threshold_rad: float
+    other_threshold_rad: float
+    misfit: float
+    exponent: float
+    linear_until_rad: float
+    rise: float
+    rise_untilted: float
+
+
+def saturation_of(
+    places: Array,
+    values: Array,
+    rest: Array,
+    fitted_upto: float,
+    plateau: tuple[float, float],
+    deviation: float,
+) -> Saturation:
+    """``rest``: what is there without the instability; ``plateau``: from how many thresholds to
+    which place the level is looked at; ``deviation``: the share by which a value is behind the
+    line."""
+    near = places <= fitted_upto * (1.0 + 1e-9)
+    slope, threshold = fit_saturating(places[near], values[near])
+    ratios = values / places
+    line = float(np.mean(ratios[values <= SMALL * slope * threshold]))
+    level, untilted = (
+        between(places, one, plateau[0] * threshold, plateau[1]) for one in (values, values - rest)
+    )
+    return Saturation(
+        slope=slope,
+        level_rad=slope * threshold,
+        threshold_rad=threshold,
+        other_threshold_rad=float(values[near][-1]) / line,
+        misfit=float(np.abs(values[near] / saturating(places[near], slope, threshold) - 1.0).max()),
+        exponent=float(np.log(values[1] / values[0]) / np.log(places[1] / places[0])),
+        linear_until_rad=fallen_behind(places, ratios / line, 1.0 - deviation),
+        rise=float(level[-1] / level[0] - 1.0),
+        rise_untilted=float(untilted.max() / untilted.min() - 1.0),
+    )
+
+
+def fallen_behind(places: Array, shares: Array, least: float) -> float:
+    """The first place where the share of the line is less; the last one if there is none."""
+    behind = np.flatnonzero(shares < least)
+    if len(behind) == 0:
+        return float(places[-1])
+    k = int(behind[0])
+    if k == 0:
+        return 0.0
+    return float(np.exp(np.interp(-least, -shares[k - 1 : k + 1], np.log(places[k - 1 : k + 1]))))
+
+
 @dataclass(frozen=True)
 class Plateau:
     """The ramp that fits a curve best: a straight line up to ``threshold``, a constant beyond.

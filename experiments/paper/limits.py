@@ -7,7 +7,7 @@ what still counts as linear, flat or alike; they may be tightened, and never loo
 import math
 from typing import NamedTuple
 
-from experiments.paper.statement import Row, verdict
+from experiments.paper.base import Row, verdict
 
 
 class Limit(NamedTuple):

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from functools import partial
 from typing import Any
 
@@ -10,11 +10,10 @@ import numpy as np
 
 from experiments.paper.asymmetry import words
 from experiments.paper.asymmetry.figure import draw_asymmetry
-from experiments.paper.base import Found, Part
+from experiments.paper.base import Found, Part, weakest
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import snap_groups, snap_of
-from experiments.paper.statement import weakest
-from experiments.trends import between, fit_saturating, saturating
+from experiments.trends import Saturation, saturation_of
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.swing import follow, outcome
 
@@ -28,7 +27,6 @@ SWEEPS = {"standard": 6, "paper": 3, "undamped": 2, "reference": 2}  # mismatche
 # The law is of tilts that come from the instability alone; beyond 0.01 rad the tilt that the
 # mismatch gives the arch at rest shows.
 FITTED_UPTO_RAD = 0.01
-SMALL = 0.1  # shares of the level: below the tilt is taken as linear, for the second estimate
 FLAT_FROM = 10.0  # thresholds, from where on the level is looked at
 SHOWN = (0.01, 0.1, 0.2, 0.4)  # rad
 
@@ -128,27 +126,6 @@ def cell_name(setting: str, epsilon: float) -> str:
     return f"{setting}, epsilon {epsilon:g}"
 
 
-@dataclass(frozen=True)
-class Saturation:
-    """``slope``: rad per rad; ``level_rad``; ``threshold_rad``: the mismatch where the two lines
-    meet; ``other_threshold_rad``: the same from the smallest tilts and the tilt at the end of the
-    fit alone, without the law; ``misfit``: the largest relative difference from the law;
-    ``exponent``: of the power of the mismatch that the smallest tilts grow by;
-    ``linear_until_rad``: where the tilt has fallen behind the line; ``rise``: relative growth
-    from ten thresholds to the end of the plateau, ``rise_untilted``: the largest relative
-    change on that way, less the tilt at rest."""
-
-    slope: float
-    level_rad: float
-    threshold_rad: float
-    other_threshold_rad: float
-    misfit: float
-    exponent: float
-    linear_until_rad: float
-    rise: float
-    rise_untilted: float
-
-
 def saturation(rows: Sequence[Row]) -> Saturation:
     """What the tilts of a sweep come to."""
     snapped = [r for r in rows if r["theta_max_rad"] is not None and r["delta_alpha_rad"] > 0.0]
@@ -156,37 +133,10 @@ def saturation(rows: Sequence[Row]) -> Saturation:
     lags, tilts, rest = (
         column(snapped, key) for key in ("delta_alpha_rad", "theta_max_rad", "theta_rest_rad")
     )
-    near = lags <= FITTED_UPTO_RAD * (1.0 + 1e-9)
-    slope, threshold = fit_saturating(lags[near], tilts[near])
-    ratios = tilts / lags
-    line = float(np.mean(ratios[tilts <= SMALL * slope * threshold]))
-    level, untilted = (
-        between(lags, values, FLAT_FROM * threshold, PLATEAU_UPTO_RAD)
-        for values in (tilts, tilts - rest)
+    deviation = LIMITS["asymmetry.linear.deviation"].confirmed
+    return saturation_of(
+        lags, tilts, rest, FITTED_UPTO_RAD, (FLAT_FROM, PLATEAU_UPTO_RAD), deviation
     )
-    return Saturation(
-        slope=slope,
-        level_rad=slope * threshold,
-        threshold_rad=threshold,
-        other_threshold_rad=float(tilts[near][-1]) / line,
-        misfit=float(np.abs(tilts[near] / saturating(lags[near], slope, threshold) - 1.0).max()),
-        exponent=float(np.log(tilts[1] / tilts[0]) / np.log(lags[1] / lags[0])),
-        linear_until_rad=fallen_behind(lags, ratios / line),
-        rise=float(level[-1] / level[0] - 1.0),
-        rise_untilted=float(untilted.max() / untilted.min() - 1.0),
-    )
-
-
-def fallen_behind(lags: Array, shares: Array) -> float:
-    """The first mismatch where the share of the line is short of one; the last if there is none."""
-    least = 1.0 - LIMITS["asymmetry.linear.deviation"].confirmed
-    behind = np.flatnonzero(shares < least)
-    if len(behind) == 0:
-        return float(lags[-1])
-    k = int(behind[0])
-    if k == 0:
-        return 0.0
-    return float(np.exp(np.interp(-least, -shares[k - 1 : k + 1], np.log(lags[k - 1 : k + 1]))))
 
 
 def linear_verdict(found: Mapping[float, Saturation], smallest_rad: float) -> str:

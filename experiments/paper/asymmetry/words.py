@@ -4,16 +4,16 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from experiments.paper.base import Said, listed, paragraphs, prose
 from experiments.paper.limits import LIMITS
 from experiments.paper.settings import RANGES
-from experiments.paper.statement import Said, listed, paragraphs, prose
 from snapjump.run.studies.base import Row
 
 TITLE = "How asymmetric a snap becomes"
 FIGURE = prose("""θ_max against the mismatch: left with the paper's range shaded, and dash-dotted
     what is left without the tilt at rest; right by logarithms, the law at standard drawn thin, its
     threshold marked on it""")
-# Laws (:class:`experiments.paper.asymmetry.part.Saturation`) by setting and pre-compression.
+# Laws (:class:`experiments.trends.Saturation`) by setting and pre-compression.
 Laws = Mapping[str, Mapping[float, Any]]
 SMALLEST_DESIGN_RAD = RANGES["delta_alpha_rad"][0]
 LINEAR_PERCENT = 100.0 * LIMITS["asymmetry.linear.deviation"].confirmed

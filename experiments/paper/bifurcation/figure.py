@@ -1,12 +1,12 @@
 """bifurcation_loop.png, bifurcation.png, bifurcation_angles.png: equilibria and exact ones."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from experiments.paper import exact
+from experiments import exact, exact_arch
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.branches import stable_runs
@@ -26,18 +26,6 @@ SHAPES = {
     "at the fold": ("at the fold (unstable)", palette.FORCE, (0, (4, 2))),
     "leaning": ("leaning, half the angle (unstable)", palette.PLUM, (0, (1.2, 1.6))),
 }
-
-
-def pieces(rows: Sequence[Row], key: str) -> Iterator[tuple[Any, Any, dict[str, Any]]]:
-    """Angles, values and style of each stretch of a branch with the same stability."""
-    for kind in ("up", "down", "leaning"):
-        branch = [row for row in rows if row["branch"] == kind]
-        alpha, values, negative = (
-            column(branch, name) for name in ("alpha_rad", key, "negative_eigenvalues")
-        )
-        for piece, stable in stable_runs(np.zeros(len(alpha)), negative):
-            style = STABLE if stable else LEANING if kind == "leaning" else UNSTABLE
-            yield alpha[piece], values[piece], style
 
 
 def draw_loop(shapes: Sequence[Row], branches: Sequence[Row], mark: Row, path: Path) -> None:
@@ -65,8 +53,15 @@ def draw_loop(shapes: Sequence[Row], branches: Sequence[Row], mark: Row, path: P
 
 
 def _branches(axes: Any, rows: Sequence[Row], key: str) -> None:
-    for alpha, values, style in pieces(rows, key):
-        axes.plot(alpha, values, **style)
+    """A value against the angle, each stretch of a branch in the style of its stability."""
+    for kind in ("up", "down", "leaning"):
+        branch = [row for row in rows if row["branch"] == kind]
+        alpha, values, negative = (
+            column(branch, name) for name in ("alpha_rad", key, "negative_eigenvalues")
+        )
+        for piece, stable in stable_runs(np.zeros(len(alpha)), negative):
+            style = STABLE if stable else LEANING if kind == "leaning" else UNSTABLE
+            axes.plot(alpha[piece], values[piece], **style)
 
 
 def _arrows(axes: Any, mark: Row) -> tuple[float, float]:
@@ -102,13 +97,13 @@ def draw_branches(
         grid = figure.add_gridspec(
             2, len(marks), left=0.065, right=0.99, top=0.87, bottom=0.07, wspace=0.22, hspace=0.16
         )
-        for column, mark in enumerate(marks):
+        for across, mark in enumerate(marks):
             rows = branches[mark["epsilon"]]
             for line, (key, kind) in enumerate((("midpoint_bar", "ymid"), ("energy_bar", "E"))):
-                axes = figure.add_subplot(grid[line, column])
+                axes = figure.add_subplot(grid[line, across])
                 axes.grid(True)
                 _branches(axes, rows, key)
-                for alpha, value in exact_points(mark["epsilon"], kind):
+                for alpha, value in exact_arch.exact_points(mark["epsilon"], kind):
                     axes.plot(alpha, value, **EXACT)
                 if line == 0:
                     _arrows(axes, mark)
@@ -116,7 +111,7 @@ def draw_branches(
                 else:
                     axes.set_ylim(0.0, HIGHEST * mark["energy_before_bar"])
                     axes.set_xlabel("clamp angle α (rad)")
-            if column == 0:
+            if across == 0:
                 figure.axes[0].set_ylabel("height of the middle, y / L")
                 figure.axes[1].set_ylabel("elastic energy (EI/L)")
         handles = [
@@ -129,22 +124,6 @@ def draw_branches(
             )
         ]
         figure.legend(handles=handles, loc="upper right", ncols=4, bbox_to_anchor=(0.995, 0.955))
-
-
-def exact_points(epsilon: float, kind: str) -> Iterator[tuple[float, float]]:
-    """Angle and middle (``ymid``) or energy (``E``) of the exact equilibria: flat clamps up and
-    down, the pitchfork, the state behind it, the fold, and the mirror images of these."""
-    mirror = -1.0 if kind == "ymid" else 1.0
-    flat, entry, angles = exact.flat(epsilon), exact.symmetric(epsilon), exact.stretching(epsilon)
-    points = [
-        (0.0, flat[kind]),
-        (angles["alpha_pitchfork"], entry[f"{kind}_before_asym"]),
-        (angles["alpha_pitchfork"], entry[f"{kind}_after_asym"]),
-        (angles["alpha_fold"], entry[f"{kind}_before_fold"]),
-    ]
-    for alpha, value in points:
-        yield alpha, value
-        yield -alpha, mirror * value
 
 
 def draw_angles(

@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from experiments import exact
+from experiments.arch_branches import branch_rows, shape_rows
 from experiments.compositions import changed, composed
 from experiments.exact_arch import (
     LADDER,
@@ -18,83 +20,19 @@ from experiments.exact_arch import (
     overall,
 )
 from experiments.exact_arch import largest_difference as off
-from experiments.paper import exact
-from experiments.paper.base import Found, Part
+from experiments.paper.base import Found, Part, Statement, weakest
 from experiments.paper.bifurcation import words
 from experiments.paper.bifurcation.figure import draw_angles, draw_branches, draw_loop
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import PAPER_ELEMENTS, groups_at, snap_groups, snap_of
-from experiments.paper.statement import Statement, weakest
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.swing import follow, outcome
-from snapjump.statics.arch import StaticArch
-from snapjump.statics.branch import Branch
-from snapjump.statics.critical import Snap, find_snap, start_point
-from snapjump.statics.landmarks import symmetric_fold
-from snapjump.statics.paths import leaning_path, symmetric_path
 
 SHOWN = 0.2  # epsilon of the shapes, the paper's baseline
 GRID = (0.01, *(round(0.02 * k, 2) for k in range(1, 16)))  # epsilon
 TIERS = (*LADDER, "paper")
-NEAR = 0.93  # of the critical angle, from where on steps along a branch are fine
-HALF_WAY = 0.5  # of the critical angle, for the shape of a leaning arch
 NODES = f"paper, {PAPER_ELEMENTS + 1} nodes"  # of the paper's study of the snap
 STEPS_S = (1e-3, 1e-5)  # the paper's of that study, and that of its jumps
-
-
-def arch_of(inputs: Mapping[str, Any]) -> tuple[StaticArch, Snap]:
-    """The arch of a cell, and its snap."""
-    simulation, epsilon = composed(inputs["groups"]), inputs["epsilon"]
-    robot, mesh = simulation.robot, simulation.discretization
-    return StaticArch(robot, mesh, epsilon), find_snap(robot, mesh, epsilon, 0.0)
-
-
-def branch_rows(inputs: Mapping[str, Any]) -> list[Row]:
-    """Points of the branches at one pre-compression: angle, middle, energy, negative eigenvalues.
-
-    ``up`` and ``down`` go to both sides of flat clamps; ``leaning`` leaves ``up`` at its first
-    instability and ends at that of ``down``.
-    """
-    arch, snap = arch_of(inputs)
-    branch, near = Branch(arch, 0.0), NEAR * snap.alpha_rad
-    paths = {
-        "up": symmetric_path(branch, True, near),
-        "down": symmetric_path(branch, False, near),
-        "leaning": leaning_path(arch, snap.before),
-    }
-    points = [
-        (name, point, arch.equilibrium(point.state, point.left, point.left))
-        for name, path in paths.items()
-        for point in path
-    ]
-    return [
-        {
-            "branch": name,
-            "alpha_rad": float(point.left),
-            "midpoint_bar": found.midpoint,
-            "energy_bar": found.energy,
-            "negative_eigenvalues": point.negative_eigenvalues,
-        }
-        for name, point, found in points
-    ]
-
-
-def shape_rows(inputs: Mapping[str, Any]) -> list[Row]:
-    """Nodes of the shapes before, at and after the snap, and of two that are not stable."""
-    arch, snap = arch_of(inputs)
-    branch, half = Branch(arch, 0.0), HALF_WAY * snap.alpha_rad
-    states = {
-        "flat clamps": start_point(branch).state,
-        "critical": snap.before.state,
-        "snapped": snap.after.state,
-        "at the fold": symmetric_fold(branch).state,
-        "leaning": next(p for p in leaning_path(arch, snap.before) if p.left < half).state,
-    }
-    return [
-        {"shape": name, "x_bar": float(x), "y_bar": float(y)}
-        for name, state in states.items()
-        for x, y in zip(state[0 :: arch.node_dofs], state[1 :: arch.node_dofs], strict=True)
-    ]
 
 
 def angle_rows(inputs: Mapping[str, Any]) -> list[Row]:

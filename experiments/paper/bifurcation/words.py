@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from experiments.exact_arch import RIGID, STRETCHES, orders, overall
-from experiments.paper.statement import Said, listed, paragraphs, prose
+from experiments.paper.base import Said, listed, paragraphs, prose
 from snapjump.run.studies.base import Row
 
 TITLE = "The critical angle, and the loop"
@@ -17,7 +17,8 @@ ANGLES = prose("""Critical angle against pre-compression; how much later the sym
     the largest difference from the exact elastica, of angles, energies and heights, against the
     mesh""")
 COMPARED = "Largest differences from the exact elastica at ε = 0.1, 0.2 and 0.3"
-Rows, Gaps = Sequence[Row], Sequence[float]
+Rows = Sequence[Row]
+Gaps = Sequence[float]
 Tiers = Mapping[str, Rows]
 
 

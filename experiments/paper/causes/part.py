@@ -9,78 +9,29 @@ import numpy as np
 from experiments.compositions import Groups, changed, composed
 from experiments.designs import spread_designs
 from experiments.errors import Shift, shift
-from experiments.paper.base import Found, Part, failed, incomplete
+from experiments.exchanges import (
+    ELASTIC,
+    ELEMENTS,
+    ENDS,
+    FRAME,
+    PAPER,
+    REFERENCE,
+    START,
+    Changes,
+    choices,
+    program,
+    variants,
+)
+from experiments.paper.base import Found, Part, failed, incomplete, weakest
 from experiments.paper.causes import words
 from experiments.paper.causes.figure import draw_causes
-from experiments.paper.jumps import LANES, jump_rows
+from experiments.paper.cells import LANES, jump_rows
 from experiments.paper.limits import judged
 from experiments.paper.settings import BASELINE, groups_at
-from experiments.paper.statement import weakest
 from snapjump.batch import variants as robots
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
-
-PAPER, REFERENCE = "paper", "reference"
-ENDS = (PAPER, REFERENCE)
-SHORT_STEP_S = 1e-6
-EULER, DAMPING, ELEMENTS = "implicit Euler", "no material damping", "66 elements"
-START, FRAME = "start from flat clamps", "frame of 1000 EI"
-ELASTIC = {"frame": {"name": "elastic"}}
-NO_DAMPING = {"name": "kelvin_voigt", "relaxation_time_s": 0.0}
-# What a program is compiled for; all else are numbers.
-COMPILED = ("discretization", "frame", "contact", "friction", "damping", "integrator", "stepping")
-
-# A choice: the groups that put the converged one into the paper's settings, and the other way.
-Changes = Mapping[str, Mapping[str, Any]]
-
-
-def choices(at: Mapping[str, Groups]) -> dict[str, tuple[Changes, Changes]]:
-    """All choices by title; at: the groups of both ends."""
-    own, converged = at[PAPER], at[REFERENCE]
-
-    def exchanged(group: str, key: str) -> tuple[Changes, Changes]:
-        return {group: {key: converged[group][key]}}, {group: {key: own[group][key]}}
-
-    return {
-        "fixed step of 1e-5 s": (
-            # The adaptive steps of another integrator would be no first-order scheme's.
-            {"stepping": {"step_s": SHORT_STEP_S}},
-            {"stepping": own["stepping"]},
-        ),
-        EULER: (
-            {"integrator": converged["integrator"]},
-            # With the steps that it was chosen with: with tight ones it is as exact as any.
-            {"integrator": own["integrator"], "stepping": own["stepping"]},
-        ),
-        # Without relaxation the law is none, to the last bit; so written it needs no program that
-        # no other exchange has.
-        "lagged friction": (
-            {"friction": converged["friction"], "damping": NO_DAMPING},
-            {"friction": own["friction"]},
-        ),
-        DAMPING: ({"damping": converged["damping"]}, {"damping": NO_DAMPING}),
-        "clamps of two fixed nodes": exchanged("discretization", "clamp"),
-        ELEMENTS: exchanged("discretization", "elements"),
-        "K per node": exchanged("contact", "weighting"),
-        START: exchanged("sim", "start_fraction"),
-        FRAME: (ELASTIC, ELASTIC),
-    }
-
-
-def variants(at: Mapping[str, Groups]) -> dict[tuple[str, str], Groups]:
-    """Both ends with each choice exchanged, by end and title."""
-    return {
-        (end, title): changed(at[end], changes[k])
-        for k, end in enumerate(ENDS)
-        for title, changes in choices(at).items()
-    }
-
-
-def program(groups: Groups) -> tuple[str, ...]:
-    """Names of the modules that a program is compiled for."""
-    return tuple(groups[family]["name"] for family in COMPILED)
-
 
 DESIGNS, MANY, LONG = 32, 256, 64
 STEPS_S = (1e-5, 3e-6, 1e-6, 3e-7)  # the paper's, and ever finer; the last is the limit
@@ -188,7 +139,7 @@ class Causes(Part):
             s: (len(failed(jumps)), len(jumps), float(np.nanmin(column(jumps, "min_gap_m"))))
             for s, jumps in ((s, rows[many(s)]) for s in (STEPS_S[0], *LONG_STEPS_S))
         }
-        mesh = [moved[end, ELEMENTS] for end in ENDS]
+        mesh, finer = (moved[end, ELEMENTS] for end in ENDS)
         lost = [incomplete(name, one) for name, one in done.items() if failed(one.rows)]
         flat = {"paper_to_reference": apart, "frame_1000_ei": ladder[STIFFNESSES[0]],
                 "step_1e_5_s": by_step[STEPS_S[0]]}  # fmt: skip
@@ -206,8 +157,8 @@ class Causes(Part):
                 words.step(DESIGNS, by_step, STEPS_S[-1]).judged(
                     "causes.step", matters(by_step[STEPS_S[0]])
                 ),
-                words.nodes(DESIGNS, *mesh, moved[PAPER, START]).judged(
-                    "causes.nodes", matters(mesh[0])
+                words.nodes(DESIGNS, mesh, finer, moved[PAPER, START]).judged(
+                    "causes.nodes", matters(mesh)
                 ),
                 words.contact(DESIGNS, harder).judged("causes.contact", matters(*harder.values())),
                 words.stability(counted, groups[PAPER]["contact"]["distance_m"]).judged(

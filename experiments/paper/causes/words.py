@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from experiments.errors import Shift
-from experiments.paper.statement import Said, paragraphs, prose
+from experiments.paper.base import Said, paragraphs, prose
 
 TITLE = "What causes the difference"
 EXCHANGED = "Shift of the apex by one exchanged choice; y's medians with their signs"

@@ -2,36 +2,22 @@
 
 from collections.abc import Mapping, Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from experiments.compositions import composed
-from experiments.paper.base import Found, Part
+from experiments.inverse_benchmark.cases import Case, case_rows
+from experiments.paper.base import Found, Part, Statement, weakest
+from experiments.paper.cells import shipped_forward, shipped_inputs
 from experiments.paper.designs import words
 from experiments.paper.designs.figure import draw_flights, draw_misses
-from experiments.paper.learned import shipped_forward, shipped_inputs
 from experiments.paper.limits import judged
 from experiments.paper.settings import BASELINE, TIERS, groups_at, simulation_at
-from experiments.paper.statement import Statement, weakest
-from snapjump.batch import simulate_designs, variant
 from snapjump.declare.members import member_class
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
-from snapjump.targets.answer import answer
-from snapjump.targets.design import problem_of
-from snapjump.targets.warm_up import warm_up
 
 MASS_BAR, MU = BASELINE[2:]
-
-
-class Case(NamedTuple):
-    """A robot on a ground, and where it is to jump: the apex x, y in L."""
-
-    label: str
-    mass_bar: float
-    mu: float
-    x_bar: float
-    y_bar: float
 
 
 ONE_ROBOT = tuple(
@@ -55,7 +41,6 @@ LEARNED = ("adam", "gauss_newton")  # that ask the forward model alone
 METHODS = (*LEARNED, "physics")
 SHOWN = "gauss_newton"  # whose flights the figure has: a design by the forward model alone
 CONVERGED = ("standard", "reference")
-LIFT_OFF = ("liftoff_x_bar", "liftoff_y_bar", "liftoff_vx_m_s")
 
 
 class Designs(Part):
@@ -78,47 +63,11 @@ class Designs(Part):
         ]
 
     def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
-        """A row for each case: its design, what the forward model and each tier say of it (misses
-        in mm), its lift-off at the first of them, time and simulations of the search."""
-        base, forward = composed(inputs["groups"]), shipped_forward()
-        method = member_class("inverse", inputs["method"])()
-        warm_up(base, forward, method)
+        """Designs of one method for the cases of one group."""
+        base, method = composed(inputs["groups"]), member_class("inverse", inputs["method"])()
         cases = [Case(*values) for values in inputs["cases"]]
-        targets = np.array([(case.x_bar, case.y_bar) for case in cases])
-        rows: list[Row] = []
-        designs = np.zeros((len(cases), 4))
-        for k, case in enumerate(cases):
-            robot = variant(base, (*BASELINE[:2], case.mass_bar, case.mu))
-            problem = problem_of(robot, targets[k], forward, forward, inputs["seed"])
-            found = answer(problem, method)
-            designs[k] = problem.designs(found.solutions[0].controls[None, :])[0]
-            rows.append(
-                {
-                    "robot": case.label,
-                    "mass_bar": case.mass_bar,
-                    "mu": case.mu,
-                    "target_x_bar": case.x_bar,
-                    "target_y_bar": case.y_bar,
-                    "delta_alpha_rad": float(designs[k, 0]),
-                    "epsilon": float(designs[k, 1]),
-                    "reachable": found.reachable,
-                    "solutions": len(found.solutions),
-                    "seconds": found.seconds,
-                    "simulations": found.simulations,
-                }
-            )
-        add_places(rows, "predicted", forward.predict(designs))
-        length_mm = 1e3 * base.robot.length_m
-        for tier in inputs["tiers"]:
-            simulation = simulation_at(inputs["groups"], tier)
-            batch = simulate_designs(simulation, designs, threads=2, lanes=8)
-            add_places(rows, tier, batch.apexes)
-            for row, miss in zip(rows, np.hypot(*(batch.apexes - targets).T), strict=True):
-                row[f"miss_{tier}_mm"] = float(length_mm * miss)
-            if tier == inputs["tiers"][0]:
-                for row, left in zip(rows, batch.rows(*LIFT_OFF), strict=True):
-                    row |= left
-        return rows
+        judges = {tier: simulation_at(inputs["groups"], tier) for tier in inputs["tiers"]}
+        return case_rows(base, shipped_forward(), method, cases, judges, inputs["seed"])
 
     def judge(self, done: Mapping[str, Done]) -> Found:
         """Flights, misses, all designs, one statement."""
@@ -154,12 +103,6 @@ class Designs(Part):
                 )
             },
         )
-
-
-def add_places(rows: list[Row], name: str, apexes: Any) -> None:
-    """Both coordinates (N, 2) of an apex in each row."""
-    for row, (x, y) in zip(rows, apexes.tolist(), strict=True):
-        row[f"{name}_x_bar"], row[f"{name}_y_bar"] = x, y
 
 
 def line(method: str, rows: Sequence[Row]) -> Row:

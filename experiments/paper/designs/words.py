@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from experiments.inverse_benchmark.methods import LENGTH_MM, PAPER
+from experiments.paper.base import Said, paragraphs, prose
 from experiments.paper.settings import BASELINE
-from experiments.paper.statement import Said, paragraphs, prose
 from snapjump.run.studies.base import Row, column
 
 TITLE = "Inverse designs"

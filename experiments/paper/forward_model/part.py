@@ -10,23 +10,22 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from experiments.compositions import changed, composed
+from experiments.compositions import changed
 from experiments.designs import spread_designs
 from experiments.inverse_benchmark.study import stretches
 from experiments.inverse_benchmark.table import summary_row
-from experiments.paper.base import Found, Part
+from experiments.pace import pace_row, pace_rows
+from experiments.paper.base import Found, Part, Statement, weakest
+from experiments.paper.cells import shipped_inputs
 from experiments.paper.forward_model import words
 from experiments.paper.forward_model.figure import draw_forward_model
-from experiments.paper.learned import shipped_inputs
 from experiments.paper.limits import judged
 from experiments.paper.settings import groups_at
-from experiments.paper.statement import Statement, weakest
-from snapjump.batch import simulate_designs
 from snapjump.dataset.specification import specify
 from snapjump.dataset.whole import whole_dataset
 from snapjump.declare.members import make_member, member_class, member_group
 from snapjump.learning.training import Training
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
 
 
 class Method(NamedTuple):
@@ -126,14 +125,6 @@ def inverse_rows(inputs: Mapping[str, Any]) -> list[Row]:
     return solve_block({**inputs, "checkpoint": str(file)})
 
 
-def pace_rows(inputs: Mapping[str, Any]) -> list[Row]:
-    """A row for each design: how long its jump lasts, and how long one core takes for it alone."""
-    base, designs = composed(inputs["groups"]), np.array(inputs["designs"])
-    simulate_designs(base, designs[:1], lanes=1)  # compiled before it is timed
-    keys = ("status", "apex_time_s", "liftoff_time_s", "kernel_seconds")
-    return [simulate_designs(base, one[None], lanes=1).rows(*keys)[0] for one in designs]
-
-
 class ForwardModels(Part):
     """From nothing: 50,625 jumps, the paper's network on them, and designs for random targets."""
 
@@ -211,22 +202,6 @@ class ForwardModels(Part):
 def snake_case(name: str) -> str:
     """A method's name as a key."""
     return re.sub(r"\W+", "_", name)
-
-
-def pace_row(rows: list[Row]) -> Row:
-    """Times of several jumps: how long they last, and how long they take."""
-    apex, takeoff, taken = (
-        column(rows, key) for key in ("apex_time_s", "liftoff_time_s", "kernel_seconds")
-    )
-    return {
-        "jumps": len(rows),
-        "apex_median_s": float(np.median(apex)),
-        "liftoff_median_s": float(np.median(takeoff)),
-        "computed_median_s": float(np.median(taken)),
-        "computed_most_s": float(np.max(taken)),
-        "most_of_time_to_apex": float(np.max(taken / apex)),
-        "most_of_time_to_liftoff": float(np.max(taken / takeoff)),
-    }
 
 
 def real_time_statement(pace: Mapping[str, list[Row]]) -> Statement:

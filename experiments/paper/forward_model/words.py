@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from experiments.inverse_benchmark.methods import PAPER
-from experiments.paper.statement import Said, paragraphs
+from experiments.paper.base import Said, paragraphs
 from snapjump.run.studies.base import Row
 from snapjump.tiers import TIERS
 

@@ -9,13 +9,11 @@ from numpy.typing import NDArray
 
 from experiments.compositions import composed
 from experiments.designs import spread_designs
-from experiments.paper.base import Found, Part, section
-from experiments.paper.followed import jumps
+from experiments.paper.base import Found, Part, section, weakest
+from experiments.paper.cells import apexes_of, jumps
 from experiments.paper.imperfections import figure, words
-from experiments.paper.jumps import apexes_of
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import BASELINE, NAMES, PLAIN, TIERS, groups_at
-from experiments.paper.statement import weakest
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.targets.manufacturing import ErrorCurves, alone_off
 from snapjump.targets.simulator import JumpSimulator, differentiable

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
+from experiments.paper.base import Said
 from experiments.paper.settings import BASELINE, NAMES, PLAIN
-from experiments.paper.statement import Said
 from snapjump.targets.simulator import RESOLVED_STICK_ZONE_M_S
 
 CAPTIONS = {

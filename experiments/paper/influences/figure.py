@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from experiments.paper.settings import BASELINE, LABELS, NAMES, RANGES
-from experiments.paper.styles import boxes, draw_tiers
+from experiments.styles import boxes, draw_tiers
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import panels

@@ -10,9 +10,13 @@ from numpy.typing import NDArray
 
 from experiments.compositions import changed, composed
 from experiments.critical_arch import critical_rows
-from experiments.paper.base import Found, Part, section
-from experiments.paper.followed import (
+from experiments.paper.base import Found, Part, Statement, section, verdict, weakest
+from experiments.paper.cells import (
+    LANES,
     LOADING_S,
+    THREADS,
+    apart,
+    batch_rows,
     each,
     energy_row,
     followed,
@@ -21,10 +25,8 @@ from experiments.paper.followed import (
     varied,
 )
 from experiments.paper.influences import figure, words
-from experiments.paper.jumps import LANES, THREADS, apart, batch_rows
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import BASELINE, RANGES, TIERS, groups_at
-from experiments.paper.statement import Statement, verdict, weakest
 from experiments.trends import Plateau, counter_step, plateau, power, relative_range
 from snapjump.batch import simulate_batch, variant
 from snapjump.composition import Simulation

@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from experiments.paper.base import LIMITED, Said, percent
 from experiments.paper.limits import LIMITS
 from experiments.paper.settings import RANGES
-from experiments.paper.statement import LIMITED, Said, percent
 from snapjump.run.studies.base import Row, column
 
 CAPTIONS = {

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.styles import SERIES, boxes, legend_above
+from experiments.styles import SERIES, boxes, legend_above
 from snapjump.show.plots import palette
 from snapjump.show.plots.achievable import compound
 from snapjump.show.plots.saving import panels

@@ -7,14 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from experiments.paper.base import Found, Part, section
-from experiments.paper.followed import jumps
-from experiments.paper.jumps import apexes_of
-from experiments.paper.learned import shipped_forward, shipped_inputs
+from experiments.paper.base import Found, Part, Statement, section, weakest
+from experiments.paper.cells import apexes_of, jumps, shipped_forward, shipped_inputs
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.regions import figure, words
 from experiments.paper.settings import BASELINE, NAMES, RANGES, groups_at
-from experiments.paper.statement import Statement, weakest
 from experiments.trends import power
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.targets.region import SimulatedRegion as Region

@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from experiments.paper.base import Said, listed
 from experiments.paper.limits import LIMITS
 from experiments.paper.settings import RANGES
-from experiments.paper.statement import Said, listed
 
 CAPTIONS = {
     "regions.png": """Achievable regions of the simulated robots (filled) and by the forward model

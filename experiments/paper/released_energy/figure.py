@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
+from experiments import exact
 from experiments.critical_arch import exact_points, within
-from experiments.paper import exact
 from experiments.paper.settings import LABELS
-from experiments.paper.styles import DASHES, DOTS, boxes
+from experiments.styles import DASHES, DOTS, boxes
 from experiments.trends import straight_line
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette

@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper import exact
+from experiments import exact
+from experiments.paper.base import Said, listed
 from experiments.paper.settings import RANGES
-from experiments.paper.statement import Said, listed
 from snapjump.run.studies.base import Row, column
 
 CAPTIONS = {

@@ -9,7 +9,7 @@ import numpy as np
 
 from experiments.paper.limits import LIMITS
 from experiments.paper.settings import RATE_RAD_S
-from experiments.paper.styles import boxes
+from experiments.styles import boxes
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import panels

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from experiments.paper.settings import LABELS
-from experiments.paper.styles import DASHES, SERIES, boxes, draw_tiers, legend_above
+from experiments.styles import DASHES, SERIES, boxes, draw_tiers, legend_above
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import panels

@@ -5,10 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.base import failed
+from experiments.paper.base import LIMITED, Said, failed
 from experiments.paper.limits import LIMITS
 from experiments.paper.settings import BASELINE, RANGES
-from experiments.paper.statement import LIMITED, Said
 from snapjump.run.studies.base import Row, column
 
 CAPTIONS = {

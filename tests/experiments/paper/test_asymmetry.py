@@ -11,15 +11,15 @@ from experiments.paper.asymmetry.part import (
     EPSILONS,
     SWEEPS,
     Asymmetry,
-    Saturation,
     largest_difference,
     linear_verdict,
     mismatches,
     saturation,
     saturation_verdict,
 )
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.settings import snap_groups
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.trends import Saturation
 from experiments.trends import saturating as law
 
 GOOD = Saturation(

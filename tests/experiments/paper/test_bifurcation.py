@@ -10,18 +10,12 @@ import numpy as np
 import pytest
 from cells import STANDARD, all_done, check_figures, done
 
-from experiments import exact_arch
+from experiments import exact, exact_arch
+from experiments.arch_branches import branch_rows, shape_rows
 from experiments.compositions import changed, composed
-from experiments.paper import exact
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.bifurcation import part as judge
-from experiments.paper.bifurcation.part import (
-    TIERS,
-    Bifurcation,
-    branch_rows,
-    compared_rows,
-    shape_rows,
-)
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.bifurcation.part import TIERS, Bifurcation, compared_rows
 from snapjump.run.studies.base import FAILED
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch, Point

@@ -9,22 +9,22 @@ from cells import COARSE, STANDARD, all_done, check_figures, done
 
 from experiments.compositions import changed, composed
 from experiments.errors import Shift, shift
-from experiments.paper.causes import part as judge
-from experiments.paper.causes import words
-from experiments.paper.causes.part import (
+from experiments.exchanges import (
     DAMPING,
     ENDS,
     FRAME,
     PAPER,
     REFERENCE,
-    Causes,
     choices,
     program,
     variants,
 )
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.causes import part as judge
+from experiments.paper.causes import words
+from experiments.paper.causes.part import Causes
 from experiments.paper.causes.words import noise
 from experiments.paper.settings import BASELINE, groups_at
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.run.studies.base import FAILED
 
 

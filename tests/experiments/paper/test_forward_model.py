@@ -5,6 +5,7 @@ from typing import Any
 from cells import STANDARD
 
 from experiments.compositions import described
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.forward_model import part as judge
 from experiments.paper.forward_model.figure import draw_forward_model
 from experiments.paper.forward_model.part import (
@@ -14,7 +15,6 @@ from experiments.paper.forward_model.part import (
     dataset_rows,
     snake_case,
 )
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.simulation import build
 
 

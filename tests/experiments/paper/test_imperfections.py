@@ -8,6 +8,7 @@ import pytest
 from cells import STANDARD, all_done, check_figures
 
 from experiments.compositions import described
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.imperfections.part import (
     Imperfections,
     curves_of,
@@ -15,7 +16,6 @@ from experiments.paper.imperfections.part import (
     robust,
 )
 from experiments.paper.settings import BASELINE, NAMES
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.composition import with_tier
 from snapjump.run.studies.base import Cell, Row
 from snapjump.simulation import simulate_jump

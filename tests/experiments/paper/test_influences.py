@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 from cells import COARSE, all_done, check_figures
 
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.cells import furthest, jump_rows
 from experiments.paper.influences import part as module
 from experiments.paper.influences import words
 from experiments.paper.influences.part import (
@@ -19,10 +21,8 @@ from experiments.paper.influences.part import (
     height_verdicts,
     levels_off,
 )
-from experiments.paper.jumps import furthest, jump_rows
 from experiments.paper.limits import judged
 from experiments.paper.settings import BASELINE
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.trends import plateau
 from snapjump.simulation import build
 

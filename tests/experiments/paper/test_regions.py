@@ -7,7 +7,8 @@ import pytest
 from cells import STANDARD, all_done, check_figures
 
 from experiments.compositions import described
-from experiments.paper.learned import shipped_forward, shipped_inputs
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.cells import shipped_forward, shipped_inputs
 from experiments.paper.regions.part import (
     EXTREMES,
     POINTS,
@@ -20,7 +21,6 @@ from experiments.paper.regions.part import (
     widens,
 )
 from experiments.paper.settings import NAMES
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
 from snapjump.inverse.base import Problem

@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 from cells import STANDARD, all_done, check_figures
 
+from experiments import exact
 from experiments.compositions import changed
 from experiments.critical_arch import critical_rows, exact_value, largest_difference, within
-from experiments.paper import exact
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.released_energy import words
 from experiments.paper.released_energy.part import (
     PAPER,
@@ -22,7 +23,6 @@ from experiments.paper.released_energy.part import (
     heights_verdict,
     left_by_quadratics,
 )
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.run.studies.base import Cell
 from snapjump.scenes.jump_start import fitted_mount_height_bar
 

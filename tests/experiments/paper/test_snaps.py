@@ -8,6 +8,7 @@ import pytest
 from cells import STANDARD
 
 from experiments.exact_snap import agreement, exact_snaps, largest_percent
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.settings import SETTINGS, snap_groups, snap_of
 from experiments.paper.snaps.figure import STYLES, draw_snaps, draw_tiny
 from experiments.paper.snaps.part import (
@@ -19,7 +20,6 @@ from experiments.paper.snaps.part import (
     symmetry_verdict,
 )
 from experiments.paper.snaps.words import limit_in_words, symmetry
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from snapjump.scenes.swing import follow, outcome
 from snapjump.simulation import simulate
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from experiments.paper.statement import (
+from experiments.paper.base import (
     CONFIRMED,
     LIMITED,
     NOT_CONFIRMED,
@@ -10,7 +10,7 @@ from experiments.paper.statement import (
     statement_rows,
     verdict,
 )
-from experiments.paper.study import readme_block, tally
+from experiments.paper.study import counts, readme_block
 
 
 def test_a_verdict_follows_from_what_holds():
@@ -30,6 +30,6 @@ def test_tables_number_the_statements():
     assert [row["no."] for row in rows] == [1, 2]
     assert rows[1]["command"] == "`python run.py task=paper figure=x`"
     told = "1 confirmed, 0 confirmed within a limit, 1 not confirmed"
-    assert tally(statements) == f"Of 2 statements: {told}."
+    assert counts(statements) == told
     block = readme_block(statements)
     assert "| 2 | It flies | not confirmed |" in block and told in block

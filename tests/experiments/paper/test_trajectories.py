@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from cells import COARSE, all_done, check_figures, done
 
-from experiments.paper.followed import varied
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.cells import varied
 from experiments.paper.trajectories import part as module
 from experiments.paper.trajectories.figure import flight
 from experiments.paper.trajectories.part import Trajectories, leans_deg, slant, tuned
