@@ -34,7 +34,7 @@ def draw_snaps(motions: Mapping[str, Sequence[Row]], exact: Sequence[Row], path:
     best rows last."""
     lags = sorted({row["delta_alpha_rad"] for row in motions["standard"]})
     title = "The snap with equal clamps and with a mismatch"
-    with panels(path, SNAPS, title, *boxes(SNAPS, 3, len(lags), left=0.85)) as drawn:
+    with panels(path, SNAPS, title, *boxes(SNAPS, 3, len(lags), across=0.85)) as drawn:
         for k, lag in enumerate(lags):
             curves = {name: of(motions[name], "sample", lag) for name in LINES}
             shapes = of(motions["standard"], "shape", lag)
