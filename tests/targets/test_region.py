@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from made_up_maps import HEIGHT, SLOPE, MadeUpModel, folded, problem
 
-from snapjump.targets.region import AchievableRegion, filled_outline
+from snapjump.targets.region import AchievableRegion, SimulatedRegion, filled_outline
 
 RANDOM = np.random.default_rng(3)
 LOW, HIGH = 0.1 * HEIGHT, 0.3 * HEIGHT  # of y at m_bar = 1
@@ -79,3 +79,19 @@ def test_an_apex_that_is_missing_leaves_a_hole_at_the_edge():
     assert filled_outline(apexes).area == pytest.approx(15.5)  # without that triangle's half
     apexes[2, 2] = np.nan
     assert filled_outline(apexes).area == pytest.approx(15.5), "holes are filled"
+
+
+def rectangle(width: float, low: float, high: float) -> SimulatedRegion:
+    x, y = np.meshgrid(np.linspace(0.0, width, 5), np.linspace(low, high, 5), indexing="ij")
+    apexes = np.stack([x, y], axis=-1)
+    return SimulatedRegion(1.0, 0.3, apexes, apexes)
+
+
+def test_a_simulated_region_that_is_a_rectangle():
+    found = rectangle(3.0, 2.0, 6.0)
+    assert found.outline.area == found.learned.area == pytest.approx(12.0)
+    assert found.extent == (3.0, 4.0) and found.largest_x == 3.0
+    assert (found.least_y, found.largest_y) == (2.0, 6.0)
+    assert found.width_bar(4.0) == pytest.approx(3.0) and found.width_bar(7.0) == 0.0
+    assert found.cone_share == pytest.approx(3.0 / (2 * 0.3 * 2.0))
+    assert found.held(rectangle(1.5, 0.0, 8.0)) == pytest.approx(0.5)

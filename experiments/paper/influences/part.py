@@ -176,12 +176,8 @@ def height_statements(
     own mesh."""
     found = []
     for name, coordinates in ((VERTICAL, ("y_c",)), (MOUNT_HEIGHT, ("y_c", "x_c"))):
-        own, papers = (
-            height(
-                sweeps[name][tier], statics[tier]["h1_bar"], statics[tier]["h2_bar"], coordinates
-            )
-            for tier in FOLLOWED
-        )
+        depths = {tier: (row["h1_bar"], row["h2_bar"]) for tier, row in statics.items()}
+        own, papers = (height(sweeps[name][t], *depths[t], coordinates) for t in FOLLOWED)
         came, first = height_verdicts(own), sweeps[name]["standard"][0][MOUNT_HEIGHT]
         said = words.heights(came["below_h1"], own, papers, first, told[name])
         suffix = ""
@@ -204,21 +200,12 @@ def ways_back(rows: Sequence[Row], key: str, rising: bool) -> tuple[float, float
     return counter_step(x, rising), counter_step(y, rising)
 
 
-def growth_statement(sweeps: Sweeps, told: str) -> Statement:
-    """Growth with the pre-compression."""
-    own, papers = (ways_back(sweeps[tier], "epsilon", True) for tier in FOLLOWED)
-    said = words.growth(*columns(sweeps["standard"], "epsilon"), own, papers, told)
-    return said.judged("influences.growth", judged("influences.monotone", *own))
-
-
 def mass_statement(sweeps: Sweeps, energies: Mapping[str, Sequence[Row]], told: str) -> Statement:
     """Fall with the mass; energies: at standard and with the paper's settings, by mass."""
-    backs, powers = [], []
-    for tier in FOLLOWED:
-        backs.append(ways_back(sweeps[tier], "mass_bar", False))
-        v, x, y = columns(sweeps[tier], "mass_bar")
-        powers += [power(v, x), power(v, y)]
-    said = words.fall(*columns(sweeps["standard"], "mass_bar"), backs, powers, energies, told)
+    backs = [ways_back(sweeps[tier], "mass_bar", False) for tier in FOLLOWED]
+    curves = [columns(sweeps[tier], "mass_bar") for tier in FOLLOWED]
+    powers = [power(v, one) for v, *apex in curves for one in apex]
+    said = words.fall(*curves[0], backs, powers, energies, told)
     return said.judged("influences.mass", judged("influences.monotone", *backs[0]))
 
 
@@ -342,12 +329,15 @@ class Influences(Part):
             "influences_pressed": pressed,
             "influences_sliding": sliding,
         }
+        backs = [ways_back(sweeps["epsilon"][tier], "epsilon", True) for tier in FOLLOWED]
+        grown = columns(sweeps["epsilon"]["standard"], "epsilon")
+        growth = words.growth(*grown, backs, told["epsilon"])
         text = words.text([*four.values(), sweeps[MOUNT_HEIGHT]])
         return Found(
             section(self.title, text, figures, tables, words.CAPTIONS),
             [
                 *height_statements(heights, statics, pressed, told),
-                growth_statement(sweeps["epsilon"], told["epsilon"]),
+                growth.judged("influences.growth", judged("influences.monotone", *backs[0])),
                 *mismatch_statements(sweeps[MISMATCH], told[MISMATCH]),
                 *friction_statements(sweeps["mu"], sliding, told["mu"]),
                 mass_statement(sweeps["mass_bar"], energies, told["mass_bar"]),

@@ -105,10 +105,9 @@ def oblique(said: dict[str, Said], own: Any, rows: Sequence[Row], still: Row) ->
     return {key: Said(one, found[key], said[key].accuracy) for key, one in says.items()}
 
 
-def growth(
-    v: Any, x: Any, y: Any, own: Sequence[float], papers: Sequence[float], told: str
-) -> Said:
-    """``own``, ``papers``: ways back of x and y."""
+def growth(v: Any, x: Any, y: Any, backs: Any, told: str) -> Said:
+    """``backs``: ways back of x and y, and of those at the paper's settings."""
+    own, papers = backs
     return Said(
         "x_c and y_c grow monotonically with the pre-compression ε.",
         f"""From ε = {v[0]:g} to {v[-1]:g} x_c grows from {x[0]:.2g} to {x[-1]:.2g} L and y_c from
@@ -121,8 +120,7 @@ def growth(
 def fall(
     v: Any, x: Any, y: Any, backs: Any, powers: Any, energies: Mapping[str, Any], told: str
 ) -> Said:
-    """``backs``: ways back of x and y, and of those at the paper's settings; ``powers``: exponents,
-    in this order."""
+    """The same with the mass; ``powers``: exponents in the same order."""
     (back_x, back_y), (paper_x, paper_y) = backs
     released = energies["standard"][0]["energy_released_bar"]
     return Said(

@@ -19,13 +19,14 @@ from snapjump.targets.region import filled_outline
 
 Array = NDArray[np.float64]
 Environment = tuple[float, float]  # m_bar, mu
+ByEnvironment = Mapping[Environment, Region]
 MASS_BAR, MU = BASELINE[2:]
 BY_MASS = [(mass_bar, MU) for mass_bar in (0.3, 0.5, MASS_BAR, 1.2, 2.0)]
 BY_FRICTION = [(MASS_BAR, mu) for mu in (0.1, 0.2, MU, 0.45, 0.6)]
 EXTREMES = [BY_MASS[0], (MASS_BAR, MU), BY_MASS[-1], BY_FRICTION[0], BY_FRICTION[-1]]
 # Of the grids of designs, per control. The reference's is every third design of the others'.
 POINTS = {"standard": 25, "paper": 25, "reference": 9}
-LEVELS = {"low": 0.25, "middle": 0.5, "high": 0.75}  # of the baseline region's heights
+LEVELS = (0.25, 0.5, 0.75)  # of the baseline region's heights
 
 
 def grid(environment: Environment, points: int) -> list[list[float]]:
@@ -43,7 +44,7 @@ def region_of(rows: Sequence[Row]) -> Region:
     return Region(mass_bar, mu, apexes_of(rows).reshape(shape), predicted)
 
 
-def row_of(region: Region, levels: Mapping[str, float]) -> Row:
+def row_of(region: Region, levels: Sequence[float]) -> Row:
     """A line of the table."""
     common = region.outline.intersection(region.learned).area
     return {
@@ -56,15 +57,15 @@ def row_of(region: Region, levels: Mapping[str, float]) -> Row:
         "largest x": region.largest_x,
         "least y": region.least_y,
         "largest y": region.largest_y,
-        **{f"width at y = {y:.3g}": region.width_bar(y) for y in levels.values()},
+        **{f"width at y = {y:.3g}": region.width_bar(y) for y in levels},
         "largest x / 2μy": region.cone_share,
     }
 
 
-def heights(baseline: Region) -> dict[str, float]:
+def heights(baseline: Region) -> list[float]:
     """The heights (L) that widths are told at."""
     low, high = baseline.least_y, baseline.largest_y
-    return {name: low + share * (high - low) for name, share in LEVELS.items()}
+    return [low + share * (high - low) for share in LEVELS]
 
 
 def against(values: Sequence[float], rising: bool = False) -> int:
@@ -86,18 +87,13 @@ def changes(regions: Sequence[Region]) -> tuple[float, float]:
     return low, high
 
 
-def agreement(
-    standard: Mapping[Environment, Region],
-    reference: Mapping[Environment, Region],
-) -> tuple[int, float, float]:
+def agreement(standard: ByEnvironment, reference: ByEnvironment) -> tuple[int, float, float]:
     """How many designs both tiers have, and how far 95 % of their x and y are apart (%)."""
-    errors = []
-    for environment, exact in reference.items():
-        every = (len(standard[environment].apexes) - 1) // (len(exact.apexes) - 1)
-        ours = standard[environment].apexes[::every, ::every]
-        errors.append(np.abs(ours - exact.apexes) / exact.apexes)
-    x, y = (100.0 * np.nanquantile(np.stack(errors)[..., k], 0.95) for k in (0, 1))
-    return np.stack(errors)[..., 0].size, float(x), float(y)
+    every = (POINTS["standard"] - 1) // (POINTS["reference"] - 1)
+    exact = np.stack([region.apexes for region in reference.values()])
+    ours = np.stack([standard[one].apexes[::every, ::every] for one in reference])
+    x, y = (100.0 * np.nanquantile(np.abs(ours / exact - 1.0)[..., k], 0.95) for k in (0, 1))
+    return exact[..., 0].size, float(x), float(y)
 
 
 def shrinks(masses: Sequence[Region], paper: Sequence[Region], accuracy: str) -> Statement:
@@ -116,13 +112,13 @@ def shrinks(masses: Sequence[Region], paper: Sequence[Region], accuracy: str) ->
 def widens(
     frictions: Sequence[Region],
     paper: Sequence[Region],
-    levels: Mapping[str, float],
+    levels: Sequence[float],
     accuracy: str,
 ) -> Statement:
     """The statement about friction; regions in the order of their frictions."""
     middle, saturated = len(frictions) // 2, LIMITS["regions.friction.share"].confirmed
     ended = {}
-    for y in levels.values():
+    for y in levels:
         widths = [region.width_bar(y) for region in frictions]
         ended[y] = (widths[middle] - widths[0]) / (widths[-1] - widths[0]) >= saturated
     moved = [changes(frictions), changes(paper)]

@@ -171,16 +171,10 @@ class ReleasedEnergy(Part):
             "released_energy_lines": line_rows(curves),
             "released_heights_errors": error_rows(rows),
         }
-        linear = words.linear(
-            alike, line, energy_line(alike), meshed, words.accuracy(energy_off[0], energy_off[2])
-        )
-        polynomials = words.polynomials(
-            within(alike),
-            fits,
-            left_by_quadratics(own_mesh, "h2"),
-            SMALL_RAD,
-            words.accuracy(*depths_off),
-        )
+        off = words.accuracy(energy_off[0], energy_off[2])
+        linear = words.linear(alike, line, energy_line(alike), meshed, off)
+        left, off = left_by_quadratics(own_mesh, "h2"), words.accuracy(*depths_off)
+        polynomials = words.polynomials(within(alike), fits, left, SMALL_RAD, off)
         text = words.text(curves, rows[SMALL], unit_mJ, energy_off)
         return Found(
             section(self.title, text, figures, tables, words.CAPTIONS),
