@@ -127,7 +127,11 @@ def test_report(tmp_path):
 
     cells = all_done(part, STANDARD, rows_of)
     found = part.conclude(cells)
-    assert [one.verdict for one in found.statements] == [LIMITED] * 4 + [CONFIRMED]
+    assert [one.verdict for one in found.statements] == [
+        *[LIMITED] * 4,
+        NOT_CONFIRMED,
+        CONFIRMED,
+    ]
     assert "ε = 0.190" in found.statements[0].found
     check_figures(found, tmp_path)
     assert "Failed jumps" not in " ".join(found.section.paragraphs)
