@@ -38,6 +38,7 @@ def draw_lines(curves: Mapping[str, Any], tangents: Any, secant: float, path: Pa
     """Signed changes with tangent and secant (of so many percent), a row for x and one for y."""
     ours, paper = curves["standard"], curves["paper"]
     title = "Changes of the apex, and straight lines through the test design"
+    secants = ours.secants(0.01 * secant)
     places, ends = boxes(LINES, 2, 4, top=1.0, up=0.35), np.array([-20.0, 20.0])
     with panels(path, LINES, title, *places) as drawn:
         for (j, label), row in zip(enumerate("xy"), (drawn[:4], drawn[4:]), strict=True):
@@ -48,7 +49,7 @@ def draw_lines(curves: Mapping[str, Any], tangents: Any, secant: float, path: Pa
                           lw=2.0, label="standard")  # fmt: skip
                 axes.plot(ends, tangents[k, j] * ends, "--", color=palette.FORCE, lw=1.4,
                           label="exact tangent")  # fmt: skip
-                axes.plot(ends, ours.secants[k, j] * ends, ":", color=palette.INK, lw=1.8,
+                axes.plot(ends, secants[k, j] * ends, ":", color=palette.INK, lw=1.8,
                           label=f"secant of ±{secant:g} %")  # fmt: skip
                 axes.set(xlim=(-20.5, 20.5), ylim=(-32.0, 32.0))
                 if j == 1:

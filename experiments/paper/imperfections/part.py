@@ -1,7 +1,6 @@
 """``figure=imperfections``: the apex of the test design when a parameter is off."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -11,11 +10,12 @@ from numpy.typing import NDArray
 from experiments.compositions import composed
 from experiments.designs import spread_designs
 from experiments.paper.base import Found, Part, section, weakest
-from experiments.paper.cells import Design, apexes_of, jumps
+from experiments.paper.cells import apexes_of, jumps
 from experiments.paper.imperfections import figure, words
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import BASELINE, NAMES, PLAIN, TIERS, groups_at
 from snapjump.run.studies.base import Cell, Done, Row, column
+from snapjump.targets.manufacturing import ErrorCurves, alone_off
 from snapjump.targets.simulator import JumpSimulator, differentiable
 
 Array = NDArray[np.float64]
@@ -31,14 +31,6 @@ MOST = 0.95  # of the other designs, for which the limit has to hold too if ther
 INVERSE = LIMITS["imperfections.robust.design"].within  # of an apex in inverse proportion
 
 
-def off(design: Sequence[float], factors: Sequence[float] | Array) -> list[Design]:
-    """A design with each of its numbers alone times each factor."""
-    made = np.tile(design, (len(NAMES), len(factors), 1))
-    for k in range(len(NAMES)):
-        made[k, :, k] *= factors
-    return [tuple(one) for one in made.reshape(-1, len(NAMES)).tolist()]
-
-
 def slopes(inputs: Mapping[str, Any]) -> list[Row]:
     """A row for each parameter: exact elasticities of x and y at the test design, of the jump with
     a stick zone that the steps resolve."""
@@ -52,52 +44,9 @@ def slopes(inputs: Mapping[str, Any]) -> list[Row]:
     ]
 
 
-@dataclass(frozen=True)
-class Changes:
-    """Of one tier: ``errors`` (F) of a parameter, relative; ``relative`` (4, F, 2): changes of x
-    and y over x and y, for errors of each parameter alone."""
-
-    errors: Array
-    relative: Array
-
-    @staticmethod
-    def of(rows: Sequence[Row], factors: Array = FACTORS) -> "Changes":
-        """Of the jumps of :func:`off`."""
-        apexes = apexes_of(rows).reshape(len(NAMES), len(factors), 2)
-        right = int(np.abs(factors - 1.0).argmin())
-        return Changes(factors - 1.0, apexes / apexes[0, right] - 1.0)
-
-    def at(self, error: float) -> Array:
-        """Changes (4, 2) at an error that is among them."""
-        (k,) = np.flatnonzero(np.isclose(self.errors, error, rtol=0.0, atol=1e-9))
-        return np.asarray(self.relative[:, k])
-
-    @property
-    def largest(self) -> Array:
-        """Largest changes (4, 2), whatever their sign."""
-        return np.asarray(np.nanmax(np.abs(self.relative), axis=1))
-
-    @property
-    def secants(self) -> Array:
-        """Elasticities (4, 2) between a small error either way."""
-        return (self.at(SECANT) - self.at(-SECANT)) / (2.0 * SECANT)
-
-    @property
-    def trends(self) -> Array:
-        """Elasticities (4, 2) of straight lines fitted to all errors."""
-        return np.array([np.polyfit(self.errors, one, 1)[0] for one in self.relative])
-
-    @property
-    def roughness(self) -> float:
-        """Mean size of the second differences of x along the curves, at every percent."""
-        percents = 100.0 * self.errors
-        every = np.isclose(percents, np.round(percents), rtol=0.0, atol=1e-6)
-        return float(np.nanmean(np.abs(np.diff(self.relative[:, every, 0], 2, axis=1))))
-
-    def deviations(self, elasticities: Array, error: float) -> Array:
-        """How far (4, 2) straight lines of given elasticities are off at an error either way."""
-        lines = [self.at(sign * error) - sign * error * elasticities for sign in (-1.0, 1.0)]
-        return np.asarray(np.max(np.abs(lines), axis=0))
+def curves_of(rows: Sequence[Row], factors: Array = FACTORS) -> ErrorCurves:
+    """Of the jumps of :func:`alone_off` about the test design."""
+    return ErrorCurves.of(apexes_of(rows).reshape(len(NAMES), len(factors), 2), factors)
 
 
 def elsewhere(rows: Sequence[Row]) -> dict[str, Array]:
@@ -122,13 +71,13 @@ def by_parameter(columns: Mapping[str, Array]) -> list[Row]:
 
 
 def tables(
-    curves: Mapping[str, Changes], tangents: Mapping[str, Array], others: Mapping[str, Array]
+    curves: Mapping[str, ErrorCurves], tangents: Mapping[str, Array], others: Mapping[str, Array]
 ) -> dict[str, list[Row]]:
-    """Changes at every tier, elasticities, deviations of straight lines, and other designs."""
+    """ErrorCurves at every tier, elasticities, deviations of straight lines, and other designs."""
     fine, axes = curves["reference"], [*enumerate("xy")]
-    kinds = {"trend": fine.trends, f"secant of {100 * SECANT:g} %": fine.secants}
+    kinds = {"trend": fine.trends, f"secant of {100 * SECANT:g} %": fine.secants(SECANT)}
     kinds |= {f"tangent, {tier}": exact for tier, exact in tangents.items()}
-    lines = {"tangent": tangents["reference"], "secant": fine.secants}
+    lines = {"tangent": tangents["reference"], "secant": fine.secants(SECANT)}
     spread = {"median": 0.5, "95 %": MOST, "largest": 1.0}
     columns = {
         "imperfections": {
@@ -150,7 +99,7 @@ def tables(
     return {name: by_parameter(one) for name, one in columns.items()}
 
 
-def robust(curves: Mapping[str, Changes], others: Mapping[str, Array]) -> str:
+def robust(curves: Mapping[str, ErrorCurves], others: Mapping[str, Array]) -> str:
     """The verdict: of the test design, and of the worst parameter at other designs."""
     worst = [others[axis].max(axis=0) for axis in "xy"]
     return weakest(
@@ -170,9 +119,9 @@ class Imperfections(Part):
     def plan(self, groups: Mapping[str, Any], seed: int) -> Sequence[Cell]:
         """Six cells."""
         at = {tier: groups_at(groups, tier) for tier in TIERS}
-        curves = {"kind": "jumps", "designs": off(BASELINE, FACTORS)}
+        curves = {"kind": "jumps", "designs": alone_off(BASELINE, FACTORS).tolist()}
         nominal = spread_designs(DESIGNS, seed)
-        wrong = [design for one in nominal for design in off(one, ELSEWHERE)]
+        wrong = [design for one in nominal for design in alone_off(one, ELSEWHERE).tolist()]
         others = {"kind": "jumps", "groups": at["standard"], "designs": [*nominal, *wrong]}
         return [
             *(Cell(f"curves, {tier}", {"groups": at[tier], **curves}) for tier in TIERS),
@@ -182,18 +131,14 @@ class Imperfections(Part):
 
     def judge(self, done: Mapping[str, Done]) -> Found:
         """Errors in the released program's form, straight lines beside them, one statement."""
-        curves = {tier: Changes.of(done[f"curves, {tier}"].rows) for tier in TIERS}
+        curves = {tier: curves_of(done[f"curves, {tier}"].rows) for tier in TIERS}
         tangents = {
             tier: np.stack([column(done[f"slopes, {tier}"].rows, f"{a}_elasticity") for a in "xy"],
                            axis=-1)
             for tier in LINES
         }  # fmt: skip
         others, exact = elsewhere(done["elsewhere"].rows), tangents["reference"]
-        fine = curves["reference"]
-        lines = [fine.deviations(exact, error).max(axis=0) for error in HELD]
-        wide = fine.deviations(fine.secants, HELD[-1]).max(axis=0)
-        apart = {tier: float(np.abs(one - fine.secants).max()) for tier, one in tangents.items()}
-        text = words.text(curves, others, HELD, lines, wide, apart, SECANT)
+        text = words.text(curves, tangents, others, HELD, SECANT)
         figures = {
             "imperfections": partial(figure.draw_errors, curves, RELEASED - 1.0),
             "imperfections_lines": partial(figure.draw_lines, curves, exact, 100 * SECANT),

@@ -73,21 +73,23 @@ def robust(
 
 def text(
     curves: Mapping[str, Any],
+    tangents: Mapping[str, Any],
     others: Mapping[str, Any],
     held: Sequence[float],
-    lines: Sequence[Any],
-    wide: Any,
-    apart: Mapping[str, float],
     secant: float,
 ) -> str:
-    """What is shown, what is found, what differs and why; ``lines``: what tangents are off by in x
-    and y at the errors ``held``, ``wide``: secants at the last of them; ``apart``: tangents of the
-    tiers from secants."""
+    """What is shown, what is found, what differs and why; ``held``: errors at which straight lines
+    are compared, ``secant``: of secants."""
     lag, epsilon, mass_bar, mu = BASELINE
     here, first = 100.0 * curves["standard"].largest, NAMES.index("delta_alpha_rad")
     there = {axis: 100.0 * np.median(others[axis][first]) for axis in "xy"}
-    (near_x, near_y), (x, y), (far_x, far_y) = (100.0 * one for one in lines)
+    fine, secants = curves["reference"], curves["reference"].secants(secant)
     near, middle, far = (100.0 * error for error in held)
+    (near_x, near_y), (x, y), (far_x, far_y) = (
+        100.0 * fine.deviations(tangents["reference"], error).max(axis=0) for error in held
+    )
+    wide = 100.0 * fine.deviations(secants, held[-1]).max(axis=0)
+    apart = {tier: float(np.abs(exact - secants).max()) for tier, exact in tangents.items()}
     rough = {tier: 100.0 * one.roughness for tier, one in curves.items()}
     return f"""The test design is Δα = {lag:g} rad, ε = {epsilon:g}, m̄ = {mass_bar:g},
         μ = {mu:g}; one parameter at a time is off by up to 20 %, and the relative errors of x and y
@@ -108,7 +110,7 @@ def text(
         steps' own error has slopes of its own. Straight lines at `reference` are off by up to
         {near_x:.1g} % of x and {near_y:.1g} % of y at an error of {near:g} %, by {x:.2g} and
         {y:.2g} % at {middle:g} %, and by {far_x:.2g} and {far_y:.2g} % at {far:g} %; secants by
-        {100 * wide[0]:.2g} and {100 * wide[1]:.2g} % there. They tell of errors of a few percent,
+        {wide[0]:.2g} and {wide[1]:.2g} % there. They tell of errors of a few percent,
         no more.
 
         At the paper's settings neighbouring points scatter: second differences of the curves are

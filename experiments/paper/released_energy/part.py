@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from experiments import exact
 from experiments.compositions import Groups, changed, composed
 from experiments.critical_arch import critical_rows, largest_difference, within
-from experiments.paper.base import Found, Part, stated, weakest
+from experiments.paper.base import Found, Part, section, weakest
 from experiments.paper.limits import judged
 from experiments.paper.released_energy import figure, words
 from experiments.paper.settings import RANGES, groups_at
 from experiments.trends import Line, straight_line
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
+from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.tiers import TIERS
 
 Array = NDArray[np.float64]
@@ -45,22 +45,24 @@ def lagging(delta_alpha: float) -> str:
     return f"mismatch {delta_alpha:g}"
 
 
-def arches(
-    groups: Mapping[str, Any],
-) -> dict[str, tuple[Groups, tuple[float, ...], tuple[float, ...]]]:
-    """Composition, pre-compressions and mismatches of each cell, by its name: the converged arch,
-    the same at reference, and the paper's clamps on two meshes."""
+def arches(groups: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    """Inputs of each cell, by its name: the converged arch, the same at reference, and the paper's
+    clamps on two meshes."""
     standard, paper = groups_at(groups, "standard"), groups_at(groups, "paper")
     finer = changed(paper, {"discretization": {"elements": STATIC_ELEMENTS}})
-    compared = exact.COMPARED
+
+    def inputs(made: Groups, epsilons: Sequence[float], *mismatches: float) -> dict[str, Any]:
+        return {"kind": "arches", "groups": made, "epsilons": epsilons,
+                "delta_alphas_rad": mismatches}  # fmt: skip
+
     return {
-        ALIKE: (standard, FINE, (0.0,)),
-        **{lagging(d): (standard, COARSE, (d,)) for d in MISMATCHES_RAD},
-        REFERENCE: (groups_at(groups, "reference"), compared, (0.0, *MISMATCHES_RAD)),
-        SMALL: (standard, compared, (SMALL_RAD,)),
-        PAPER: (paper, OWN, (0.0,)),
-        PAPER_SMALL: (paper, compared, (SMALL_RAD,)),
-        PAPER_STATIC: (finer, compared, (0.0,)),
+        ALIKE: inputs(standard, FINE, 0.0),
+        **{lagging(d): inputs(standard, COARSE, d) for d in MISMATCHES_RAD},
+        REFERENCE: inputs(groups_at(groups, "reference"), exact.COMPARED, 0.0, *MISMATCHES_RAD),
+        SMALL: inputs(standard, exact.COMPARED, SMALL_RAD),
+        PAPER: inputs(paper, OWN, 0.0),
+        PAPER_SMALL: inputs(paper, exact.COMPARED, SMALL_RAD),
+        PAPER_STATIC: inputs(finer, exact.COMPARED, 0.0),
     }
 
 
@@ -139,11 +141,7 @@ class ReleasedEnergy(Part):
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
         """The converged arch; the same at reference; the paper's clamps on two meshes."""
-        keys = ("groups", "epsilons", "delta_alphas_rad")
-        return [
-            Cell(name, {"kind": "arches", **dict(zip(keys, inputs, strict=True))})
-            for name, inputs in arches(groups).items()
-        ]
+        return [Cell(name, inputs) for name, inputs in arches(groups).items()]
 
     def judge(self, done: Mapping[str, Done]) -> Found:
         """Two statements, from all cells."""
@@ -165,32 +163,30 @@ class ReleasedEnergy(Part):
             name: [fit_errors(one, name) for one in (within(alike), own_mesh, small)]
             for name in HEIGHTS
         }
+        figures = {
+            "released_energy": partial(figure.draw_energy, curves),
+            "released_heights": partial(figure.draw_heights, curves, own_mesh),
+        }
+        tables = {
+            "released_energy_lines": line_rows(curves),
+            "released_heights_errors": error_rows(rows),
+        }
+        linear = words.linear(
+            alike, line, energy_line(alike), meshed, words.accuracy(energy_off[0], energy_off[2])
+        )
+        polynomials = words.polynomials(
+            within(alike),
+            fits,
+            left_by_quadratics(own_mesh, "h2"),
+            SMALL_RAD,
+            words.accuracy(*depths_off),
+        )
+        text = words.text(curves, rows[SMALL], unit_mJ, energy_off)
         return Found(
-            Section(
-                self.title,
-                words.section(curves, rows[SMALL], unit_mJ, energy_off),
-                {
-                    "released_energy": Figure(words.ENERGY, partial(figure.draw_energy, curves)),
-                    "released_heights": Figure(
-                        words.HEIGHTS, partial(figure.draw_heights, curves, own_mesh)
-                    ),
-                },
-                {
-                    "released_energy_lines": Table("Straight lines", line_rows(curves)),
-                    "released_heights_errors": Table(
-                        "The released program's polynomials against arches (%)", error_rows(rows)
-                    ),
-                },
-            ),
+            section(self.title, text, figures, tables, words.CAPTIONS),
             [
-                stated("released_energy.linear", words.LINEAR, energy_verdict(alike),
-                       words.linear(alike, line, energy_line(alike), meshed),
-                       words.accuracy(energy_off[0], energy_off[2])),
-                stated("released_energy.heights", words.POLYNOMIALS,
-                       heights_verdict(alike, own_mesh),
-                       words.polynomials(within(alike), fits, left_by_quadratics(own_mesh, "h2"),
-                                         small[0]["delta_alpha_rad"]),
-                       words.accuracy(*depths_off)),
+                linear.judged("released_energy.linear", energy_verdict(alike)),
+                polynomials.judged("released_energy.heights", heights_verdict(alike, own_mesh)),
             ],
             {
                 "released_energy_slope_bar": line.slope,

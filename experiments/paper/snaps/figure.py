@@ -12,8 +12,8 @@ from experiments.paper.settings import RATE_RAD_S
 from experiments.styles import boxes
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
-from snapjump.show.plots.robot_drawing import clamp_stubs
 from snapjump.show.plots.saving import panels
+from snapjump.show.plots.shapes import draw_shapes, number, tints
 
 SNAPS, TINY = (12.0, 9.6), (10.0, 5.6)
 LINES = {
@@ -34,13 +34,18 @@ def draw_snaps(motions: Mapping[str, Sequence[Row]], exact: Sequence[Row], path:
     best rows last."""
     lags = sorted({row["delta_alpha_rad"] for row in motions["standard"]})
     title = "The snap with equal clamps and with a mismatch"
-    with panels(path, SNAPS, title, *boxes(SNAPS, 3, len(lags), left=0.85)) as drawn:
+    with panels(path, SNAPS, title, *boxes(SNAPS, 3, len(lags), across=0.85)) as drawn:
         for k, lag in enumerate(lags):
             curves = {name: of(motions[name], "sample", lag) for name in LINES}
             shapes = of(motions["standard"], "shape", lag)
             zero = crossing_ms(curves["standard"])
-            colours = tints(len(shapes))
-            draw_shapes(drawn[k], shapes, colours, lag, zero)
+            before = zero - shapes[0]["time_ms"]
+            drawn[k].set_title(
+                f"Δα = {lag:g} rad: 1 at rest, {before:.1f} ms before the crossing", loc="left"
+            )
+            draw_shapes(drawn[k], [(row["x_bar"], row["y_bar"]) for row in shapes])
+            drawn[k].set(xlim=(-0.52, 0.52), ylim=(-0.25, 0.24))
+            drawn[k].grid(False)
             best = [row for row in exact if row["delta_alpha_rad"] == lag][-1]
             crossing = {"height_bar": 0.0, "tangent_rad": best["tangent_crossing_rad"]}
             lower = drawn[len(lags) + k :: len(lags)]
@@ -48,7 +53,7 @@ def draw_snaps(motions: Mapping[str, Sequence[Row]], exact: Sequence[Row], path:
                 for name, (colour, line, width) in LINES.items():
                     time, values = column(curves[name], "time_ms"), column(curves[name], key)
                     axes.plot(time - zero, values, color=colour, ls=line, lw=width, label=name)
-                draw_instants(axes, curves["standard"], shapes, colours, key, zero)
+                draw_instants(axes, curves["standard"], shapes, key, zero)
                 axes.plot(best["crossing_ms"] - zero, crossing[key], "s", ms=8, mfc="none",
                           mec=palette.INK, mew=1.6, zorder=8,
                           label="independent, undamped")  # fmt: skip
@@ -70,48 +75,12 @@ def crossing_ms(rows: Sequence[Row]) -> float:
     return float(np.interp(0.0, -height[k - 1 : k + 1], time[k - 1 : k + 1]))
 
 
-def tints(count: int) -> list[Any]:
-    """Colours of so many shapes, in the order of time; the palest are left out."""
-    import matplotlib
-
-    return [matplotlib.colormaps["viridis"](0.88 * k / max(count - 1, 1)) for k in range(count)]
-
-
-def number(axes: Any, x: float, y: float, k: int, colour: Any) -> None:
-    """The number of a shape."""
-    disc = {"boxstyle": "circle,pad=0.18", "fc": palette.PAPER, "ec": colour, "lw": 1.4}
-    axes.text(x, y, str(k), fontsize=8.5, ha="center", va="center", bbox=disc, zorder=9)
-
-
-def draw_shapes(
-    axes: Any, shapes: Sequence[Row], colours: Sequence[Any], lag: float, zero: float
-) -> None:
-    """The beam at the instants, coloured by time."""
-    for k, (row, colour) in enumerate(zip(shapes, colours, strict=True), 1):
-        x, y = np.array(row["x_bar"]), np.array(row["y_bar"])
-        axes.plot(x, y, color=colour, lw=2.2, zorder=5)
-        if k in (1, len(shapes)):
-            axes.plot(*clamp_stubs(x, y, 0.035), color=palette.CLAMP, lw=4.5, zorder=4)
-        middle = len(x) // 2
-        number(axes, x[middle], y[middle], k, colour)
-    before = zero - shapes[0]["time_ms"]
-    axes.set_title(f"Δα = {lag:g} rad: 1 at rest, {before:.1f} ms before the crossing", loc="left")
-    axes.set(xlim=(-0.52, 0.52), ylim=(-0.25, 0.24), xlabel="x / L", ylabel="y / L")
-    axes.set_aspect("equal", adjustable="box", anchor="C")
-    axes.grid(False)
-
-
 def draw_instants(
-    axes: Any,
-    curve: Sequence[Row],
-    shapes: Sequence[Row],
-    colours: Sequence[Any],
-    key: str,
-    zero: float,
+    axes: Any, curve: Sequence[Row], shapes: Sequence[Row], key: str, zero: float
 ) -> None:
     """The shapes on the curve at standard: numbers on the height, dots on the tilt."""
     time, along = column(curve, "time_ms"), column(curve, key)
-    for k, (row, colour) in enumerate(zip(shapes, colours, strict=True), 1):
+    for k, (row, colour) in enumerate(zip(shapes, tints(len(shapes)), strict=True), 1):
         moment, value = row["time_ms"] - zero, float(np.interp(row["time_ms"], time, along))
         if not CLOSE_UP_MS[0] < moment < CLOSE_UP_MS[1]:
             continue

@@ -1,20 +1,19 @@
-"""``figure=snaps``: equal clamps, a mismatch, and what a tiny mismatch does to a snap."""
+"""``figure=snaps``: the snap with equal clamps and with a mismatch, also with a tiny one."""
 
-import json
 import math
 from collections.abc import Mapping, Sequence
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from experiments.paper.base import Found, Part, stated, weakest
+from experiments.exact_snap import agreement, compared, exact_snaps, largest_percent
+from experiments.paper.base import Found, Part, section, weakest
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import RATE_RAD_S, SETTINGS, snap_groups, snap_of
 from experiments.paper.snaps import figure, words
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
-from snapjump.scenes.swing import Swing, crossing, follow, lowest, outcome
+from snapjump.run.studies.base import Cell, Done, Row, column
+from snapjump.scenes.swing import Swing, crossing, follow, outcome, sinking
 
 EPSILON, MISMATCH = 0.1, 0.1  # the paper's; the mismatch in rad
 TINY_RAD = (0.0, *(10.0**k for k in range(-8, 0)))
@@ -28,20 +27,6 @@ TINY = (  # setting, rate in rad/s
 )
 INSTANTS = 7  # shapes of a snap, between which the midpoint sinks by equal steps
 BEFORE_MS, AFTER_MS = 4.0, 2.5  # of the crossing, what is kept of the midpoint's motion
-# The independent solution, without damping: at which moments its heights are told, how far its
-# largest angle is taken, and all that it tells.
-EXACT = Path(__file__).parents[2] / "data" / "galerkin_snaps.json"
-MOMENTS_T, END_T = (2, 5), 8.42
-QUANTITIES = (
-    "crossing_T",
-    "alpha_snap_rad",
-    "midpoint_velocity_m_s",
-    "tangent_crossing_rad",
-    "tangent_until_rad",
-    "height_rest_bar",
-    "height_2T_bar",
-    "height_5T_bar",
-)
 VISIBLE_RAD = LIMITS["snaps.symmetry.mismatched"].confirmed
 SHOWN = (
     "delta_alpha_rad",
@@ -72,42 +57,21 @@ def motion_rows(inputs: Mapping[str, Any]) -> list[Row]:
         found = [{"kind": "outcome", **outcome(swing), **compared(swing)}]
         k = crossing(swing)
         if k is not None:
-            found += [*shapes(swing, lowest(swing, k)), *samples(swing, k)]
+            found += [*shapes(swing, k), *samples(swing, k)]
         rows += [{"delta_alpha_rad": lag, **row} for row in found]
     return rows
 
 
-def compared(swing: Swing) -> Row:
-    """What the independent solution tells beside the crossing's angle and velocity."""
-    time, tangent = swing.time_s / swing.unit_s, np.abs(swing.tangent_rad)
-    row: Row = {
-        "tangent_until_rad": float(tangent[time <= END_T].max()),
-        "height_rest_bar": float(swing.height[0]),
-    }
-    for moment in MOMENTS_T:
-        row[f"height_{moment}T_bar"] = float(np.interp(moment, time, swing.height))
-    k = crossing(swing)
-    if k is not None:
-        height, about = -swing.height[k - 1 : k + 1], slice(k - 1, k + 1)
-        row["crossing_T"] = float(np.interp(0.0, height, time[about]))
-        row["tangent_crossing_rad"] = float(np.interp(0.0, height, tangent[about]))
-    return row
-
-
-def shapes(swing: Swing, end: int) -> list[Row]:
-    """The nodes at the instants, from rest to the midpoint's lowest place."""
-    height = swing.height[: end + 1]
-    levels = np.linspace(height[0], height[end], INSTANTS)
-    chosen = [int(np.flatnonzero(height <= level)[0]) for level in levels]
+def shapes(swing: Swing, crossed: int) -> list[Row]:
+    """The nodes at the instants."""
     return [
         {
             "kind": "shape",
             "time_ms": 1e3 * float(swing.time_s[k]),
-            "alpha_rad": swing.left_rad(float(swing.time_s[k])),
             "x_bar": swing.x[k].tolist(),
             "y_bar": swing.y[k].tolist(),
         }
-        for k in chosen
+        for k in sinking(swing, crossed, INSTANTS)
     ]
 
 
@@ -122,37 +86,6 @@ def samples(swing: Swing, crossed: int) -> list[Row]:
     }
     table = np.stack([*columns.values()], axis=1).tolist()
     return [{"kind": "sample", **dict(zip(columns, row, strict=True))} for row in table]
-
-
-def exact_snaps() -> list[Row]:
-    """The independent solution: a row for each mismatch and number of terms."""
-    rows: list[Row] = json.loads(EXACT.read_text())
-    return sorted(rows, key=lambda row: (row["delta_alpha_rad"], row["terms"]))
-
-
-def agreement(settings: Mapping[str, Sequence[Row]], exact: Sequence[Row]) -> list[Row]:
-    """How far the snaps are from the independent solution's, in percent of its values.
-
-    ``own_percent`` is how much that solution changes from its last number of terms but one.
-    """
-    table = []
-    for lag in sorted({row["delta_alpha_rad"] for row in exact}):
-        before, last = [row for row in exact if row["delta_alpha_rad"] == lag][-2:]
-        ours = {name: row for name, rows in settings.items() for row in rows
-                if row["delta_alpha_rad"] == lag}  # fmt: skip
-        for key in QUANTITIES:
-            if last[key] != 0.0:
-                line: Row = {"delta_alpha_rad": lag, "quantity": key, "independent": last[key]}
-                line["own_percent"] = 100.0 * abs(before[key] / last[key] - 1.0)
-                for name, row in ours.items():
-                    line[f"{name}_percent"] = 100.0 * (row[key] / last[key] - 1.0)
-                table.append(line)
-    return table
-
-
-def largest_percent(table: Sequence[Row], name: str) -> float:
-    """The largest entry of a column."""
-    return max(abs(row[f"{name}_percent"]) for row in table)
 
 
 def tilt(rows: Sequence[Row], delta_alpha: float) -> float:
@@ -236,53 +169,20 @@ class Snaps(Part):
         tilts = {name: tilt(rows, MISMATCH) for name, rows in numbers.items()}
         equal, mismatched = tilt(numbers["standard"], 0.0), tilts["standard"]
         came = symmetry_verdict(equal, mismatched, [limit for limit, _ in by_rate.values()])
-        found = words.symmetry(numbers["standard"], tilts, EPSILON, by_rate)
         accuracy = words.accuracy(100.0 * abs(mismatched / tilts["reference"] - 1.0))
+        said = words.symmetry(numbers["standard"], tilts, EPSILON, by_rate, accuracy)
         figures = {
-            "snaps": Figure(words.SNAPS, partial(figure.draw_snaps, motions, exact)),
-            "snap_imperfections": Figure(words.TINY, partial(figure.draw_tiny, tiny, EPSILON)),
+            "snaps": partial(figure.draw_snaps, motions, exact),
+            "snap_imperfections": partial(figure.draw_tiny, tiny, EPSILON),
         }
-        return Found(
-            Section(
-                self.title,
-                words.section(EPSILON, off),
-                figures,
-                tables(numbers, limits, tiny, against),
-            ),
-            [stated("snaps.symmetry", words.SYMMETRY, came, found, accuracy)],
-            {
-                "snap_theta_max_equal_rad": equal,
-                "snap_theta_max_mismatched_rad": mismatched,
-                "snap_off_independent_percent": off["undamped reference"],
-                **{f"snap_one_degree_at_rad_{f'{rate:g}'.replace('.', '_')}_rad_s": limit
-                   for rate, (limit, _) in by_rate.items()},
-            },
-        )  # fmt: skip
-
-
-def tables(
-    numbers: Mapping[str, Sequence[Row]],
-    limits: Mapping[tuple[str, float], float],
-    tiny: Mapping[tuple[str, float], Sequence[Row]],
-    against: Sequence[Row],
-) -> dict[str, Table]:
-    """The two snaps, their differences from the independent solution, and tiny mismatches."""
-    return {
-        "snap_numbers": Table(
-            "The two snaps at all settings",
-            [
+        tables = {
+            "snap_numbers": [
                 {"setting": name, **{key: row[key] for key in SHOWN}}
                 for name, rows in numbers.items()
                 for row in rows
             ],
-        ),
-        "snap_agreement": Table(
-            "Differences from the independent solution, which has no damping (%)", against
-        ),
-        "snap_limits": Table(
-            f"Mismatch that tilts the midpoint by {math.degrees(VISIBLE_RAD):g}°, and tilt with "
-            "equal clamps",
-            [
+            "snap_agreement": against,
+            "snap_limits": [
                 {
                     "setting": name,
                     "rate_rad_s": rate,
@@ -291,6 +191,19 @@ def tables(
                 }
                 for (name, rate), rows in tiny.items()
             ],
-            digits={"one_degree_at_rad": 2, "theta_max_equal_clamps_rad": 2},
-        ),
-    }
+        }
+        digits = {"snap_limits": {"one_degree_at_rad": 2, "theta_max_equal_clamps_rad": 2}}
+        summary = {
+            "snap_theta_max_equal_rad": equal,
+            "snap_theta_max_mismatched_rad": mismatched,
+            "snap_off_independent_percent": off["undamped reference"],
+        }
+        for rate, (limit, _) in by_rate.items():
+            key = f"{rate:g}".replace(".", "_")
+            summary[f"snap_one_degree_at_rad_{key}_rad_s"] = limit
+        text = words.text(EPSILON, off)
+        return Found(
+            section(self.title, text, figures, tables, words.CAPTIONS, digits),
+            [said.judged("snaps.symmetry", came)],
+            summary,
+        )

@@ -90,7 +90,9 @@ def test_energy_that_is_more_or_less_linear() -> None:
 
     def told(curvature: float) -> str:
         rows = bent(curvature)
-        return words.linear(rows, energy_line(within(rows)), energy_line(rows), energy_line(rows))
+        return words.linear(
+            rows, energy_line(within(rows)), energy_line(rows), energy_line(rows), ""
+        ).found
 
     assert "80 ε" in told(0.0) and "by -" in told(-200.0)
 
@@ -108,7 +110,7 @@ def test_the_plan_and_the_conclusion_with_its_figures(tmp_path: Path) -> None:
     part = ReleasedEnergy()
     planned = part.plan(STANDARD, 0)
     assert json.dumps([dict(cell.inputs) for cell in planned])
-    groups = arches(STANDARD)[PAPER][0]
+    groups = arches(STANDARD)[PAPER]["groups"]
     assert groups["discretization"] == {"name": "der", "elements": 66, "clamp": "two_nodes"}
 
     def rows_of(cell: Cell) -> Rows:
