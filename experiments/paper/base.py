@@ -45,13 +45,9 @@ def weakest(*verdicts: str) -> str:
     return max(verdicts, key=VERDICTS.index)
 
 
-def stated(key: str, says: str, came: str, found: str, accuracy: str) -> Statement:
-    """A statement, whose texts may be written over several lines."""
-    return Statement(key, prose(says), came, prose(found), prose(accuracy))
-
-
 class Said(NamedTuple):
-    """A statement's words, as in :class:`Statement`, before it is judged."""
+    """A statement's words, as in :class:`Statement`, before it is judged; they may be written over
+    several lines."""
 
     says: str
     found: str
@@ -59,7 +55,8 @@ class Said(NamedTuple):
 
     def judged(self, key: str, came: str) -> Statement:
         """The statement with a key and a verdict."""
-        return stated(key, self.says, came, self.found, self.accuracy)
+        says, found, accuracy = (prose(text) for text in self)
+        return Statement(key, says, came, found, accuracy)
 
 
 def percent(share: float) -> str:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import Groups, changed, composed
+from experiments.compositions import Groups, changed, composed, groups_at
 from experiments.designs import spread_designs
 from experiments.errors import Shift, shift
 from experiments.exchanges import (
@@ -27,7 +27,7 @@ from experiments.paper.causes import words
 from experiments.paper.causes.figure import draw_causes
 from experiments.paper.cells import LANES, jump_rows
 from experiments.paper.limits import judged
-from experiments.paper.settings import BASELINE, groups_at
+from experiments.paper.settings import BASELINE
 from snapjump.batch import variants as robots
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.jump_march import jump_march

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from cells import COARSE, STANDARD, all_done, check_figures, done
 
-from experiments.compositions import changed, composed
+from experiments.compositions import changed, composed, groups_at
 from experiments.errors import Shift, shift
 from experiments.exchanges import (
     DAMPING,
@@ -24,7 +24,7 @@ from experiments.paper.causes import part as judge
 from experiments.paper.causes import words
 from experiments.paper.causes.part import Causes
 from experiments.paper.causes.words import noise
-from experiments.paper.settings import BASELINE, groups_at
+from experiments.paper.settings import BASELINE
 from snapjump.run.studies.base import FAILED
 
 
