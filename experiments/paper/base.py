@@ -16,23 +16,23 @@ NOT_CONFIRMED = "not confirmed"
 VERDICTS = (CONFIRMED, LIMITED, NOT_CONFIRMED)
 
 
-@dataclass(frozen=True)
-class Statement:
-    """``says``: what the paper says, in our words; ``verdict``: one of VERDICTS, decided from the
-    numbers by the part that tests it; ``found``: the numbers, as a sentence, with the limit if
-    there is one, and with what the paper's own settings give where that differs, and why;
-    ``accuracy``: the tiers, and how far off they are; ``command``: what regenerates it.
-    """
+class Statement(NamedTuple):
+    """``key``: ``<part>.<name>``, as in the table of limits; ``says``: what the paper says, in our
+    words; ``verdict``: one of VERDICTS, decided from the numbers by the part that tests it;
+    ``found``: the numbers, as a sentence, with the limit if there is one, and with what the paper's
+    own settings give where that differs, and why; ``accuracy``: the tiers, and how far off they
+    are."""
 
+    key: str
     says: str
     verdict: str
     found: str
     accuracy: str
-    command: str = "task=paper"
-    key: str = ""
 
-    def __post_init__(self) -> None:
-        assert self.verdict in VERDICTS, self.verdict
+    @property
+    def command(self) -> str:
+        """What regenerates it."""
+        return f"`python run.py task=paper figure={self.key.split('.')[0]}`"
 
 
 def verdict(holds: bool, within_limit: bool = False) -> str:
@@ -45,13 +45,9 @@ def weakest(*verdicts: str) -> str:
     return max(verdicts, key=VERDICTS.index)
 
 
-def stated(key: str, says: str, came: str, found: str, accuracy: str) -> Statement:
-    """The statement with this key, ``<part>.<name>``, as in the table of limits."""
-    return Statement(says, came, found, accuracy, f"task=paper figure={key.split('.')[0]}", key)
-
-
 class Said(NamedTuple):
-    """A statement's words, which may be written over several lines; as in :class:`Statement`."""
+    """A statement's words, as in :class:`Statement`, before it is judged; they may be written over
+    several lines."""
 
     says: str
     found: str
@@ -60,7 +56,7 @@ class Said(NamedTuple):
     def judged(self, key: str, came: str) -> Statement:
         """The statement with a key and a verdict."""
         says, found, accuracy = (prose(text) for text in self)
-        return stated(key, says, came, found, accuracy)
+        return Statement(key, says, came, found, accuracy)
 
 
 def percent(share: float) -> str:
@@ -82,7 +78,7 @@ def statement_rows(statements: Sequence[Statement]) -> list[Row]:
             "verdict": f"**{statement.verdict}**",
             "what we find": statement.found[:1].upper() + statement.found[1:],
             "tested at": statement.accuracy,
-            "command": f"`python run.py {statement.command}`",
+            "command": statement.command,
         }
         for k, statement in enumerate(statements, 1)
     ]

@@ -135,6 +135,8 @@ LIMITS: dict[str, Limit] = {
     "causes.small": Limit(ANY, 5.0,
         "median shift of the apexes (%), by which a choice does not matter much",
         "ours: beyond it conclusions from the jumps may change"),
+    "causes.smooth": Limit(0.0, 0.0, "leap of the friction at ε_v, over μ N",
+        'paper: "making the transition from static to sliding friction differentiable"'),
     "causes.stability": Limit(0.0, 0.01, "jumps that fail (share)",
         'paper: "simplicity and robustness"; ours: none, and one in a hundred'),
     "regions.mass.area": Limit(0, 0, "steps of the mass at which the area does not fall",

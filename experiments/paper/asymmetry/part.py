@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from experiments.arches.swings import snap_groups, snap_of
 from experiments.paper.asymmetry import words
 from experiments.paper.asymmetry.figure import draw_asymmetry
 from experiments.paper.base import Found, Part, weakest
 from experiments.paper.limits import LIMITS, judged
-from experiments.paper.settings import snap_groups, snap_of
 from experiments.trends import Saturation, saturation_of
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.swing import follow, outcome

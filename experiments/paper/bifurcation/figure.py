@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from experiments import exact, exact_arch
+from experiments.arches import exact
+from experiments.arches import landmarks as exact_arch
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.branches import stable_runs

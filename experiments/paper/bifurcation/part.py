@@ -6,10 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from experiments import exact
-from experiments.arch_branches import branch_rows, shape_rows
-from experiments.compositions import changed, composed
-from experiments.exact_arch import (
+from experiments.arches import exact
+from experiments.arches.branches import branch_rows, shape_rows
+from experiments.arches.landmarks import (
     LADDER,
     MISMATCH_RAD,
     NAMES,
@@ -19,12 +18,13 @@ from experiments.exact_arch import (
     landmark_rows,
     overall,
 )
-from experiments.exact_arch import largest_difference as off
+from experiments.arches.landmarks import largest_difference as off
+from experiments.arches.swings import PAPER_ELEMENTS, snap_groups, snap_of
+from experiments.compositions import changed, composed, groups_at
 from experiments.paper.base import Found, Part, Statement, weakest
 from experiments.paper.bifurcation import words
 from experiments.paper.bifurcation.figure import draw_angles, draw_branches, draw_loop
 from experiments.paper.limits import LIMITS, judged
-from experiments.paper.settings import PAPER_ELEMENTS, groups_at, snap_groups, snap_of
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.swing import follow, outcome
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from experiments.exact_arch import RIGID, STRETCHES, orders, overall
+from experiments.arches.landmarks import RIGID, STRETCHES, orders, overall
 from experiments.paper.base import Said, listed, paragraphs, prose
 from snapjump.run.studies.base import Row
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import Groups, changed, composed
+from experiments.compositions import Groups, changed, composed, groups_at
 from experiments.designs import spread_designs
 from experiments.errors import Shift, shift
 from experiments.exchanges import (
@@ -27,7 +27,7 @@ from experiments.paper.causes import words
 from experiments.paper.causes.figure import draw_causes
 from experiments.paper.cells import LANES, jump_rows
 from experiments.paper.limits import judged
-from experiments.paper.settings import BASELINE, groups_at
+from experiments.paper.settings import BASELINE
 from snapjump.batch import variants as robots
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 from snapjump.scenes.jump_march import jump_march
@@ -117,7 +117,7 @@ class Causes(Part):
         return jump_rows(base, inputs["designs"], inputs["lanes"])
 
     def judge(self, done: Mapping[str, Done]) -> Found:
-        """Five statements, and the table of choices."""
+        """Six statements, and the table of choices."""
         rows = {name: one.rows for name, one in done.items()}
         groups = {end: done[end].cell.inputs["groups"] for end in ENDS}
         moved = {
@@ -161,6 +161,9 @@ class Causes(Part):
                     "causes.nodes", matters(mesh)
                 ),
                 words.contact(DESIGNS, harder).judged("causes.contact", matters(*harder.values())),
+                words.smooth(printed_friction(1.0)).judged(
+                    "causes.smooth", judged("causes.smooth", 1.0 - printed_friction(1.0))
+                ),
                 words.stability(counted, groups[PAPER]["contact"]["distance_m"]).judged(
                     "causes.stability", stable(rows[many(STEPS_S[0])])
                 ),
@@ -171,6 +174,11 @@ class Causes(Part):
                 for key in ("x", "y")
             },
         )
+
+
+def printed_friction(speed: float) -> float:
+    """The friction's share of μ N at a speed over ε_v of at most one, as the text prints it."""
+    return speed - speed**2
 
 
 def matters(*found: Shift) -> str:

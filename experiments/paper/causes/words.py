@@ -110,6 +110,19 @@ def contact(designs: int, harder: Mapping[str, Shift]) -> Said:
     )
 
 
+def smooth(last: float) -> Said:
+    """The law of friction as it is printed; last: its share of full friction at ε_v."""
+    return Said(
+        "The friction between sticking and sliding is smooth, and its law differentiable",
+        f"""As the text prints it, μ N (v/ε_v - v²/ε_v²) below ε_v and μ N from there on, the law
+        has come back to {last:g} at ε_v and leaps to full friction. With 2 v/ε_v in the place of
+        v/ε_v, as in the source of the law (Li et al. 2020) and in this library, it is continuous
+        with its slope. A slip of the text: the released program's jumps are met by the continuous
+        law.""",
+        "the text's equations",
+    )
+
+
 def stability(counted: Mapping[float, tuple[int, int, float]], barrier_m: float) -> Said:
     """By step (s), the paper's first: failed jumps, all, and the smallest gap (m)."""
     (_, (lost, count, gap_m)), *others = counted.items()

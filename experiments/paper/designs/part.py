@@ -6,14 +6,14 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import composed
+from experiments.compositions import composed, groups_at, simulation_at
 from experiments.inverse_benchmark.cases import Case, case_rows
 from experiments.paper.base import Found, Part, Statement, weakest
 from experiments.paper.cells import shipped_forward, shipped_inputs
 from experiments.paper.designs import words
 from experiments.paper.designs.figure import draw_flights, draw_misses
 from experiments.paper.limits import judged
-from experiments.paper.settings import BASELINE, TIERS, groups_at, simulation_at
+from experiments.paper.settings import BASELINE, TIERS
 from snapjump.declare.members import member_class
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from experiments.compositions import composed
+from experiments.compositions import composed, groups_at
 from experiments.designs import spread_designs
 from experiments.paper.base import Found, Part, section, weakest
 from experiments.paper.cells import apexes_of, jumps
 from experiments.paper.imperfections import figure, words
 from experiments.paper.limits import LIMITS, judged
-from experiments.paper.settings import BASELINE, NAMES, PLAIN, TIERS, groups_at
+from experiments.paper.settings import BASELINE, NAMES, PLAIN, TIERS
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.targets.manufacturing import ErrorCurves, alone_off
 from snapjump.targets.simulator import JumpSimulator, differentiable

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from experiments.compositions import changed, composed
-from experiments.critical_arch import critical_rows
+from experiments.arches.critical import critical_rows
+from experiments.compositions import changed, composed, groups_at
 from experiments.paper.base import Found, Part, Statement, section, verdict, weakest
 from experiments.paper.cells import (
     LANES,
@@ -26,7 +26,7 @@ from experiments.paper.cells import (
 )
 from experiments.paper.influences import figure, words
 from experiments.paper.limits import LIMITS, judged
-from experiments.paper.settings import BASELINE, RANGES, TIERS, groups_at
+from experiments.paper.settings import BASELINE, RANGES, TIERS
 from experiments.trends import Plateau, counter_step, plateau, power, relative_range
 from snapjump.batch import simulate_batch, variant
 from snapjump.composition import Simulation

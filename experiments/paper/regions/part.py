@@ -7,11 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from experiments.compositions import groups_at
 from experiments.paper.base import Found, Part, Statement, section, weakest
 from experiments.paper.cells import apexes_of, jumps, shipped_forward, shipped_inputs
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.regions import figure, words
-from experiments.paper.settings import BASELINE, NAMES, RANGES, groups_at
+from experiments.paper.settings import BASELINE, NAMES, RANGES
 from experiments.trends import power
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.targets.region import SimulatedRegion as Region

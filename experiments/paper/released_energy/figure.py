@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from experiments import exact
-from experiments.critical_arch import exact_points, within
+from experiments.arches import exact
+from experiments.arches.critical import exact_points, within
 from experiments.paper.settings import LABELS
 from experiments.styles import DASHES, DOTS, boxes
 from experiments.trends import straight_line

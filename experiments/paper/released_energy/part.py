@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from experiments import exact
-from experiments.compositions import Groups, changed, composed
-from experiments.critical_arch import critical_rows, largest_difference, within
+from experiments.arches import exact
+from experiments.arches.critical import critical_rows, largest_difference, within
+from experiments.compositions import Groups, changed, composed, groups_at
 from experiments.paper.base import Found, Part, section, weakest
 from experiments.paper.limits import judged
 from experiments.paper.released_energy import figure, words
-from experiments.paper.settings import RANGES, groups_at
+from experiments.paper.settings import RANGES
 from experiments.trends import Line, straight_line
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.tiers import TIERS

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from experiments import exact
+from experiments.arches import exact
 from experiments.paper.base import Said, listed
 from experiments.paper.settings import RANGES
 from snapjump.run.studies.base import Row, column

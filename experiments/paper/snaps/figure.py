@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from experiments.arches.swings import RATE_RAD_S
 from experiments.paper.limits import LIMITS
-from experiments.paper.settings import RATE_RAD_S
 from experiments.styles import boxes
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette

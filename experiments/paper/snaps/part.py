@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from experiments.exact_snap import agreement, compared, exact_snaps, largest_percent
+from experiments.arches.exact_snap import agreement, compared, exact_snaps, largest_percent
+from experiments.arches.swings import RATE_RAD_S, SETTINGS, snap_groups, snap_of
 from experiments.paper.base import Found, Part, section, weakest
 from experiments.paper.limits import LIMITS, judged
-from experiments.paper.settings import RATE_RAD_S, SETTINGS, snap_groups, snap_of
 from experiments.paper.snaps import figure, words
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.scenes.swing import Swing, crossing, follow, outcome, sinking

@@ -3,9 +3,9 @@
 import math
 from collections.abc import Mapping, Sequence
 
+from experiments.arches.swings import RATE_RAD_S
 from experiments.paper.base import Said
 from experiments.paper.limits import LIMITS
-from experiments.paper.settings import RATE_RAD_S
 from snapjump.run.studies.base import Row
 
 CAPTIONS = {

@@ -7,11 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from experiments.compositions import groups_at
 from experiments.designs import spread_designs
 from experiments.paper.base import Found, Part, section, unfinished, weakest
 from experiments.paper.cells import apart, jumps, path, varied
 from experiments.paper.limits import judged
-from experiments.paper.settings import RANGES, TIERS, groups_at
+from experiments.paper.settings import RANGES, TIERS
 from experiments.paper.trajectories import figure, words
 from experiments.trends import counter_step
 from snapjump.run.studies.base import Cell, Done, Row, column

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from cells import STANDARD, all_done, check_figures
 
+from experiments.arches.swings import snap_groups
 from experiments.paper.asymmetry.part import (
     EPSILONS,
     SWEEPS,
@@ -18,7 +19,6 @@ from experiments.paper.asymmetry.part import (
     saturation_verdict,
 )
 from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
-from experiments.paper.settings import snap_groups
 from experiments.trends import Saturation
 from experiments.trends import saturating as law
 

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 from cells import STANDARD, all_done, check_figures, done
 
-from experiments import exact, exact_arch
-from experiments.arch_branches import branch_rows, shape_rows
+from experiments.arches import exact
+from experiments.arches import landmarks as exact_arch
+from experiments.arches.branches import branch_rows, shape_rows
 from experiments.compositions import changed, composed
 from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.bifurcation import part as judge

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from cells import COARSE, STANDARD, all_done, check_figures, done
 
-from experiments.compositions import changed, composed
+from experiments.compositions import changed, composed, groups_at
 from experiments.errors import Shift, shift
 from experiments.exchanges import (
     DAMPING,
@@ -24,7 +24,7 @@ from experiments.paper.causes import part as judge
 from experiments.paper.causes import words
 from experiments.paper.causes.part import Causes
 from experiments.paper.causes.words import noise
-from experiments.paper.settings import BASELINE, groups_at
+from experiments.paper.settings import BASELINE
 from snapjump.run.studies.base import FAILED
 
 
@@ -127,7 +127,11 @@ def test_report(tmp_path):
 
     cells = all_done(part, STANDARD, rows_of)
     found = part.conclude(cells)
-    assert [one.verdict for one in found.statements] == [LIMITED] * 4 + [CONFIRMED]
+    assert [one.verdict for one in found.statements] == [
+        *[LIMITED] * 4,
+        NOT_CONFIRMED,
+        CONFIRMED,
+    ]
     assert "ε = 0.190" in found.statements[0].found
     check_figures(found, tmp_path)
     assert "Failed jumps" not in " ".join(found.section.paragraphs)

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from cells import STANDARD, all_done, check_figures
 
-from experiments import exact
+from experiments.arches import exact
+from experiments.arches.critical import critical_rows, exact_value, largest_difference, within
 from experiments.compositions import changed
-from experiments.critical_arch import critical_rows, exact_value, largest_difference, within
 from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.released_energy import words
 from experiments.paper.released_energy.part import (

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from cells import STANDARD
 
-from experiments.exact_snap import agreement, exact_snaps, largest_percent
+from experiments.arches.exact_snap import agreement, exact_snaps, largest_percent
+from experiments.arches.swings import SETTINGS, snap_groups, snap_of
 from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
-from experiments.paper.settings import SETTINGS, snap_groups, snap_of
 from experiments.paper.snaps.figure import STYLES, draw_snaps, draw_tiny
 from experiments.paper.snaps.part import (
     TINY,

@@ -35,7 +35,7 @@ class Letters(Part):
 
     def conclude(self, done: Mapping[str, Done]) -> Found:
         letters = [row["letter"] for one in done.values() for row in one.rows]
-        told = Statement("Letters", CONFIRMED, f"{[*done]}", "")
+        told = Statement("letters.all", "Letters", CONFIRMED, f"{[*done]}", "")
         return Found(Section("Letters", ["".join(letters)]), [told], {"letters": len(letters)})
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.polynomial import Polynomial
 
-DATA = Path(__file__).parent / "data"
+DATA = Path(__file__).parents[1] / "data"
 COMPARED = (0.1, 0.2, 0.3)  # epsilon, at which there are exact numbers of every kind
 SYMMETRIC = (0.01, 0.03, 0.05, *COMPARED)  # of clamps that turn alike
 

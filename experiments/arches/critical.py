@@ -3,9 +3,9 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from experiments import exact
+from experiments.arches import exact
 from experiments.compositions import composed
-from experiments.paper.settings import RANGES
+from experiments.designs import AXES
 from snapjump.run.studies.base import Row
 from snapjump.statics.critical import find_snap
 
@@ -37,7 +37,7 @@ def critical_rows(inputs: Mapping[str, Any]) -> list[Row]:
 
 def within(rows: Sequence[Row]) -> list[Row]:
     """The rows of the paper's range of epsilon, ends included."""
-    low, high = RANGES["epsilon"]
+    low, high = next(axis.range for axis in AXES if axis.column == "epsilon")
     return [row for row in rows if low - 1e-9 <= row["epsilon"] <= high + 1e-9]
 
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from experiments import exact
+from experiments.arches import exact
 from experiments.order import fitted_order
 from snapjump.composition import Simulation
 from snapjump.run.studies.base import Row

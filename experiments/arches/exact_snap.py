@@ -9,7 +9,7 @@ import numpy as np
 from snapjump.run.studies.base import Row
 from snapjump.scenes.swing import Swing, crossing
 
-DATA = Path(__file__).parent / "data" / "galerkin_snaps.json"
+DATA = Path(__file__).parents[1] / "data" / "galerkin_snaps.json"
 # At which moments (T) heights are told, and how far the largest angle is taken.
 MOMENTS_T, END_T = (2, 5), 8.42
 QUANTITIES = (
