@@ -73,7 +73,7 @@ def by_parameter(columns: Mapping[str, Array]) -> list[Row]:
 def tables(
     curves: Mapping[str, ErrorCurves], tangents: Mapping[str, Array], others: Mapping[str, Array]
 ) -> dict[str, list[Row]]:
-    """ErrorCurves at every tier, elasticities, deviations of straight lines, and other designs."""
+    """Changes at every tier, elasticities, deviations of straight lines, and other designs."""
     fine, axes = curves["reference"], [*enumerate("xy")]
     kinds = {"trend": fine.trends, f"secant of {100 * SECANT:g} %": fine.secants(SECANT)}
     kinds |= {f"tangent, {tier}": exact for tier, exact in tangents.items()}
