@@ -179,7 +179,7 @@ def height_statements(
         depths = {tier: (row["h1_bar"], row["h2_bar"]) for tier, row in statics.items()}
         own, papers = (height(sweeps[name][t], *depths[t], coordinates) for t in FOLLOWED)
         came, first = height_verdicts(own), sweeps[name]["standard"][0][MOUNT_HEIGHT]
-        said = words.heights(came["below_h1"], own, papers, first, told[name])
+        said = words.heights(came, own, papers, first, told[name])
         suffix = ""
         if name == MOUNT_HEIGHT:
             suffix, said = ".oblique", words.oblique(said, own, pressed, statics["standard"])

@@ -46,14 +46,21 @@ def each(shares: Mapping[str, float]) -> str:
     return ", ".join(f"{name} {percent(share)}" for name, share in shares.items())
 
 
-def heights(came: str, own: Any, papers: Any, first: float, told: str) -> dict[str, Said]:
-    """Of a sweep, from its ``first`` height on; ``came``: whether it is level below h1."""
-    whole = max(own.off.values()) <= ABOUT
-    limit = f"{'About so' if whole else 'In y_c only'}, to within {percent(ABOUT)}. "
+def heights(
+    came: Mapping[str, str], own: Any, papers: Any, first: float, told: str
+) -> dict[str, Said]:
+    """Of a sweep, from its ``first`` height on, with what limited verdicts are limited to."""
+    level = "About so" if max(own.off.values()) <= ABOUT else "In y_c only"
+    limits = {
+        "below_h1": f"{level}, to within {percent(ABOUT)}. ",
+        "decline": "With waves. ",
+        "beyond_h2": f"From {own.last_jump - own.h2:.3f} L beyond it on. ",
+    }
+    limited = {key: text if came[key] == LIMITED else "" for key, text in limits.items()}
     return {
         "below_h1": Said(
             "For mounts no higher than h1 the robot jumps as high as for h1.",
-            f"""{limit if came == LIMITED else ""}Here h1 = {own.h1:.3f} L. From h = {first:g} L to
+            f"""{limited["below_h1"]}Here h1 = {own.h1:.3f} L. From h = {first:g} L to
             h1 the largest deviations from the apex at h1 are {each(own.off)}; within
             {percent(ABOUT)} from {own.close_from:.3f} L on (the paper's settings:
             {each(papers.off)}, from {papers.close_from:.3f} L).""",
@@ -68,16 +75,18 @@ def heights(came: str, own: Any, papers: Any, first: float, told: str) -> dict[s
         ),
         "decline": Said(
             "Between h1 and h2 the height of the jump declines.",
-            f"""From h1 = {own.h1:.3f} L to h2 = {own.h2:.3f} L the steps back are at most, as
-            shares of the decline, {each(own.back)} (the paper's settings: {each(papers.back)}).""",
+            f"""{limited["decline"]}From h1 = {own.h1:.3f} L to h2 = {own.h2:.3f} L the steps back
+            are at most, as shares of the decline, {each(own.back)} (the paper's settings:
+            {each(papers.back)}).""",
             told,
         ),
         "beyond_h2": Said(
             "From h2 on, the depth of the snapped arch, the robot does not jump.",
-            f"""Here h2 = {own.h2:.4f} L, the depth of the arch's middle, which is its lowest point.
-            The last jump of more than {JUMP:g} L is at h = {own.last_jump:.4f} L (the paper's
-            settings: {papers.last_jump:.4f} L); from h2 on the centre of mass rises by at most
-            {own.rise_beyond:.1g} L, and the barrier begins {BARRIER:g} L above the ground.""",
+            f"""{limited["beyond_h2"]}Here h2 = {own.h2:.4f} L, the depth of the arch's middle,
+            which is its lowest point. The last jump of more than {JUMP:g} L is at
+            h = {own.last_jump:.4f} L (the paper's settings: {papers.last_jump:.4f} L); from h2 on
+            the centre of mass rises by at most {own.rise_beyond:.1g} L, and the barrier begins
+            {BARRIER:g} L above the ground.""",
             told,
         ),
     }

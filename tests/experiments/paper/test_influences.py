@@ -68,8 +68,7 @@ def test_limits_of_the_plateau_are_told():
     pressed = [{MOUNT_HEIGHT: 0.05, "load_over_weight": 3.0, "alpha_snap_rad": 1.0}]
 
     def told(one: Height) -> str:
-        came = height_verdicts(one)["below_h1"]
-        said = words.heights(came, one, one, 0.01, "")
+        said = words.heights(height_verdicts(one), one, one, 0.01, "")
         return words.oblique(said, one, pressed, {"alpha_critical_rad": 0.9})["below_h1"].found
 
     turned = told(found(5.0 * rising, 14.0 * ramp(H2) + 0.4))
