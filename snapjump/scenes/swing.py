@@ -97,6 +97,14 @@ def lowest(swing: Swing, crossed: int) -> int:
     return crossed + int(rising[0]) if len(rising) else len(swing.height) - 1
 
 
+def sinking(swing: Swing, crossed: int, count: int) -> list[int]:
+    """So many samples, from rest to the midpoint's lowest place, between which it sinks by equal
+    steps."""
+    height = swing.height[: lowest(swing, crossed) + 1]
+    levels = np.linspace(height[0], height[-1], count)
+    return [int(np.flatnonzero(height <= level)[0]) for level in levels]
+
+
 def outcome(swing: Swing) -> dict[str, Any]:
     """A snap in numbers; null where there is none.
 

@@ -23,7 +23,8 @@ from snapjump.simulation import build, simulate
 from snapjump.targets import request
 from snapjump.targets.answer import answer
 from snapjump.targets.design import problem_of
-from snapjump.targets.designed import Designed, one_percent_costs_bar
+from snapjump.targets.designed import Designed
+from snapjump.targets.manufacturing import one_percent_costs_bar
 from snapjump.targets.region import AchievableRegion
 from snapjump.targets.robust import Tolerance, compare
 from snapjump.targets.simulator import differentiable
