@@ -8,7 +8,7 @@ import pytest
 
 from experiments.paper import limits
 from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
-from experiments.paper.limits import ANY, LEAST, LIMITS, Limit, judged, limit_rows
+from experiments.paper.limits import LIMITS, Limit, judged, limit_rows
 from experiments.paper.study import PARTS
 
 FOLDER = Path(limits.__file__).parent
@@ -31,8 +31,8 @@ def test_a_limit_is_no_narrower_than_confirmation(key):
 
 def test_verdicts_by_limits(monkeypatch):
     monkeypatch.setitem(LIMITS, "most", Limit(1.0, 2.0, "", ""))
-    monkeypatch.setitem(LIMITS, "least", Limit(2.0, 1.0, "", "", LEAST))
-    monkeypatch.setitem(LIMITS, "only", Limit(ANY, 2.0, "", ""))
+    monkeypatch.setitem(LIMITS, "least", Limit(2.0, 1.0, "", "", True))
+    monkeypatch.setitem(LIMITS, "only", Limit(math.inf, 2.0, "", ""))
     assert [judged("most", v) for v in (1.0, 1.5, 2.5)] == [CONFIRMED, LIMITED, NOT_CONFIRMED]
     assert [judged("least", v) for v in (2.0, 1.5, 0.5)] == [CONFIRMED, LIMITED, NOT_CONFIRMED]
     assert [judged("only", v) for v in (2.0, 2.5, math.nan)] == [CONFIRMED, *[NOT_CONFIRMED] * 2]
