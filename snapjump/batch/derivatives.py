@@ -51,17 +51,12 @@ def model_derivatives(
         raise ParameterError("frame", base.frame.name, "rigid with sensitivities")
     if not len(designs):
         return np.zeros((0, 0, len(inputs)))
-    return np.array([number_slopes(variant(base, row, inputs), curve, inputs) for row in designs])
-
-
-def number_slopes(
-    simulation: Simulation, curve: ThresholdCurve | None, inputs: Sequence[str] = DEFAULT_INPUTS
-) -> Array:
-    """Derivatives (P, I) of the numbers of one robot's model."""
-    (known,) = thresholds([simulation], curve)
-    threshold = known or critical(simulation)
-    columns = [input_slopes(simulation, path, threshold, curve) for path in inputs]
-    return np.array(columns).T
+    simulations = [variant(base, row, inputs) for row in designs]
+    found = []
+    for one, known in zip(simulations, thresholds(simulations, curve), strict=True):
+        threshold = known or critical(one)
+        found.append([input_slopes(one, path, threshold, curve) for path in inputs])
+    return np.array(found).transpose(0, 2, 1)
 
 
 def input_slopes(
