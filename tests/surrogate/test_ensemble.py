@@ -9,7 +9,7 @@ from snapjump.surrogate.ensemble import Ensemble
 
 def ensemble() -> Ensemble:
     torch.manual_seed(0)
-    network = Ensemble(members=4, width=8, blocks=1)
+    network = Ensemble(networks=4, width=8, blocks=1)
     network.fit(jumps(200))
     return network
 
