@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from snapjump.show.plots import palette
-from snapjump.show.plots.moments import moments, travel
+from snapjump.show.plots.instants import instants, travel
 from snapjump.show.plots.motion import Array, Motion, poses
 from snapjump.show.plots.robot_drawing import arrows, draw_forces, draw_ground, draw_robot
 
@@ -23,7 +23,7 @@ def draw_filmstrip(
 ) -> None:
     """Fill `box` (left, bottom, width, height of the figure) with panels and one key."""
     rows, columns = shape
-    chosen = moments(motion, liftoff_ms, rows * columns - 1)
+    chosen = instants(motion, liftoff_ms, rows * columns - 1)
     axes = figure.add_axes(box)
     axes.set_axis_off()
     tall = box[3] * figure.get_figheight() / rows

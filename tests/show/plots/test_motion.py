@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from snapjump.show.plots.instants import instants, middle_height, snap_interval
 from snapjump.show.plots.jump import apex_of
-from snapjump.show.plots.moments import middle_height, moments, snap_interval
 from snapjump.show.plots.motion import poses, read_motion
 from snapjump.show.plots.trajectory import flight_end
 
@@ -57,12 +57,12 @@ def test_moments_are_named_in_order_and_eight(jump):
     assert motion is not None
     snap = snap_interval(motion)
     assert snap is not None and snap[0] < snap[1]
-    chosen = moments(motion, 6.0)
+    chosen = instants(motion, 6.0)
     assert len(chosen) == 8
     assert [index for index, _ in chosen] == sorted({index for index, _ in chosen})
     wanted = ["start", "snap begins", "beam touches", "hardest push", "lift-off"]
     assert [name for _, name in chosen if name] == [*wanted, "in flight"]
-    assert len(moments(motion, None, wanted=3)) >= 3
+    assert len(instants(motion, None, wanted=3)) >= 3
 
 
 def test_only_what_jumped_flies(jump):
