@@ -8,9 +8,8 @@ steps of 0.001 about the baseline: what a surrogate or an optimiser sees as nois
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from snapjump.arrays import Array
 
 
 def scale_of_x(x: Any, y: Any) -> Any:

@@ -5,9 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
 HIGHEST = 12.0
 LOWEST = 0.05
 # Two successive orders that differ by more are no sign of a limit that is being approached.

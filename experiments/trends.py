@@ -3,9 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from snapjump.arrays import Array
 
 
 def counter_step(values: Array, rising: bool) -> float:

@@ -6,12 +6,12 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats.qmc import Sobol
 
 from experiments.compositions import composed
 from experiments.designs import COLUMNS
 from experiments.inverse_benchmark.methods import LENGTH_MM, SOLVED_MM, TIERS
+from snapjump.arrays import Array
 from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation
 from snapjump.declare.members import make_member
@@ -28,7 +28,6 @@ from snapjump.targets.warm_up import warm_up
 # Designs about one that missed its target, and the share of the controls' ranges they lie within.
 AROUND, WITHIN = 64, 2.0e-3
 
-Array = NDArray[np.float64]
 opened = cache(open_forward_model)
 
 

@@ -8,7 +8,8 @@ import numpy as np
 import shapely
 
 from experiments.compositions import composed
-from experiments.inverse_benchmark.compute import Array, make_problem, opened
+from experiments.inverse_benchmark.compute import make_problem, opened
+from snapjump.arrays import Array
 from snapjump.composition import Simulation
 from snapjump.plan.base import Range, stretched
 from snapjump.run.studies.base import Row

@@ -8,17 +8,16 @@ roughness of the tier) below the distance of the grid's points.
 from itertools import combinations_with_replacement
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats.qmc import Sobol
 
 from experiments.designs import COLUMNS
+from snapjump.arrays import Array
 from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation
 from snapjump.plan.base import Range
 from snapjump.run.studies.base import Row
 from snapjump.statics.threshold_curve import ThresholdCurve
 
-Array = NDArray[np.float64]
 INTERVALS = 14  # of the paper's grid along each input
 JUMPS, FEWEST = 128, 60  # in a cell; a cubic of four variables has 35 coefficients
 DEGREE = 3

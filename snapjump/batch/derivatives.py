@@ -3,8 +3,8 @@
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from snapjump.arrays import Array
 from snapjump.batch.prepare import beam_of, check_curve, covered, thresholds
 from snapjump.batch.variants import variant
 from snapjump.checks import ParameterError
@@ -21,7 +21,6 @@ from snapjump.scenes.jump_start import (
 from snapjump.statics.threshold import Threshold
 from snapjump.statics.threshold_curve import ThresholdCurve
 
-Array = NDArray[np.float64]
 # Of an input, between the points of a difference of fourth order. A computed threshold is known to
 # 1e-11 or so only, and asks for a longer one.
 STEP, LONG_STEP = 1e-3, 1e-2

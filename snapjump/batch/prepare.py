@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.arrays import Array
 from snapjump.batch.variants import variant
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
@@ -17,8 +18,6 @@ from snapjump.scenes.frame_body import compression
 from snapjump.scenes.jump_start import NoThresholdError, jump_model
 from snapjump.statics.threshold import Threshold
 from snapjump.statics.threshold_curve import ThresholdCurve
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,9 @@ from typing import ClassVar
 import numpy as np
 from scipy.optimize import lsq_linear
 
+from snapjump.arrays import Array
 from snapjump.declare.fields import choice, integer, number
-from snapjump.inverse.base import Array, InverseOptions, Problem, Search, Solution
+from snapjump.inverse.base import InverseOptions, Problem, Search, Solution
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
 
 CANDIDATES = 8  # a round: as many as the simulator has lanes

@@ -2,10 +2,11 @@
 
 import numpy as np
 
+from snapjump.arrays import Array
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import integer
 from snapjump.plan.base import Plan, PlanOptions
-from snapjump.plan.parts.axes import Array, Range
+from snapjump.plan.parts.axes import Range
 
 MOST_POINTS = 1000
 MOST_OF_A_GRID = 2**40

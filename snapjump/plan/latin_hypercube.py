@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from snapjump.arrays import Array
 from snapjump.plan.base import RandomPlanOptions, stretched
-from snapjump.plan.parts.axes import Array, Range
+from snapjump.plan.parts.axes import Range
 from snapjump.plan.parts.shuffle import keyed, shuffled
 
 FIRST_JITTER = 1000  # streams of random bits beyond those that shuffle

@@ -7,8 +7,8 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from snapjump.arrays import Array
 from snapjump.composition import Simulation
 from snapjump.declare.fields import number
 from snapjump.declare.outputs import output
@@ -18,8 +18,6 @@ from snapjump.scenes.march_outputs import RecordedOutputs, side_by_side
 from snapjump.scenes.snap_march import snap_march
 from snapjump.scenes.trajectory import trajectory_arrays
 from snapjump.sim.base import NEEDS_NO_GROUND, WITHOUT_GROUND, Progress, SceneOptions, check_samples
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.arrays import Array
 from snapjump.composition import Simulation
 from snapjump.declare.fields import integer
 from snapjump.declare.outputs import output
@@ -19,7 +20,6 @@ from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch, Point
 from snapjump.statics.critical import Snap, find_snap, start_point
 
-Array = NDArray[np.float64]
 LENGTH = 6.0  # of a branch, in the norm of its free coordinates and angle
 
 

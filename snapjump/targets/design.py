@@ -5,9 +5,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from snapjump.arrays import Array
 from snapjump.checks import check_choice
 from snapjump.composition import Simulation, with_tier
-from snapjump.inverse.base import Array, ForwardModel, InverseOptions, Problem
+from snapjump.inverse.base import ForwardModel, InverseOptions, Problem
 from snapjump.inverse.physics import PhysicsOptions
 from snapjump.robot.environment import Environment
 from snapjump.targets import request

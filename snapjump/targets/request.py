@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from snapjump import learning
+from snapjump.arrays import Array
 from snapjump.checks import ParameterError, check_text, is_finite_number
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS, value_at
-from snapjump.inverse.base import Array, InverseOptions
+from snapjump.inverse.base import InverseOptions
 
 if TYPE_CHECKING:
     from snapjump.learning.forward_model import ForwardModel

@@ -8,8 +8,9 @@ from scipy.optimize import minimize
 from scipy.special import ndtr, ndtri
 from scipy.stats import qmc
 
+from snapjump.arrays import Array
 from snapjump.declare.fields import Part, number
-from snapjump.inverse.base import Array, ForwardModel, Problem, Solution
+from snapjump.inverse.base import ForwardModel, Problem, Solution
 
 SAMPLES, REPORTED = 256, 2048  # powers of two, as Sobol's points ask for
 MOST_STARTS = 6
