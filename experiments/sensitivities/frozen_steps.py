@@ -20,7 +20,7 @@ from snapjump.number.dual import PARAMETERS, constant
 from snapjump.scenes.flight import flight
 from snapjump.scenes.runner import March
 
-MOST_ITERATIONS = 200
+MOST_ITERATIONS, TOLERANCE = 200, 1e-14
 GAP_LEFT = 0.15
 
 
@@ -106,7 +106,7 @@ def load(jump: March) -> None:
     memory.clock[c.STAGE] = 1.0
 
 
-def solve_stage(jump: March, shadow: Any, tolerance: float) -> None:
+def solve_stage(jump: March, shadow: Any) -> None:
     """Newton's method at the current guess, gaps kept open, until rounding is all that is left."""
     memory = jump.memory
     size = len(memory.state)
@@ -127,13 +127,13 @@ def solve_stage(jump: March, shadow: Any, tolerance: float) -> None:
         if closing.any():
             share = min(share, float(((1.0 - GAP_LEFT) * gaps[closing] / falls[closing]).min()))
         memory.state[free, 0] -= share * change
-        if largest < tolerance or (largest < 1e-11 and largest >= before):
+        if largest < TOLERANCE or (largest < 1e-11 and largest >= before):
             return
         before = largest
     raise ArithmeticError(f"no solution: the last correction was {largest:.2g}")
 
 
-def exact_jump(jump: March, steps: Any, guide: Any = None, tolerance: float = 1e-14) -> Any:
+def exact_jump(jump: March, steps: Any, guide: Any = None) -> Any:
     """March the robot through the steps; returns the state (stages, D) that solves every stage.
 
     ``guide``: solutions of a robot nearby, to begin from.
@@ -149,7 +149,7 @@ def exact_jump(jump: March, steps: Any, guide: Any = None, tolerance: float = 1e
             guess_stage(*arguments)
             if guide is not None:
                 jump.memory.state[:, 0] = guide[len(solutions)]
-            solve_stage(jump, shadow, tolerance)
+            solve_stage(jump, shadow)
             last = finish_stage(*arguments)
             solutions.append(jump.memory.state[:, 0].copy())
     return np.array(solutions)

@@ -98,9 +98,9 @@ def choice(default: str | int, words: Sequence[str | int], doc: str = "") -> Any
     return field(default=default, metadata={"allowed": Choice(tuple(words)), "doc": doc})
 
 
-def flag(default: bool, doc: str = "") -> Any:
+def flag(default: bool) -> Any:
     """A field that is true or false."""
-    return field(default=default, metadata={"allowed": Flag(), "doc": doc})
+    return field(default=default, metadata={"allowed": Flag()})
 
 
 def hidden(default: Any) -> Any:
