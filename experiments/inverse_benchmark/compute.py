@@ -42,9 +42,7 @@ def make_problems(
     base: Simulation, ranges: tuple[Range, ...], seed: int, first: int, last: int
 ) -> Problems:
     """Problems first to last - 1 of a seed; the same whichever others are asked for.
-
-    Raises RuntimeError if a hidden design does not jump, for then its target is none.
-    """
+    Raises RuntimeError if a hidden design does not jump, for then its target is none."""
     unit = np.array([np.random.default_rng([seed, k]).random(4) for k in range(first, last)])
     hidden = stretched(unit, ranges)
     batch = simulate_designs(base, hidden, threads=1)
@@ -97,9 +95,7 @@ def misses_mm(simulator: JumpSimulator, designs: Array, targets: Array) -> Array
 
 def nearest_around(simulator: JumpSimulator, design: Array, target: Array, forward: Any) -> float:
     """The least miss (mm) of many designs about one that does not hit its target.
-
-    If it is no smaller than that one's own, the map jumps over the target there.
-    """
+    If it is no smaller than that one's own, the map jumps over the target there."""
     low, high = np.array(forward.ranges).T
     offsets = 2.0 * Sobol(2, rng=0).random(AROUND) - 1.0
     designs = np.tile(design, (AROUND, 1))

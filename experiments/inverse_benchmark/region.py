@@ -39,9 +39,7 @@ class Simulated:
 
 def region_rows(inputs: Mapping[str, Any]) -> list[Row]:
     """A row for each environment: how many of its random targets were decided wrongly.
-
-    The truth is the region of simulated apexes; a decision is that of ``task=inverse``.
-    """
+    The truth is the region of simulated apexes; a decision is that of ``task=inverse``."""
     forward, base = opened(inputs["checkpoint"]), composed(inputs["groups"])
     return [
         one_environment(forward, base, inputs["seed"], k)

@@ -135,9 +135,7 @@ def solve_stage(jump: March, shadow: Any) -> None:
 
 def exact_jump(jump: March, steps: Any, guide: Any = None) -> Any:
     """March the robot through the steps; returns the state (stages, D) that solves every stage.
-
-    ``guide``: solutions of a robot nearby, to begin from.
-    """
+    ``guide``: solutions of a robot nearby, to begin from."""
     load(jump)
     shadow = make_shadow(jump.memory)
     arguments = (jump.models[0], jump.scheme, jump.masses, jump.memory)
@@ -172,9 +170,7 @@ def apex(jump: March) -> Any:
 
 def march_along(jump: March, steps: Any, solutions: Any) -> None:
     """March with the recorder that the march has, through given steps and solutions of stages.
-
-    Its stepping must accept everything, and its ending the end of the last step.
-    """
+    Its stepping must accept everything, and its ending the end of the last step."""
     arguments = jump.arguments(jump.crew[0])
     march(*arguments, 0)
     memory, count = jump.memory, 0

@@ -183,9 +183,7 @@ def settings(part: Any) -> list[str]:
 
 def construct(group: str, cls: Any, values: Any) -> Any:
     """A part, or any dataclass, from a group's values; what is left out has its default.
-
-    Raises ParameterError for an unknown key, and for a missing one that has no default.
-    """
+    Raises ParameterError for an unknown key, and for a missing one that has no default."""
     check_group(group, values)
     declared = {f.name: f for f in fields(cls) if "hidden" not in f.metadata}
     for key, value in values.items():

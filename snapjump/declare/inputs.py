@@ -105,9 +105,7 @@ def value_at(simulation: Any, path: str) -> Any:
 
 def with_inputs(simulation: S, values: Mapping[str, float]) -> S:
     """The simulation with other values of some inputs, by path.
-
-    Raises ParameterError for a value out of its range, or one that does not go with the others.
-    """
+    Raises ParameterError for a value out of its range, or one that does not go with the others."""
     changes: dict[str, dict[str, float]] = {}
     for path, value in values.items():
         group, _, name = path.partition(".")

@@ -62,9 +62,7 @@ class ForwardModel:
 
     def check_model(self, simulation: Simulation) -> None:
         """Raise ParameterError if a simulation has another physical model than the dataset had.
-
-        Mesh, integrator and step control may differ: they are errors, and no other robot.
-        """
+        Mesh, integrator and step control may differ: they are errors, and no other robot."""
         configuration = self.about["dataset"]["specification"]["configuration"]
         inputs = {axis.path for axis in self.axes}
         given: dict[str, Any] = {"sim": simulation.sim.name}

@@ -13,9 +13,7 @@ MANTISSA_BITS = 53
 
 class LatinHypercube(RandomPlanOptions):
     """Random points, one in each of as many equal intervals of every input.
-
-    The order of the intervals is computed point by point.
-    """
+    The order of the intervals is computed point by point."""
 
     def designs(self, ranges: tuple[Range, ...], first: int, last: int) -> Array:
         numbers = np.arange(first, last, dtype=np.uint64)

@@ -32,9 +32,7 @@ def bend_cantilever(
     rod: Any, elements: int, force_x: float, force_y: float, moment: float
 ) -> tuple[np.ndarray, float, int]:
     """Nodes (N + 1, 2) in L, elastic energy (EI/L) and negative pivots under a tip load.
-
-    Force in EI/L^2, moment in EI/L. Raises ArithmeticError where Newton's method fails.
-    """
+    Force in EI/L^2, moment in EI/L. Raises ArithmeticError where Newton's method fails."""
     model = Model(
         rod,
         CantileverFrame(),

@@ -30,9 +30,7 @@ class SlideOutputs(MassOutputs):
 
 class Slide(SceneOptions):
     """Verification: one mass slides on the ground until friction stops it.
-
-    On a slope of the environment, of any steepness, gravity pulls it downhill too.
-    """
+    On a slope of the environment, of any steepness, gravity pulls it downhill too."""
 
     chooses = {"frame": "fixed", "friction": "implicit", "damping": "none"}
     tells = ("environment.slope_rad", "sim.mass_kg", "sim.speed_m_s", "sim.duration_s")

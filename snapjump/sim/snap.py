@@ -23,9 +23,7 @@ from snapjump.sim.base import NEEDS_NO_GROUND, WITHOUT_GROUND, Progress, SceneOp
 @dataclass(frozen=True)
 class SnapOutputs(RecordedOutputs):
     """When and how the midpoint crosses the line of the clamps; NaN if it does not.
-
-    ``arrays``: the trajectory (S samples).
-    """
+    ``arrays``: the trajectory (S samples)."""
 
     arrays: dict[str, Any]
 
@@ -101,9 +99,7 @@ def middle_angle(x: Array, y: Array) -> Array:
 
 class Snap(SceneOptions):
     """The beam alone snaps in a frame that is held still, without gravity or ground.
-
-    The clamps start from flat and reach their rate within about ``rise_time_s``.
-    """
+    The clamps start from flat and reach their rate within about ``rise_time_s``."""
 
     moves_a_beam = True
     tells = ("design.epsilon", "design.delta_alpha")

@@ -76,9 +76,7 @@ def usable_forward(
     base: Simulation, forward: "ForwardModel", method: InverseOptions
 ) -> tuple["ForwardModel | None", str]:
     """The forward model, or None and a warning for a method that can do without it there.
-
-    Raises ParameterError where it cannot: a forward model never extrapolates.
-    """
+    Raises ParameterError where it cannot: a forward model never extrapolates."""
     wrong = outside(base, forward)
     if wrong is None:
         return forward, ""

@@ -14,9 +14,7 @@ def children(
     cells: Iterable[Done], metrics: Mapping[str, Mapping[str, float]]
 ) -> list[dict[str, Any]]:
     """One record a cell: its inputs, its status, and its numbers.
-
-    Of each numeric column the median is recorded; ``metrics`` adds what the study made of it.
-    """
+    Of each numeric column the median is recorded; ``metrics`` adds what the study made of it."""
     return [
         {
             "name": done.cell.name,

@@ -116,9 +116,7 @@ class Train:
 
 def dataset_path(config: Mapping[str, Any]) -> Path:
     """The folder that is given, or that of the dataset this configuration would make.
-
-    Raises ParameterError.
-    """
+    Raises ParameterError."""
     given: DatasetOptions = whole(DatasetOptions, config.get("dataset"))
     if given.path is not None:
         return Path(given.path)
