@@ -14,12 +14,7 @@ from snapjump.declare.fields import Number
 S = TypeVar("S")
 # The parts of a simulation whose numbers are inputs.
 PARTS = ("robot", "design", "environment", "frame", "contact", "friction", "damping")
-DEFAULT_INPUTS = (
-    "design.delta_alpha",
-    "design.epsilon",
-    "environment.mass_bar",
-    "environment.mu",
-)
+DEFAULT_INPUTS = ("design.delta_alpha", "design.epsilon", "environment.mass_bar", "environment.mu")
 
 
 @dataclass(frozen=True)
@@ -58,18 +53,11 @@ def inputs_of(parts: Mapping[str, Any] | Any) -> dict[str, Input]:
         for field in () if part is None else fields(part):
             allowed = field.metadata.get("allowed")
             if isinstance(allowed, Number):
-                about = field.metadata["about"]
-                path = f"{group}.{field.name}"
-                found[path] = Input(
-                    path,
-                    about.get("column", field.name),
-                    allowed,
-                    field.metadata["doc"] or field.name,
-                    about.get("symbol", field.name),
-                    about.get("plan"),
-                    about.get("kind", "property"),
-                    field.default,
-                )
+                path, name, get = f"{group}.{field.name}", field.name, field.metadata["about"].get
+                told = field.metadata["doc"] or name, get("symbol", name)
+                kind = get("plan"), get("kind", "property")
+                column = get("column", name)
+                found[path] = Input(path, column, allowed, *told, *kind, field.default)
     return found
 
 

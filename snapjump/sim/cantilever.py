@@ -33,15 +33,9 @@ def bend_cantilever(
 ) -> tuple[np.ndarray, float, int]:
     """Nodes (N + 1, 2) in L, elastic energy (EI/L) and negative pivots under a tip load.
     Force in EI/L^2, moment in EI/L. Raises ArithmeticError where Newton's method fails."""
-    model = Model(
-        rod,
-        CantileverFrame(),
-        ConstantRate(0.0, 1.0, 1.0, 0.0),
-        NoContact.Law(),
-        NoFriction.Law(),
-        NoDamping.Law(),
-        TipLoad(0.0, 0.0, 0.0),
-    )
+    clamp, load = ConstantRate(0.0, 1.0, 1.0, 0.0), TipLoad(0.0, 0.0, 0.0)
+    laws = NoContact.Law(), NoFriction.Law(), NoDamping.Law()
+    model = Model(rod, CantileverFrame(), clamp, *laws, load)
     dofs = rod.node_dofs()
     memory = make_work(elements + 1, 0, 2, ROWS, len(numbers_of(model)), 1, dofs)
     memory.state[0::dofs, 0] = np.linspace(0.0, 1.0, elements + 1)

@@ -98,13 +98,8 @@ def scatter(
     points = sobol_points(REPORTED, problem.seed + 1)
     apexes = forward.predict(built(problem, forward, tolerance, controls, points))
     misses = problem.misses(apexes)
-    return Scatter(
-        apexes,
-        apexes.mean(axis=0),
-        apexes.std(axis=0),
-        float(misses.mean()),
-        float(np.quantile(misses, 0.9)),
-    )
+    expected, radius90 = float(misses.mean()), float(np.quantile(misses, 0.9))
+    return Scatter(apexes, apexes.mean(axis=0), apexes.std(axis=0), expected, radius90)
 
 
 def robust_solution(

@@ -51,15 +51,9 @@ class GenerateDataset:
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         shown = GENERATION_SHARE if self._config["figures"] else 1.0
         try:
-            generation = generate(
-                self._folder,
-                self._specification,
-                self._executor,
-                self._config["backend"],
-                stretch(progress, 0.0, shown),
-                self._options.part,
-                self._options.parts,
-            )
+            work = self._folder, self._specification, self._executor, self._config["backend"]
+            part = self._options.part, self._options.parts
+            generation = generate(*work, stretch(progress, 0.0, shown), *part)
         finally:
             for lock in self._locks:
                 lock.release()
