@@ -39,6 +39,7 @@ TIMING = {output.name for output in Batch.declared() if output.timing}
 
 @pytest.fixture(scope="module")
 def batch():
+    """What becomes of designs that can be built and of those that cannot."""
     return simulate_designs(BASE, ALL, threads=2, lanes=1)
 
 

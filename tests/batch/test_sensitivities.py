@@ -38,6 +38,7 @@ def curve():
 
 @pytest.fixture(scope="module")
 def batch(curve):
+    """Jumps of the designs, with their derivatives."""
     return simulate_designs(BASE, DESIGNS, curve=curve, threads=1, lanes=8, sensitivities=True)
 
 

@@ -1,4 +1,4 @@
-"""The jump: start, flight, books, gaps, monotony, pinned baseline; mirrors, momentum, similarity."""
+"""The jump: start, flight, books, gaps, monotony, pinned baseline; mirrors, momentum, scaling."""
 
 from dataclasses import replace
 
@@ -19,6 +19,7 @@ TIGHT = AdaptiveStep(tolerance=1e-8, contact_steps=0.5)
 
 @pytest.fixture(params=DESIGNS)
 def jumped(request):
+    """Jumps of four designs."""
     return jump(**parts_of(DESIGNS[request.param]))
 
 

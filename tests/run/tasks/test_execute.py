@@ -45,6 +45,7 @@ class StandIn:
 
 @pytest.fixture(autouse=True)
 def stand_in(monkeypatch) -> None:
+    """The task is registered, in this module."""
     monkeypatch.setitem(registry.TASKS, "stand_in", f"{__name__}:StandIn")
     monkeypatch.setattr(registry, "import_module", lambda name: __import__("sys").modules[name])
 
@@ -58,6 +59,7 @@ def run(monkeypatch: pytest.MonkeyPatch, path: Path, action: Any) -> tuple[Outco
 
 @pytest.fixture
 def becomes(monkeypatch, tmp_path) -> Any:
+    """Outcome and result of a task that does what is given."""
     return partial(run, monkeypatch, tmp_path)
 
 

@@ -47,7 +47,7 @@ def target(checkpoint) -> list[float]:
 
 
 @pytest.fixture
-def run(checkpoint, tmp_path) -> Callable[..., tuple[Outcome, dict[str, str]]]:
+def run_task(checkpoint, tmp_path) -> Callable[..., tuple[Outcome, dict[str, str]]]:
     """The task in this process: its outcome and its closing block."""
 
     def do(*overrides: str) -> tuple[Outcome, dict[str, str]]:
@@ -83,8 +83,8 @@ def test_the_command_line(command, checkpoint, target, tmp_path):
         assert word in done.stdout
 
 
-def test_out_of_reach(run, target, tmp_path):
-    outcome, lines = run(f"target=[{target[0] + 500.0},{target[1]}]")
+def test_out_of_reach(run_task, target, tmp_path):
+    outcome, lines = run_task(f"target=[{target[0] + 500.0},{target[1]}]")
     assert outcome.status == "unreachable"
     assert exit_code(outcome.status) == EXIT_UNREACHABLE == 4
     assert "nearest predicted apex is x" in outcome.message and "\n" not in outcome.message
@@ -93,16 +93,16 @@ def test_out_of_reach(run, target, tmp_path):
     assert "predicted" in lines and (tmp_path / "inverse.png").exists()
 
 
-def test_a_robust_design(run, target, tmp_path):
-    outcome, lines = run(f"target={target}", "inverse.robust=true")
+def test_a_robust_design(run_task, target, tmp_path):
+    outcome, lines = run_task(f"target={target}", "inverse.robust=true")
     found = outcome.summary
     assert found["robust_expected_miss_bar"] <= 1.02 * found["plain_expected_miss_bar"]
     assert "instead of" in lines["robust"]
     assert (tmp_path / "inverse.png").exists()
 
 
-def test_outside_of_what_was_trained_a_simulator_goes_on(run, capsys):
-    outcome, lines = run(
+def test_outside_of_what_was_trained_a_simulator_goes_on(run_task, capsys):
+    outcome, lines = run_task(
         "target=[2.0,5.0]",
         "environment.mu=0.9",
         "inverse=finite_difference",
