@@ -1,7 +1,6 @@
 """inverse.png: with and without a forward model, of several solutions, robust, out of reach."""
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -11,7 +10,6 @@ from pictures import count, picture
 
 from snapjump.inverse.base import Solution
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
-from snapjump.results import Result
 from snapjump.show.plots import palette
 from snapjump.show.plots.achievable import compound
 from snapjump.show.plots.inverse import inverse_picture
@@ -24,12 +22,6 @@ MODEL = MadeUpModel(folded)
 TARGET = folded(np.array([[0.06, 0.2, 1.0, 0.3]]))[0]
 
 
-@pytest.fixture
-def flight(jump) -> Any:
-    """The made-up jump as a result."""
-    return Result(jump.status, "", jump.summary, jump.arrays, jump.simulation)
-
-
 def drawn(designed: Designed, region: AchievableRegion | None, folder: Path) -> np.ndarray:
     return picture(inverse_picture(designed, region, folder / "inverse.png"))
 
@@ -39,30 +31,30 @@ def has(pixels: np.ndarray, colour: str) -> bool:
 
 
 @pytest.mark.parametrize("target", [TARGET, TARGET + 30.0])
-def test_region_solutions_and_flight(flight, tmp_path, target):
+def test_region_solutions_and_flight(jump, tmp_path, target):
     given = problem(target, MODEL)
     found = answer(given, GaussNewtonOptions())
-    designed = Designed(given, found, found.solutions[0], np.zeros(4), flight, None, about(), "")
+    designed = Designed(given, found, found.solutions[0], np.zeros(4), jump, None, about(), "")
     picture = drawn(designed, AchievableRegion.of(given, MODEL), tmp_path)
     for colour in (palette.BEAM, palette.PLUM, palette.CENTRE, palette.FORCE, palette.INK):
         assert has(picture, colour)
     assert not has(picture, palette.CLAMP)
 
 
-def test_a_robust_design_has_clouds(flight, tmp_path):
+def test_a_robust_design_has_clouds(jump, tmp_path):
     given = problem(TARGET, MODEL)
     found = answer(given, GaussNewtonOptions())
     robust = compare(given, MODEL, Tolerance(), found.solutions)
-    designed = Designed(given, found, robust.robust, np.zeros(4), flight, robust, about(), "")
+    designed = Designed(given, found, robust.robust, np.zeros(4), jump, robust, about(), "")
     picture = drawn(designed, AchievableRegion.of(given, MODEL), tmp_path)
     assert has(picture, palette.CLAMP)
     assert picture.shape[0] > 1000
 
 
-def test_without_a_forward_model(flight, tmp_path):
+def test_without_a_forward_model(jump, tmp_path):
     found = Answer(True, [Solution(np.array([0.1, 0.2]), TARGET, True)], 1.0, 60)
     designed = Designed(
-        problem(TARGET), found, found.solutions[0], np.zeros(4), flight, None, about(), ""
+        problem(TARGET), found, found.solutions[0], np.zeros(4), jump, None, about(), ""
     )
     picture = drawn(designed, None, tmp_path)
     assert has(picture, palette.CENTRE) and not has(picture, palette.PLUM)
