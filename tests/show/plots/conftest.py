@@ -20,10 +20,6 @@ def snap() -> Result:
     return simulate(with_tier("draft", sim="snap"))
 
 
-def of(result: Any, scene: str | None = None, **changes: Any) -> Any:
-    """The same result with other arrays, summary or status, perhaps of another scene."""
-    parts = {**vars(result), **changes}
-    if scene is not None:
-        simulation = {**vars(result.simulation), "sim": SimpleNamespace(name=scene)}
-        parts["simulation"] = SimpleNamespace(**simulation)
-    return SimpleNamespace(**parts)
+def of(result: Any, **changes: Any) -> Any:
+    """The same result with other arrays, summary or status."""
+    return SimpleNamespace(**{**vars(result), **changes})
