@@ -150,9 +150,7 @@ def test_a_surrogate_that_needs_slopes_names_the_dataset_without(configured, dat
     assert caught.value.value == str(dataset)
 
 
-def test_a_dataset_that_is_not_there_is_named_with_the_command_that_makes_it(
-    configured, tmp_path, monkeypatch
-):
+def test_a_dataset_that_is_not_there_is_named_with_the_command_that_makes_it(configured, tmp_path):
     values = configured("dataset.path=null", "accuracy=draft", "plan=sobol", "plan.count=64")
     with pytest.raises(ParameterError, match=r"make it with: python run\.py task=dataset") as error:
         Train().prepare(values)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from forward_models import about
 from made_up_maps import MadeUpModel, folded, problem
-from pictures import count, picture
+from pictures import has, picture
 
 from snapjump.inverse.base import Solution
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
@@ -26,8 +26,8 @@ def drawn(designed: Designed, region: AchievableRegion | None, folder: Path) -> 
     return picture(inverse_picture(designed, region, folder / "inverse.png"))
 
 
-def has(pixels: np.ndarray, colour: str) -> bool:
-    return count(pixels, colour) > 40
+def shows(pixels: np.ndarray, colour: str) -> bool:
+    return has(pixels, colour, 40)
 
 
 @pytest.mark.parametrize("target", [TARGET, TARGET + 30.0])
@@ -37,8 +37,8 @@ def test_region_solutions_and_flight(jump, tmp_path, target):
     designed = Designed(given, found, found.solutions[0], np.zeros(4), jump, None, about(), "")
     picture = drawn(designed, AchievableRegion.of(given, MODEL), tmp_path)
     for colour in (palette.BEAM, palette.PLUM, palette.CENTRE, palette.FORCE, palette.INK):
-        assert has(picture, colour)
-    assert not has(picture, palette.CLAMP)
+        assert shows(picture, colour)
+    assert not shows(picture, palette.CLAMP)
 
 
 def test_a_robust_design_has_clouds(jump, tmp_path):
@@ -47,7 +47,7 @@ def test_a_robust_design_has_clouds(jump, tmp_path):
     robust = compare(given, MODEL, Tolerance(), found.solutions)
     designed = Designed(given, found, robust.robust, np.zeros(4), jump, robust, about(), "")
     picture = drawn(designed, AchievableRegion.of(given, MODEL), tmp_path)
-    assert has(picture, palette.CLAMP)
+    assert shows(picture, palette.CLAMP)
     assert picture.shape[0] > 1000
 
 
@@ -57,7 +57,7 @@ def test_without_a_forward_model(jump, tmp_path):
         problem(TARGET), found, found.solutions[0], np.zeros(4), jump, None, about(), ""
     )
     picture = drawn(designed, None, tmp_path)
-    assert has(picture, palette.CENTRE) and not has(picture, palette.PLUM)
+    assert shows(picture, palette.CENTRE) and not shows(picture, palette.PLUM)
 
 
 def test_holes_run_the_other_way_round():

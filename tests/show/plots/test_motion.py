@@ -94,26 +94,18 @@ def test_balance_of_kept_books_is_zero(jump):
     assert books.total[-1] != pytest.approx(books.total[0])
 
 
-@pytest.mark.parametrize(
-    ("name", "sign"),
-    [
-        ("elastic_J", 1),
-        ("kinetic_J", 1),
-        ("gravitational_J", 1),
-        ("contact_J", 1),
-        ("clamp_work_J", -1),
-        ("friction_loss_J", 1),
-        ("damping_loss_J", 1),
-        ("numerical_loss_J", 1),
-    ],
-)
-def test_balance_shows_what_is_missing(jump, name, sign):
+STORED = ("elastic_J", "kinetic_J", "gravitational_J", "contact_J")
+LOST = ("friction_loss_J", "damping_loss_J", "numerical_loss_J")
+
+
+@pytest.mark.parametrize("name", [*STORED, *LOST, "clamp_work_J"])
+def test_balance_shows_what_is_missing(jump, name):
     wrong = copy.deepcopy(jump)
     unit = 2e11 * 1e-2 * 5e-5**3 / 12 / 0.02
     wrong.arrays[name][5:] += 0.1 * unit
     books = books_of(wrong)
     assert books.balance[:5] == pytest.approx(0.0, abs=1e-12)
-    assert books.balance[5:] == pytest.approx(sign * 0.1)
+    assert books.balance[5:] == pytest.approx(-0.1 if name == "clamp_work_J" else 0.1)
 
 
 def test_books_without_losses_still_balance(snap):
