@@ -8,7 +8,7 @@ import pytest
 from cells import COARSE, GIVEN, run_study
 from made_up_maps import RANGES
 from refusals import refused
-from small_datasets import CONFIG, generated, small
+from small_datasets import CONFIG, generated, silent, small
 
 from experiments.inverse_benchmark import region
 from experiments.inverse_benchmark.compute import make_problems
@@ -31,7 +31,7 @@ def checkpoint(tmp_path_factory) -> Path:
     generated(path / "jumps", small(250, 250))
     data = JumpData(open_dataset(path / "jumps"), Training(), 0)
     options = member_class("surrogate", "rbf")()
-    return learn(data, options, lambda share, text: None, place=path).file
+    return learn(data, options, silent, place=path).file
 
 
 def configured(**task: Any) -> dict[str, Any]:

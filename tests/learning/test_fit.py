@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 import torch
 from forward_models import RESNET
+from small_datasets import silent
 
 from snapjump.declare.members import make_member
 from snapjump.learning import keeper
@@ -17,10 +18,6 @@ from snapjump.surrogate.base import Surrogate
 
 class Killed(BaseException):
     """What ends a process between two epochs."""
-
-
-def nothing(share: float, text: str) -> None:
-    """No progress."""
 
 
 def dies_after(epochs: int, told: list[str], error: type[BaseException] = Killed) -> Any:
@@ -36,7 +33,7 @@ def dies_after(epochs: int, told: list[str], error: type[BaseException] = Killed
 
 @pytest.fixture
 def steady(monkeypatch) -> None:
-    """A learning rate of nothing, by which nothing becomes better."""
+    """A learning rate of silent, by which nothing becomes better."""
     monkeypatch.setattr(Training, "rate", lambda training, epoch: 0.0)
 
 
@@ -47,7 +44,7 @@ def network(data: JumpData) -> Surrogate:
     return made
 
 
-def fitted(data: JumpData, folder: Path, progress=nothing) -> tuple[Surrogate, Fitted]:
+def fitted(data: JumpData, folder: Path, progress=silent) -> tuple[Surrogate, Fitted]:
     made = network(data)
     folder.mkdir(exist_ok=True)
     return made, descend(made, data, folder, progress)
@@ -145,7 +142,7 @@ def test_a_loss_that_is_no_number_is_told(jump_set, tmp_path):
     made = network(found)
     made.loss = lambda rows: torch.nan * made(rows.designs).sum()  # type: ignore[method-assign]
     with pytest.raises(FloatingPointError, match=r"nan after epoch 1.*learning_rate"):
-        descend(made, found, tmp_path, nothing)
+        descend(made, found, tmp_path, silent)
 
 
 def test_torch_has_its_threads_back(jump_set, tmp_path):

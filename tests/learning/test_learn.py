@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from forward_models import RANGES, RESNET
 from refusals import refused
-from small_datasets import CONFIG, WIDE_STICK, made_up_dataset, small, smooth_dataset
+from small_datasets import CONFIG, WIDE_STICK, made_up_dataset, silent, small, smooth_dataset
 
 from snapjump.checks import ParameterError
 from snapjump.declare.members import make_member, member_class, member_names
@@ -23,10 +23,6 @@ OPTIONS = make_member("surrogate", RESNET)
 
 def test_the_modules_that_determine_the_weights_exist():
     assert set(DETERMINES) <= {source.name for source in package_files()}
-
-
-def silent(share: float, text: str) -> None:
-    """No progress."""
 
 
 def refuse(share: float, text: str) -> None:

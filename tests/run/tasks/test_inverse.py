@@ -10,7 +10,7 @@ from command_line import result_in
 from forward_models import RBF, about, network
 from hydra_config import hydra_config
 from refusals import refused
-from small_datasets import OVERRIDES
+from small_datasets import OVERRIDES, silent
 
 from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
@@ -52,7 +52,7 @@ def run_task(checkpoint, tmp_path) -> Callable[..., tuple[Outcome, dict[str, str
 
     def do(*overrides: str) -> tuple[Outcome, dict[str, str]]:
         task, config = prepared(checkpoint, *overrides)
-        outcome = task.run(ResultFolder(tmp_path), lambda done, text: None)
+        outcome = task.run(ResultFolder(tmp_path), silent)
         return outcome, dict(task.report(outcome))
 
     return do

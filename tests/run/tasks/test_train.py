@@ -14,7 +14,7 @@ from hydra_config import hydra_config
 from PIL import Image
 from records import database_in, only_run, runs_in
 from refusals import refused
-from small_datasets import small, smooth_dataset
+from small_datasets import silent, small, smooth_dataset
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.folder import default_path
@@ -50,7 +50,7 @@ def trained(config: Config, path: Path, **groups: Any) -> tuple[Train, Any]:
     task = Train()
     task.prepare({**config(), **groups})
     path.mkdir(exist_ok=True)
-    return task, task.run(ResultFolder(path), lambda share, text: None)
+    return task, task.run(ResultFolder(path), silent)
 
 
 def test_what_has_no_epochs_has_a_figure_and_no_curves(configured, tmp_path):
