@@ -166,17 +166,13 @@ def test_stretches_cover_everything_once():
     assert stretches(0, 10) == []
 
 
-@pytest.mark.parametrize(
-    ("changes", "key"),
-    [
-        ({"problems": 0}, "task.problems"),
-        ({"environments": -1}, "task.environments"),
-        ({"methods": ["magic"]}, "task.methods"),
-        ({"methods": []}, "task.methods"),
-        ({"methods": [["adam"]]}, "task.methods"),
-        ({"checkpoint": "nowhere.safetensors"}, "checkpoint"),
-    ],
-)
-def test_bad_input_is_named(changes, key):
-    with refused(key):
-        InverseBenchmark().prepare(configured(**changes))
+BAD_INPUT = (
+    ("problems", 0), ("environments", -1), ("methods", ["magic"]), ("methods", []),
+    ("methods", [["adam"]]), ("checkpoint", "nowhere.safetensors"),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "value"), BAD_INPUT)
+def test_bad_input_is_named(name, value):
+    with refused(name if name == "checkpoint" else f"task.{name}"):
+        InverseBenchmark().prepare(configured(**{name: value}))

@@ -9,7 +9,7 @@ import pytest
 from command_line import result_in
 from forward_models import RBF, about, network
 from hydra_config import hydra_config
-from refusals import refused
+from refusals import key_in, refused
 from small_datasets import OVERRIDES, silent
 
 from snapjump.checks import ParameterError
@@ -116,34 +116,26 @@ def test_outside_of_what_was_trained_a_simulator_goes_on(run_task, capsys):
     assert warning.startswith("warning: environment.mu = 0.9") and "0.6" in warning
 
 
-@pytest.mark.parametrize(
-    ("overrides", "key"),
-    [
-        ((), "target"),
-        (("target=[5]",), "target"),
-        (("target=[nan,5]",), "target"),
-        (("target=[5,-1]",), "target"),
-        (("target=far",), "target"),
-        (("target=[5,14]", "environment.mu=0.7"), "environment.mu"),
-        (("target=[5,14]", "environment.mass_bar=2.5"), "environment.mass_bar"),
-        (
-            ("target=[5,14]", "environment.mu=0.7", "inverse=bayesian", "inverse.robust=true"),
-            "environment.mu",
-        ),
-        (("target=[5,14]", "inverse.points=1"), "inverse.points"),
-        (("target=[5,14]", "inverse.robust=2"), "inverse.robust"),
-        (("target=[5,14]", "tolerance.mu=-1"), "tolerance.mu"),
-        (("target=[5,14]", "tolerance=0"), "tolerance"),
-        (("target=[5,14]", "sim=bounce"), "sim"),
-        (("target=[5,14]", "checkpoint=nowhere.safetensors"), "checkpoint"),
-        (("target=[5,14]", f"checkpoint={Path(__file__)}"), "checkpoint"),
-        (("target=[5,14]", "robot.length_m=0.03"), "robot.length_m"),
-        (("target=[5,14]", "damping.relaxation_time_s=1e-6"), "damping.relaxation_time_s"),
-    ],
-)
-def test_bad_input_is_one_line(checkpoint, overrides, key):
-    with refused(key):
-        prepared(checkpoint, *overrides)
+BAD_INPUT = (
+    "target=[5]", "target=[nan,5]", "target=[5,-1]", "target=far", "environment.mu=0.7",
+    "environment.mass_bar=2.5", "inverse.points=1", "inverse.robust=2", "tolerance.mu=-1",
+    "tolerance=0", "sim=bounce", "checkpoint=nowhere.safetensors", f"checkpoint={__file__}",
+    "robot.length_m=0.03", "damping.relaxation_time_s=1e-6",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("override", BAD_INPUT)
+def test_bad_input_is_one_line(checkpoint, override):
+    with refused(key_in(override)):
+        prepared(checkpoint, *{"target": "target=[5,14]", key_in(override): override}.values())
+
+
+def test_a_target_must_be_given_and_a_robust_design_be_within_what_was_trained(checkpoint):
+    with refused("target"):
+        prepared(checkpoint)
+    robust = ("inverse=bayesian", "inverse.robust=true")
+    with refused("environment.mu"):
+        prepared(checkpoint, "target=[5,14]", "environment.mu=0.7", *robust)
 
 
 def test_a_forward_model_becomes_onnx(command, tmp_path):

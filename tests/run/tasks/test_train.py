@@ -13,7 +13,7 @@ from forward_models import RBF
 from hydra_config import hydra_config
 from PIL import Image
 from records import database_in, only_run, runs_in
-from refusals import refused
+from refusals import key_in, refused
 from small_datasets import silent, small, smooth_dataset
 
 from snapjump.checks import ParameterError
@@ -121,24 +121,16 @@ def test_what_was_trained_is_found_again(configured, tmp_path):
     assert one.read_bytes() == other.read_bytes()
 
 
-@pytest.mark.parametrize(
-    ("override", "key"),
-    [
-        ("training.rows=161", "training.rows"),
-        ("training.rows=20", "training.rows"),
-        ("training.test_share=0.99", "training.test_share"),
-        ("training.epochs=0", "training.epochs"),
-        ("+training.optimizer=sgd", "training.optimizer"),
-        ("~training.epochs", "training.epochs"),
-        ("surrogate.width=0", "surrogate.width"),
-        ("dataset.path=''", "dataset.path"),
-        ("dataset.path=3", "dataset.path"),
-        ("+dataset.part=1", "dataset.part"),
-        ("~dataset.shard_size", "dataset.shard_size"),
-    ],
-)
-def test_bad_input(configured, override, key):
-    with refused(key):
+BAD_INPUT = (
+    "training.rows=161", "training.rows=20", "training.test_share=0.99", "training.epochs=0",
+    "+training.optimizer=sgd", "~training.epochs", "surrogate.width=0", "dataset.path=''",
+    "dataset.path=3", "+dataset.part=1", "~dataset.shard_size",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("override", BAD_INPUT)
+def test_bad_input(configured, override):
+    with refused(key_in(override)):
         Train().prepare(configured(override))
 
 
