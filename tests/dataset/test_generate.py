@@ -71,7 +71,7 @@ def test_derivatives_of_every_apex(tmp_path, undisturbed):
 
 
 def test_any_inputs_are_axes(tmp_path):
-    """Also those that change the beam, its scales, or are words otherwise."""
+    """Inputs that change the beam or its scales, or are words otherwise, are axes as well."""
     ranges = {
         "robot.thickness_m": None,
         "robot.mount_height": [2e-3, 3e-3],
@@ -179,7 +179,7 @@ def test_what_stops_it_leaves_what_is_done_listed(undisturbed, tmp_path):
 
 
 def test_a_shard_that_another_spoils_is_made_again(undisturbed, tmp_path):
-    """As a worker does that was given up too early, and writes all the same."""
+    """A worker that was given up too early may write all the same."""
 
     class Spoiling(LocalExecutor):
         rounds = 0

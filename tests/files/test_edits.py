@@ -36,7 +36,7 @@ def put_plugins(place: Path) -> None:
 
 
 def edit(file: Path, old: str, new: str) -> None:
-    """As if a new process had found the file so."""
+    """Edit a file as if a new process had found it so."""
     text = file.read_text()
     assert old in text
     file.write_text(text.replace(old, new, 1))

@@ -108,7 +108,7 @@ GROUPS = {
 
 @pytest.fixture(scope="module")
 def exported(tmp_path_factory) -> dict[str, bytes]:
-    """Exported files."""
+    """The ONNX files of the groups."""
     found = {}
     for name, group in GROUPS.items():
         path = tmp_path_factory.mktemp(name) / "model.onnx"

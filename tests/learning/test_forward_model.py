@@ -22,7 +22,7 @@ from snapjump.surrogate.resnet import Resnet
 
 @pytest.fixture
 def model() -> ForwardModel:
-    """One that has learned nothing."""
+    """A forward model that has learned nothing."""
     return ForwardModel(network(), about())
 
 

@@ -19,7 +19,7 @@ TIGHT = AdaptiveStep(tolerance=1e-8, contact_steps=0.5)
 
 @pytest.fixture(params=DESIGNS)
 def jumped(request):
-    """Jumps of four designs."""
+    """The jumps of four designs, one after the other."""
     return jump(**parts_of(DESIGNS[request.param]))
 
 
@@ -104,7 +104,7 @@ def test_lanes_give_the_same_jump():
 )
 @pytest.mark.compiles
 def test_elements_with_rotations_jump_like_discrete_rods(name):
-    """Within 1 % of each other at 104 elements; books balance; lanes are scalars to the bit."""
+    """They agree within 1 % at 104 elements; books balance; lanes are scalars to the bit."""
     members = FAMILIES["discretization"]
     rod = simulate_jump(accuracy="draft", discretization=members["der"](elements=104))
     alone = simulate_jump(accuracy="draft", discretization=members[name](elements=104))

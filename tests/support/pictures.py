@@ -13,7 +13,7 @@ def picture(path: Path) -> np.ndarray:
 
 
 def count(pixels: np.ndarray, colour: str) -> int:
-    """Of the pixels of exactly this colour."""
+    """Number of the pixels of exactly this colour."""
     return int((pixels == palette.rgb(colour)).all(axis=2).sum())
 
 

@@ -37,7 +37,7 @@ OVERRIDES = (
 def small(
     count: int = 24, shard_size: int = 8, sensitivities: bool = False, **changes: Any
 ) -> Specification:
-    """Few coarse jumps."""
+    """The specification of few coarse jumps."""
     plan = {"name": "latin_hypercube", "count": count}
     return specify({**CONFIG, "plan": plan, **changes}, shard_size, sensitivities)
 
@@ -102,7 +102,7 @@ def made_up(path: Path, specification: Specification) -> DatasetFolder:
 
 
 def made_up_dataset(path: Path, specification: Specification) -> Dataset:
-    """The same, opened."""
+    """A complete dataset of made-up numbers, opened."""
     return open_dataset(made_up(path, specification).path)
 
 

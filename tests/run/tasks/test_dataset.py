@@ -24,7 +24,7 @@ KEYS: dict[str, Any] = {
 
 
 def results(folder: Path) -> list[dict[str, Any]]:
-    """Of all runs, in the order of their ends."""
+    """Results of all runs, in the order of their ends."""
     files = sorted(folder.glob("outputs/20*/*/result.json"), key=lambda f: f.stat().st_mtime_ns)
     return [json.loads(file.read_text()) for file in files]
 

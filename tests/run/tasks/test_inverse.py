@@ -41,7 +41,7 @@ def checkpoint(tmp_path_factory) -> Path:
 
 @pytest.fixture(scope="module")
 def target(checkpoint) -> list[float]:
-    """One that the forward model believes it can reach."""
+    """A target that the forward model believes it can reach."""
     found: list[float] = open_forward_model(checkpoint).predict(DESIGN)[0].tolist()
     return found
 

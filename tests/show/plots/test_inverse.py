@@ -61,7 +61,7 @@ def test_without_a_forward_model(jump, tmp_path):
 
 
 def test_holes_run_the_other_way_round():
-    """Then they are not filled, and the areas within all rings add up to that of the geometry."""
+    """So they are not filled, and the areas within all rings add up to that of the geometry."""
     import shapely
 
     ring = shapely.Point(0.0, 0.0).buffer(2.0).difference(shapely.Point(0.0, 0.0).buffer(1.0))
