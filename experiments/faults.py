@@ -81,12 +81,12 @@ def run_killed(path: Path, overrides: Sequence[str], shards: int, after_s: float
 
 
 def listed(path: Path) -> int:
-    """How many shards have an entry."""
+    """Number of shards that have an entry."""
     return len(list(path.glob("shards/shard-*.json")))
 
 
 def look(path: Path) -> tuple[int, list[str]]:
-    """How many shards are listed, and what is wrong with any of them."""
+    """Number of listed shards, and the damage of any of them."""
     folder = DatasetFolder(path)
     plain = read_sealed(folder.specification)
     numbers = sorted(int(file.stem[-5:]) for file in (path / "shards").glob("shard-*.json"))

@@ -1,4 +1,4 @@
-"""What a graphics card makes of the paper's dataset: ``python -m experiments.gpu``.
+"""The paper's dataset on a graphics card: ``python -m experiments.gpu``.
 
 Agreement with the processor, design by design; kernel time of the whole grid at every tier; bytes
 moved against the bandwidth that the card's own copies reach, and where the gap goes. ``--tune``
@@ -24,7 +24,7 @@ from snapjump.backend.lanes import LanesBackend
 from snapjump.batch import prepare_designs, variant
 from snapjump.batch.simulate import marches
 from snapjump.composition import Simulation, with_tier
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.cuda.availability import check_card
 from snapjump.engine.status import NAMES
 from snapjump.scenes.card_march import CardMarch
@@ -59,7 +59,7 @@ def prepared(base: Simulation, designs: Sequence[tuple[float, ...]]) -> March:
 
 
 def marched(base: Simulation, designs: Sequence[tuple[float, ...]]) -> March:
-    """The same, simulated."""
+    """A march of all designs, simulated."""
     march = prepared(base, designs)
     march.find_starts()
     march.run()
@@ -201,8 +201,9 @@ def tuning(tier: str, designs: Sequence[tuple[float, ...]]) -> list[dict[str, An
         if block == BLOCKS[0]:
             kernels.march = cuda.jit(lto=False, max_registers=registers)(source)
         tried = CardMarch(
-            models=march.models, masses=march.masses, states=march.states, ending=march.ending,
-            simulation=replace(base, backend=CudaBackend(threads_per_block=block)), mesh=march.mesh,
+            models=march.models, masses=march.masses, states=march.states,
+            termination=march.termination, mesh=march.mesh,
+            simulation=replace(base, backend=CudaBackend(threads_per_block=block)),
         )  # fmt: skip
         for target, values in zip(tried.queue[1:5], starts, strict=True):
             target[...] = values

@@ -1,4 +1,4 @@
-"""What a jump must move between memory and processor: ``python -m experiments.gpu_traffic``.
+"""Memory traffic of a jump: ``python -m experiments.gpu_traffic``.
 
 A part of one jump is marched in plain Python, every access to its memory counted. An access
 counts as traffic unless it hits one of the last few hundred numbers that were touched: a thread's
@@ -17,10 +17,9 @@ from snapjump.batch import variant
 from snapjump.composition import Simulation, with_tier
 from snapjump.engine import clock as c
 from snapjump.engine import march as engine
-from snapjump.engine.march import Limits
-from snapjump.engine.model import Model
 from snapjump.engine.recorder.none import NoRecorder
-from snapjump.engine.work import System, Work
+from snapjump.engine.view import PlainWork
+from snapjump.engine.work import FIELDS, WINDOWS, Memory
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
 
@@ -84,15 +83,6 @@ def counted(array: Any, caches: list[Cache]) -> Counted:
     return Counted(values, addresses, caches)
 
 
-def filled(template: Model, numbers: Any) -> Model:
-    """The template's classes with other numbers, as compiled code fills them."""
-    members, position = [], 0
-    for member in template:
-        members.append(type(member)(*(numbers[position + k] for k in range(len(member)))))
-        position += len(member)
-    return Model(*members)
-
-
 class Traffic(NamedTuple):
     """Bytes a pass that a cache of so many numbers reads and writes."""
 
@@ -108,22 +98,18 @@ def measure(simulation: Simulation, passes: int) -> dict[str, Traffic]:
     caches = {name: Cache(numbers) for name, numbers in CACHES.items()}
     all_of_them = list(caches.values())
 
-    def view(work: Work, lanes: Any) -> Work:
-        system = System(*(counted(array, all_of_them) for array in work.system))
-        arrays = {
-            name: counted(array, all_of_them)
-            for name, array in work._asdict().items()
-            if name not in ("mesh", "system")
-        }
-        return work._replace(system=system, **arrays)
+    def view(memory: Memory, lanes: Any) -> PlainWork:
+        work = PlainWork(memory)
+        for name in (*FIELDS, *WINDOWS):
+            setattr(work, name, counted(getattr(memory, name), all_of_them))
+        return work
 
-    # Uncompiled, the loop finds these two by their names.
-    vars(engine).update(view_work=view, with_numbers=filled)
+    # Uncompiled, the loop finds it by its name.
+    vars(engine).update(view_work=view)
     with np.errstate(all="ignore"):
         engine.march.py_func(
-            model, march.masses, march.scheme, march.stepping, march.ending, Limits(25.0, 1e6),
-            NoRecorder(), march.memory, march.queue, (0,), passes,
-        )  # fmt: skip
+            model, march.masses, march.method, NoRecorder(), march.memory, march.queue, (0,), passes
+        )
     done = float(march.memory.clock[c.ITERATIONS, 0])
     return {
         name: Traffic(8.0 * cache.reads / done, 8.0 * cache.writes / done)

@@ -16,7 +16,7 @@ SPREAD = 0.35
 
 @dataclass(frozen=True)
 class Limit:
-    """What values tend to as the refinement goes to zero.
+    """The limit of values as their refinement goes to zero.
 
     ``order``: observed on the last three values (NaN if they do not approach anything);
     ``asymptotic``: whether the last two such orders agree. If they do not, ``value`` is the finest

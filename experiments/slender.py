@@ -72,7 +72,7 @@ def spread(way: Callable[..., Any], arch: Arch, tries: int) -> tuple[list[float]
 
 
 def walked(name: str, arches: int, tries: int) -> tuple[dict[str, Any], list[float], list[float]]:
-    """What one way comes to: its report, and by arch its median angle and the error it states."""
+    """The report of one way, and by arch its median angle and the error it states."""
     failed, refused, shares = 0, 0, []
     medians, stated = [], []
     for arch in slender_arches(arches):

@@ -1,4 +1,4 @@
-"""What a jump costs: ``python -m experiments.speed`` prints one JSON object.
+"""Computing time of a jump: ``python -m experiments.speed`` prints one JSON object.
 
 Times are those of one core with compiled kernels. ``ms_per_jump_core`` is the median over the
 designs of a design's share (by Newton iterations) of the batch's kernel time, starts, refilling

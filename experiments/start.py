@@ -1,4 +1,4 @@
-"""What the quasi-static start changes: ``python -m experiments.start`` prints a table.
+"""Error of the quasi-static start: ``python -m experiments.start`` prints one JSON object.
 
 A jump starts from the static solution at a share of the critical angle. The slow loading before
 that is quasi-static as far as starting earlier changes nothing but the cost.

@@ -1,4 +1,4 @@
-"""What recording a jump costs: ``python -m experiments.tracking`` prints one JSON object.
+"""Computing time of recording a jump: ``python -m experiments.tracking`` prints one JSON object.
 
 Processor time of a whole command with and without a record in a database that is there already,
 the least of several; unlike wall time it is hardly longer on a machine that has other work.

@@ -1,14 +1,16 @@
 """A simulation as its parts: one option object of each family, checked against each other."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from snapjump.backend.base import BackendOptions
 from snapjump.checks import ParameterError, check_choice
 from snapjump.contact.base import ContactOptions
 from snapjump.damping.base import DampingOptions
+from snapjump.declare.families import FAMILIES
 from snapjump.declare.fields import Need, Part
-from snapjump.declare.members import FAMILIES, make_member, members_with
+from snapjump.declare.members import make_member, members_with
+from snapjump.declare.scenes import SceneOptions
 from snapjump.discretization.base import DiscretizationOptions
 from snapjump.frame.base import FrameOptions
 from snapjump.friction.base import FrictionOptions
@@ -18,9 +20,6 @@ from snapjump.robot.environment import Environment
 from snapjump.robot.robot import Robot
 from snapjump.stepping.base import SteppingOptions
 from snapjump.tiers import TIERS
-
-if TYPE_CHECKING:
-    from snapjump.sim.base import SceneOptions
 
 # Members that neither a tier nor a scene chooses.
 DEFAULTS = {
@@ -35,13 +34,13 @@ CHOSEN: Any = None  # by the accuracy tier, or by the scene
 
 @dataclass(frozen=True)
 class Simulation:
-    """Everything that determines a result. Raises ParameterError where parts do not fit.
+    """Everything that determines a simulation. Raises ParameterError where parts do not fit.
 
     A part that is left out is chosen by the scene or the accuracy tier, and a field of a part that
     is left out, where the tier has a value for it, by the tier. A part may be the name of a member.
     """
 
-    sim: "SceneOptions" = CHOSEN
+    sim: SceneOptions = CHOSEN
     robot: Robot = Robot()
     design: Design = Design()
     environment: Environment = Environment()

@@ -1,4 +1,4 @@
-"""How far a jump's apex is off, told by the jump itself: what its flag ``within_tier`` rests on.
+"""The error estimate of a jump's apex, on which its flag ``within_tier`` rests.
 
 The error of the time steps is the sum A of their own estimates (L) times a factor of the method,
 levelling off where results no longer have anything in common but their range; the error of the
@@ -45,7 +45,7 @@ LIGHT_FRAME = 0.1
 
 
 class ErrorEstimate(NamedTuple):
-    """Of x and y (%), and whether both are within what the accuracy tier promises."""
+    """Estimated errors of x and y (%), and whether both are within the accuracy tier's promise."""
 
     x_percent: Array
     y_percent: Array

@@ -1,4 +1,4 @@
-"""What a simulation gives back."""
+"""The result of a simulation."""
 
 from dataclasses import dataclass, field
 from typing import Any
@@ -12,8 +12,8 @@ class Result:
     """Status, flat figures and arrays of one simulation.
 
     ``status``: ``ok``, ``no_jump`` or the name of a failure (:mod:`snapjump.engine.status`);
-    ``message``: for failures, at what time and why. ``summary``: the figures of design.md's
-    result.json, keys with their unit. ``arrays``: the trajectory, SI units in the names.
+    ``message``: for failures, at what time and why. ``summary``: the figures of ``result.json``,
+    keys with their unit. ``arrays``: the trajectory, SI units in the names.
     """
 
     status: str

@@ -1,20 +1,21 @@
 """From a plain configuration to a result: the library's front door."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from snapjump.checks import check_choice, check_group
 from snapjump.composition import Simulation, with_tier
+from snapjump.declare.families import FAMILIES
 from snapjump.declare.fields import construct
 from snapjump.declare.former_options import with_present_options
-from snapjump.declare.members import FAMILIES, make_member
+from snapjump.declare.members import make_member
+from snapjump.declare.scenes import Progress
 from snapjump.results import Result
 from snapjump.robot.design import Design
 from snapjump.robot.environment import Environment
 from snapjump.robot.robot import Robot
 from snapjump.tiers import TIERS
 
-Progress = Callable[[float, str], None]
 PLAIN = {"robot": Robot, "design": Design, "environment": Environment}
 
 

@@ -1,7 +1,7 @@
 """Accuracy tiers: which members and numbers go together, and what error they are known to make.
 
 The physical model (damping, K_c, d_hat) is the same in draft, standard and reference; ``paper``
-is the paper's own choice, for comparison. The figures in ``known_error`` are those of
+is the paper's own choice, for comparison. The errors that are known are those of
 ``python run.py task=tradeoff``.
 """
 
@@ -12,42 +12,42 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Tier:
-    """What a tier chooses.
+    """An accuracy tier: members, numbers and its promise.
 
     ``members``: by family. ``numbers``: by the path of a field; one whose member has no such field
     is of none. ``promise_percent``: error of x and y that 95 % of the designs keep; a result whose
-    own estimate is larger is marked.
+    own estimate is larger is marked. ``known_percent``: the errors of x and y that they make.
     """
 
     members: Mapping[str, str]
     numbers: Mapping[str, Any]
     promise_percent: float
-    known_error: str
+    known_percent: tuple[float, float]
+
+    @property
+    def known_error(self) -> str:
+        """The errors that are known, in words."""
+        x, y = self.known_percent
+        return f"x within {x:g} %, y within {y:g} % of the converged limit (95 % of designs)"
 
     def numbers_of(self, family: str) -> dict[str, Any]:
-        """Those of a family, by field."""
+        """The numbers of a family, by field."""
         paths = {path: path.partition(".") for path in self.numbers}
         return {key: self.numbers[p] for p, (group, _, key) in paths.items() if group == family}
 
     def departures(self, config: Mapping[str, Any]) -> list[str]:
         """Paths of what a configuration's members have otherwise than the tier."""
-        chosen = {
-            **{f"{family}.name": name for family, name in self.members.items()},
-            **self.numbers,
-        }
+        chosen = {f"{family}.name": name for family, name in self.members.items()}
         return [
             path
-            for path, value in chosen.items()
+            for path, value in {**chosen, **self.numbers}.items()
             if config.get(path.partition(".")[0], {}).get(path.partition(".")[2], value) != value
         ]
 
 
-MEMBERS = {
-    "integrator": "tr_bdf2",
-    "stepping": "adaptive",
-    "friction": "implicit",
-    "damping": "kelvin_voigt",
-}
+FAMILIES = ("integrator", "stepping", "friction", "damping")
+MEMBERS = dict(zip(FAMILIES, ("tr_bdf2", "adaptive", "implicit", "kelvin_voigt"), strict=True))
+PAPER = dict(zip(FAMILIES, ("implicit_euler", "fixed", "lagged", "none"), strict=True))
 NUMBERS = {
     "discretization.clamp": "half_element",
     "contact.weighting": "per_length",
@@ -56,47 +56,22 @@ NUMBERS = {
     "sim.start_fraction": 0.85,
 }
 
-TIERS: dict[str, Tier] = {
-    "paper": Tier(
-        members={
-            "integrator": "implicit_euler",
-            "stepping": "fixed",
-            "friction": "lagged",
-            "damping": "none",
-        },
-        numbers=NUMBERS
-        | {
-            "discretization.elements": 66,
-            "discretization.clamp": "two_nodes",
-            "contact.weighting": "per_node",
-            "stepping.tolerance": 1e-6,
-            "sim.start_fraction": 0.0,
-        },
-        promise_percent=20.0,
-        known_error="x within 20 %, y within 7 % of the converged limit (95 % of designs)",
-    ),
-    "draft": Tier(
-        members=MEMBERS,
-        numbers=NUMBERS | {"discretization.elements": 56, "stepping.tolerance": 1e-6},
-        promise_percent=3.0,
-        known_error="x within 2.6 %, y within 0.4 % of the converged limit (95 % of designs)",
-    ),
-    "standard": Tier(
-        members=MEMBERS,
-        numbers=NUMBERS | {"discretization.elements": 104, "stepping.tolerance": 4.5e-8},
-        promise_percent=0.5,
-        known_error="x within 0.45 %, y within 0.12 % of the converged limit (95 % of designs)",
-    ),
-    "reference": Tier(
-        members=MEMBERS,
-        numbers=NUMBERS
-        | {
-            "discretization.elements": 224,
-            "stepping.tolerance": 2e-9,
-            "stepping.contact_steps": 1.0,
-            "sim.start_fraction": 0.8,
-        },
-        promise_percent=0.05,
-        known_error="x within 0.04 %, y within 0.02 % of the converged limit (95 % of designs)",
-    ),
+
+def resolved(elements: int, tolerance: float, **others: Any) -> dict[str, Any]:
+    """Numbers of a tier with this mesh and tolerance."""
+    mesh = {"discretization.elements": elements, "stepping.tolerance": tolerance}
+    return {**NUMBERS, **mesh, **others}
+
+
+LIKE_THE_PAPER = {
+    "discretization.clamp": "two_nodes",
+    "contact.weighting": "per_node",
+    "sim.start_fraction": 0.0,
+}
+FINE = {"stepping.contact_steps": 1.0, "sim.start_fraction": 0.8}
+TIERS = {
+    "paper": Tier(PAPER, resolved(66, 1e-6, **LIKE_THE_PAPER), 20.0, (20, 7)),
+    "draft": Tier(MEMBERS, resolved(56, 1e-6), 3.0, (2.6, 0.4)),
+    "standard": Tier(MEMBERS, resolved(104, 4.5e-8), 0.5, (0.45, 0.12)),
+    "reference": Tier(MEMBERS, resolved(224, 2e-9, **FINE), 0.05, (0.04, 0.02)),
 }

@@ -1,1 +1,1 @@
-"""How fast results converge, in time step, mesh and the numbers of contact and friction."""
+"""Convergence of results in time step, mesh and the numbers of contact and friction."""

@@ -1,7 +1,8 @@
-"""What is refined, one thing at a time, by what the finest levels are judged, and what is seen of
-every level's jump."""
+"""Refinement ladders: levels of one refined thing each, their reference cells, and the observables
+of every level's jump."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -64,21 +65,17 @@ class Ladder:
     declared: float | None = None
 
     def cell(self, value: float) -> str:
-        """Name of the cell of a level."""
         return f"{self.name} {value:.4g}"
 
 
 def resolved(groups: Groups) -> Groups:
-    """The same with time resolved tightly, by the method itself if it is of second order."""
+    """The composition with time resolved tightly, by its own method if that is of second order."""
+    tight = changed(groups, {"stepping": TIGHT})
     if make_member("integrator", groups["integrator"]).order >= 2:
-        tight = changed(groups, {"stepping": TIGHT})
-        try:
+        with suppress(ParameterError):  # not every method can adapt its steps
             composed(tight)
-        except ParameterError:
-            pass  # not every method can adapt its steps
-        else:
             return tight
-    return changed(groups, {"stepping": TIGHT, "integrator": {"name": ACCURATE}})
+    return changed(tight, {"integrator": {"name": ACCURATE}})
 
 
 def ladders(groups: Groups, count: int) -> list[Ladder]:

@@ -35,11 +35,9 @@ class Convergence(Study):
         return cells
 
     def compute(self, cell: Cell) -> list[Row]:
-        """One jump."""
         return [observed_row(cell.inputs)]
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
-        """Orders, limits and what they are worth."""
         verdicts = [judged(ladder, done, key) for ladder in self.ladders for key in OBSERVABLES]
         base = {k: self.config[k]["name"] for k in ("integrator", "stepping", "discretization")}
         return Conclusion(
@@ -80,7 +78,7 @@ def level_row(done: Done) -> Row:
 
 
 def finding(ladder: Ladder, verdicts: list[Verdict]) -> str:
-    """What a ladder shows, in a sentence."""
+    """A sentence on the orders that a ladder shows."""
     own = [v for v in verdicts if v.ladder is ladder]
     orders = ", ".join(f"{v.observable} {v.fitted:.2g}" for v in own)
     irregular = [v.observable for v in own if not v.limit.asymptotic]

@@ -1,4 +1,4 @@
-"""What one observable does on one ladder: errors, orders, the limit, and what to make of it."""
+"""Verdicts: errors, observed orders and limit of one observable on one ladder."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from experiments.convergence.ladders import Ladder
+from experiments.errors import scale_of_x
 from experiments.order import Array, Limit, fitted_order, richardson
 from snapjump.run.studies.base import Done, Row
 
@@ -32,7 +33,6 @@ class Verdict:
     doubt: float
 
     def row(self) -> Row:
-        """A line of the table."""
         return {
             "refined": self.ladder.name,
             "observable": self.observable,
@@ -75,7 +75,7 @@ NO_LIMIT = Limit(np.nan, np.nan, np.nan, False)
 
 
 def sizes_of(ladder: Ladder, cells: list[Done]) -> Array:
-    """What tends to zero, by level."""
+    """Sizes of the levels, which tend to zero."""
     if ladder.size == "steps":
         return 1.0 / np.array([value_of(cell, "steps") for cell in cells])
     values = np.array(list(ladder.levels))
@@ -90,7 +90,7 @@ def value_of(cell: Done, key: str) -> float:
 
 
 def scale_of(cell: Done, key: str, reference: float) -> float:
-    """What errors of an observable are relative to."""
+    """The scale that errors of an observable are relative to."""
     if key == "x_bar":
-        return max(abs(reference), 0.1 * value_of(cell, "y_bar"))
+        return float(scale_of_x(reference, value_of(cell, "y_bar")))
     return abs(reference)

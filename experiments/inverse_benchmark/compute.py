@@ -1,6 +1,7 @@
 """One method on a few problems: designs, and what they really reach."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -14,11 +15,13 @@ from experiments.inverse_benchmark.methods import LENGTH_MM, SOLVED_MM, TIERS
 from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation
 from snapjump.declare.members import make_member
-from snapjump.inverse.base import Problem, Solution
+from snapjump.inverse.base import CONTROLS, Problem, Solution
 from snapjump.learning.forward_model import ForwardModel, open_forward_model
 from snapjump.plan.base import Range, stretched
 from snapjump.run.studies.base import Row
 from snapjump.targets.answer import answer
+from snapjump.targets.design import problem_of
+from snapjump.targets.designed import point
 from snapjump.targets.simulator import JumpSimulator
 from snapjump.targets.warm_up import warm_up
 
@@ -70,17 +73,9 @@ def solve_block(inputs: Mapping[str, Any]) -> list[Row]:
     ):
         problem = make_problem(target, hidden, forward, base, number)
         found = answer(problem, method)
-        told = answered(hidden, problem, found.solutions[0], forward)
-        rows.append(
-            {
-                "problem": number,
-                **told,
-                "reachable": found.reachable,
-                "seconds": found.seconds,
-                "simulations": found.simulations,
-                "finished_at": "reference" if at_reference else "own",
-            }
-        )
+        row = {"problem": number, **answered(hidden, problem, found.solutions[0], forward)}
+        row |= {key: getattr(found, key) for key in ("reachable", "seconds", "simulations")}
+        rows.append({**row, "finished_at": "reference" if at_reference else "own"})
     designs = np.array([[row[column] for column in COLUMNS] for row in rows])
     judge = JumpSimulator(base)
     judges = {"own": judge, **{tier: judge.at(tier) for tier in TIERS}}
@@ -96,7 +91,7 @@ def solve_block(inputs: Mapping[str, Any]) -> list[Row]:
 
 
 def misses_mm(simulator: JumpSimulator, designs: Array, targets: Array) -> Array:
-    """How far from their targets designs really get."""
+    """Simulated distances (mm) between the apexes of designs and their targets."""
     misses: Array = np.hypot(*(simulator.apexes(designs) - targets).T) * LENGTH_MM
     return misses
 
@@ -118,32 +113,19 @@ def make_problem(
     target: Array, hidden: Array, forward: ForwardModel, base: Any, seed: int
 ) -> Problem:
     """The problem whose environment is that of the hidden design."""
-    low, high = np.array(forward.ranges).T
-    return Problem(
-        target=target,
-        mass_bar=float(hidden[2]),
-        mu=float(hidden[3]),
-        low=low[:2],
-        high=high[:2],
-        forward=forward,
-        simulator=JumpSimulator(base),
-        seed=seed,
-    )
+    environment = replace(base.environment, mass_bar=float(hidden[2]), mu=float(hidden[3]))
+    here = replace(base, environment=environment)
+    return problem_of(here, target, forward, forward, seed)
 
 
 def answered(hidden: Array, problem: Problem, solution: Solution, forward: ForwardModel) -> Row:
-    """What was asked, what was found, and what the forward model says of it."""
-    delta_alpha, epsilon = (float(value) for value in solution.controls)
+    """Target, hidden design, answer and predicted apex as columns of a row."""
     predicted = forward.predict(problem.designs(solution.controls[None]))[0]
     return {
-        "target_x_bar": float(problem.target[0]),
-        "target_y_bar": float(problem.target[1]),
+        **point("target", problem.target),
         "mass_bar": problem.mass_bar,
         "mu": problem.mu,
-        "hidden_delta_alpha_rad": float(hidden[0]),
-        "hidden_epsilon": float(hidden[1]),
-        "delta_alpha_rad": delta_alpha,
-        "epsilon": epsilon,
-        "predicted_x_bar": float(predicted[0]),
-        "predicted_y_bar": float(predicted[1]),
+        **{f"hidden_{name}": float(v) for name, v in zip(CONTROLS, hidden[:2], strict=True)},
+        **dict(zip(CONTROLS, solution.controls.tolist(), strict=True)),
+        **point("predicted", predicted),
     }

@@ -1,4 +1,4 @@
-"""Whether targets are called reachable that are, and those that are not are not."""
+"""Errors of the decision whether a target can be reached, against the simulated region."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

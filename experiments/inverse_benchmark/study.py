@@ -49,14 +49,12 @@ class InverseBenchmark(Study):
         return cells + block_cells("region: environments", shared, task["environments"], REGIONS)
 
     def compute(self, cell: Cell) -> list[Row]:
-        """A row for each problem, or each environment."""
         from experiments.inverse_benchmark.compute import solve_block
         from experiments.inverse_benchmark.region import region_rows
 
         return solve_block(cell.inputs) if "method" in cell.inputs else region_rows(cell.inputs)
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
-        """The table, beside the paper's."""
         rows: dict[str, list[Row]] = {name: [] for name in self.methods}
         regions: list[Row] = []
         for one in done.values():

@@ -1,4 +1,4 @@
-"""What the rows of the benchmark come to."""
+"""Tables of the benchmark: misses, times and unsolved targets by method."""
 
 from collections.abc import Mapping, Sequence
 

@@ -1,13 +1,98 @@
-"""A part of the paper that is done again: one figure or several, and what they are to show."""
+"""A part of the paper that is done again, its statements, and what became of them."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, ClassVar, NamedTuple
 
-from experiments.paper.statement import Statement
 from snapjump.engine import status
-from snapjump.run.studies.base import OK, Cell, Done, Row, Section
+from snapjump.run.studies.base import OK, Cell, Done, Figure, Row, Section, Table
+
+CONFIRMED = "confirmed"
+LIMITED = "confirmed within a limit"
+NOT_CONFIRMED = "not confirmed"
+VERDICTS = (CONFIRMED, LIMITED, NOT_CONFIRMED)
+
+
+class Statement(NamedTuple):
+    """``key``: ``<part>.<name>``, as in the table of limits; ``says``: what the paper says, in our
+    words; ``verdict``: one of VERDICTS, decided from the numbers by the part that tests it;
+    ``found``: the numbers, as a sentence, with the limit if there is one, and with what the paper's
+    own settings give where that differs, and why; ``accuracy``: the tiers, and how far off they
+    are."""
+
+    key: str
+    says: str
+    verdict: str
+    found: str
+    accuracy: str
+
+    @property
+    def command(self) -> str:
+        """What regenerates it."""
+        return f"`python run.py task=paper figure={self.key.split('.')[0]}`"
+
+
+def verdict(holds: bool, within_limit: bool = False) -> str:
+    """The verdict on a statement that holds throughout, or else within a limit that is told."""
+    return CONFIRMED if holds else LIMITED if within_limit else NOT_CONFIRMED
+
+
+def weakest(*verdicts: str) -> str:
+    """Of a statement with several aspects: confirmed if all are, within a limit if none fails."""
+    return max(verdicts, key=VERDICTS.index)
+
+
+class Said(NamedTuple):
+    """A statement's words, as in :class:`Statement`, before it is judged; they may be written over
+    several lines."""
+
+    says: str
+    found: str
+    accuracy: str
+
+    def judged(self, key: str, came: str) -> Statement:
+        """The statement with a key and a verdict."""
+        says, found, accuracy = (prose(text) for text in self)
+        return Statement(key, says, came, found, accuracy)
+
+
+def percent(share: float) -> str:
+    """A share for reading."""
+    return f"{100.0 * share:.2g} %"
+
+
+def listed(values: Iterable[float], how: str = "g") -> str:
+    """Numbers in a sentence."""
+    return ", ".join(f"{value:{how}}" for value in values)
+
+
+def statement_rows(statements: Sequence[Statement]) -> list[Row]:
+    """The table of statements, numbered in their order."""
+    return [
+        {
+            "no.": k,
+            "the paper says": statement.says.rstrip("."),
+            "verdict": f"**{statement.verdict}**",
+            "what we find": statement.found[:1].upper() + statement.found[1:],
+            "tested at": statement.accuracy,
+            "command": statement.command,
+        }
+        for k, statement in enumerate(statements, 1)
+    ]
+
+
+def prose(text: str) -> str:
+    """A paragraph that is written over several lines, as one."""
+    return " ".join(text.split())
+
+
+def paragraphs(text: str) -> list[str]:
+    """Paragraphs, between which there are empty lines."""
+    return [prose(one) for one in text.split("\n\n")]
+
 
 # Of jumps that ended as jumps do.
 FINE = status.NAMES[status.OK], status.NAMES[status.NO_JUMP]
@@ -29,26 +114,33 @@ class Found:
 
 
 class Part(ABC):
-    """Base of all parts. ``name``: as in ``figure=<name>``; ``sources``: the modules that the rows
-    of its cells depend on, which does not include those that draw or judge."""
+    """Base of all parts. ``name``: as in ``figure=<name>``; ``title``: of its section; ``kinds``:
+    what computes the rows of a cell, by the ``kind`` among its inputs; ``every_jump``: its
+    statements need all of a sweep; ``sources``: the modules that rows depend on, if not its own."""
 
     name: ClassVar[str]
-    sources: ClassVar[tuple[str, ...]]
+    title: ClassVar[str] = ""
+    kinds: ClassVar[Mapping[str, Callable[[Mapping[str, Any]], list[Row]]]] = {}
+    every_jump: ClassVar[bool] = False
+    sources: ClassVar[tuple[str, ...]] = ()
 
     @abstractmethod
     def plan(self, groups: Mapping[str, Any], seed: int) -> Sequence[Cell]:
         """All cells. ``groups``: ``accuracy=standard`` as plain groups
         (:func:`experiments.compositions.composed` builds it), with the run's backend."""
 
-    @abstractmethod
     def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
         """The rows of a cell with these inputs; raises ParameterError for what is refused."""
+        return self.kinds[inputs["kind"]](inputs)
 
-    @abstractmethod
     def conclude(self, done: Mapping[str, Done]) -> Found:
-        """The section and the verdicts, from all cells by the names that ``plan`` gave them.
+        """The section and the verdicts, from all cells by the names that ``plan`` gave them; no
+        verdicts if cells failed, which are then named."""
+        return unfinished(self.title, done, self.every_jump) or self.judge(done)
 
-        Cells that failed are there too, with their status and without rows."""
+    def judge(self, done: Mapping[str, Done]) -> Found:
+        """The same of cells that all have their rows."""
+        raise NotImplementedError
 
 
 def unfinished(title: str, done: Mapping[str, Done], jumps: bool = False) -> Found | None:
@@ -70,3 +162,22 @@ def incomplete(name: str, one: Done) -> str:
     lost = failed(one.rows)
     reasons = ", ".join(sorted({row["status"] for row in lost}))
     return f"{name} ({len(lost)} of {len(one.rows)} jumps failed: {reasons})"
+
+
+def section(
+    title: str,
+    text: str,
+    figures: Mapping[str, Callable[[Path], Any]],
+    tables: Mapping[str, Sequence[Row]],
+    captions: Mapping[str, str],
+    digits: Mapping[str, Mapping[str, int]] = MappingProxyType({}),
+) -> Section:
+    """A part's section: paragraphs with empty lines between; figures and tables, whose captions are
+    those of ``<name>.png`` and ``<name>``; digits of tables for reading."""
+    return Section(
+        title,
+        paragraphs(text),
+        {name: Figure(prose(captions[f"{name}.png"]), draw) for name, draw in figures.items()},
+        {name: Table(prose(captions[name]), rows, digits.get(name, {}))
+         for name, rows in tables.items()},
+    )  # fmt: skip

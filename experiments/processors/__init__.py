@@ -1,1 +1,1 @@
-"""Whether results are the same to the last bit on other processors."""
+"""Comparison of results, to the last bit, with other processors."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from functools import partial
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -9,14 +10,7 @@ import numpy as np
 
 from experiments.compositions import changed, composed
 from experiments.designs import COLUMNS, LABELS
-from experiments.released.data import (
-    by_quarter,
-    differences,
-    digest,
-    figures,
-    read_rows,
-    share_within,
-)
+from experiments.released import data
 from experiments.released.settings import WITHOUT, converged, released
 from snapjump.batch import simulate_batch, variants
 from snapjump.checks import check_integer
@@ -39,13 +33,12 @@ class Released(Study):
     sources = ("experiments.released.data", "experiments.released.settings")
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
-        """The released settings, the converged answer, and every quirk left out."""
         many, few = (config["task"][key] for key in self.options)
         check_integer("task.rows", many, 4, 300)
         check_integer("task.quirk_rows", few, 4, 300)
 
         def cell(name: str, groups: Mapping[str, Any], rows: int) -> Cell:
-            return Cell(name, {"groups": groups, "rows": rows, "data": digest()})
+            return Cell(name, {"groups": groups, "rows": rows, "data": data.digest()})
 
         return [
             cell(ALL, released(), many),
@@ -55,33 +48,32 @@ class Released(Study):
         ]
 
     def compute(self, cell: Cell) -> list[Row]:
-        """A row for each jump."""
         return measure(cell.inputs["groups"], cell.inputs["rows"])
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
-        """Differences over all rows, by quirk, and by parameter."""
         full, limit = done[ALL], done[CONVERGED]
         if full.status != OK:
             raise RuntimeError(f"the released settings could not be run: {full.message}")
         x, y = percents(full)
-        summary = figures(x, y)
+        summary = data.figures(x, y)
         overall = [{"settings": ALL, "rows": len(x), **summary}]
         if limit.status == OK:
             far = percents(limit)
-            overall.append({"settings": CONVERGED, "rows": len(far[0]), **figures(*far)})
+            overall.append({"settings": CONVERGED, "rows": len(far[0]), **data.figures(*far)})
         quirks = [
-            {"left out": name, **figures(*percents(done[name]))}
+            {"left out": name, **data.figures(*percents(done[name]))}
             for name in (ALL_OF_THEM, *WITHOUT)
             if done[name].status == OK
         ]
-        quarters = [row for name in COLUMNS for row in by_quarter(full.column(name), x, y, name)]
+        by_parameter = (data.by_quarter(full.column(name), x, y, name) for name in COLUMNS)
+        quarters = [*chain.from_iterable(by_parameter)]
         return Conclusion(
             title="The released program's data",
             findings=[
                 f"At the released program's settings {len(x)} of its rows are met with a median "
                 f"difference of {summary['y_median_percent']:.2g} % in y and "
-                f"{summary['x_median_percent']:.2g} % in x; {share_within(y, 2.0):.0f} % are "
-                f"within 2 % in y, {share_within(x, 5.0):.0f} % within 5 % in x, "
+                f"{summary['x_median_percent']:.2g} % in x; {data.share_within(y, 2.0):.0f} % are "
+                f"within 2 % in y, {data.share_within(x, 5.0):.0f} % within 5 % in x, "
                 f"{summary['failed']} failed.",
                 *(
                     f"The converged answer for the same designs is "
@@ -119,9 +111,9 @@ def percents(done: Done) -> list[Any]:
 
 def measure(groups: Mapping[str, Any], count: int) -> list[Row]:
     """Jumps of ``count`` rows' designs, and how far they are from the rows."""
-    rows = read_rows(count)
+    rows = data.read_rows(count)
     batch = simulate_batch(variants(composed(groups), rows.designs), LANES)
-    x, y = differences(batch.x_bar, batch.y_bar, rows.x_bar, rows.y_bar)
+    x, y = data.differences(batch.x_bar, batch.y_bar, rows.x_bar, rows.y_bar)
     return [
         {
             **dict(zip(COLUMNS, design, strict=True)),

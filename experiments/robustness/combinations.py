@@ -39,12 +39,12 @@ def value(group: str, key: str, low: float, high: float, **fixed: Any) -> Make:
 
 
 def power(group: str, key: str, low: float, high: float, **fixed: Any) -> Make:
-    """The same of a number of any magnitude, between powers of ten."""
+    """A number of any magnitude, between powers of ten, that does not go with the others."""
     return lambda random: {group: {**fixed, key: float(10.0 ** random.uniform(low, high))}}
 
 
 def together(*makes: Make) -> Make:
-    """What several make."""
+    """The groups of several makers together."""
     return lambda random: {group: one for make in makes for group, one in make(random).items()}
 
 

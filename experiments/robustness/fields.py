@@ -11,8 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.declare.fields import Integer, Number
-from snapjump.declare.members import FAMILIES, member_class, member_group, member_names
+from snapjump.declare.families import FAMILIES
+from snapjump.declare.fields import Integer, Number, settings
+from snapjump.declare.members import member_class, member_names
 from snapjump.simulation import PLAIN
 
 NOT_NUMBERS: tuple[Any, ...] = ("much", "", "1e-5", None, [1.0], {"a": 1.0}, True, 1j, 10**400)
@@ -43,7 +44,7 @@ class Field:
 
 
 def all_fields() -> list[Field]:
-    """Of the robot, the design, the environment and every member of every family."""
+    """Every field of robot, design, environment and every member of every family."""
     found = []
     for group, cls in PLAIN.items():
         found += _fields(group, "", cls)
@@ -55,14 +56,10 @@ def all_fields() -> list[Field]:
 
 def _fields(group: str, name: str, cls: Any) -> list[Field]:
     found, part = [], cls()
-    for key in (key for key in member_group(part) if key != "name"):
+    for key in settings(part):
         allowed = type(part).__dataclass_fields__[key].metadata.get("allowed")
-        low, high, above = math.nan, math.nan, False
-        if isinstance(allowed, Number):
-            low, high, above = allowed[:3]
-        elif isinstance(allowed, Integer):
-            low, high = allowed
-        found.append(Field(group, name, key, getattr(part, key), low, high, above))
+        limits = allowed[:3] if isinstance(allowed, (Number, Integer)) else ()
+        found.append(Field(group, name, key, getattr(part, key), *limits))
     return found
 
 

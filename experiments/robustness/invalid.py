@@ -9,7 +9,7 @@ import numpy as np
 from experiments.robustness.combinations import COMBINATIONS
 from experiments.robustness.fields import NOT_FINITE, Field, all_fields, one_of, outside, wrong_type
 from snapjump.checks import ParameterError
-from snapjump.declare.members import FAMILIES
+from snapjump.declare.families import FAMILIES
 from snapjump.run.studies.base import REFUSED, Row
 from snapjump.simulation import PLAIN, build
 
@@ -29,7 +29,7 @@ class Invalid:
 
 
 def invalid_configurations(count: int, seed: int) -> list[Invalid]:
-    """So many, all kinds in turn."""
+    """Random invalid configurations, all kinds in turn."""
     random = np.random.default_rng(seed)
     listed = all_fields()
     kinds = (of_wrong_type, not_finite, out_of_range, unknown_key, unknown_member, not_a_group,
@@ -101,7 +101,7 @@ def combination(listed: list[Field], random: np.random.Generator) -> Invalid:
 
 
 def configuration_row(one: Invalid) -> Row:
-    """What became of an invalid configuration."""
+    """The outcome of an invalid configuration as a row."""
     outcome, message = refusal(one)
     config = str(one.config)[:200]
     return {"kind": one.kind, "key": one.key, "config": config, "outcome": outcome,
@@ -109,7 +109,7 @@ def configuration_row(one: Invalid) -> Row:
 
 
 def refusal(invalid: Invalid) -> tuple[str, str]:
-    """What becomes of it (one of the four words above), and the error."""
+    """The outcome (one of the four words above) and the error of an invalid configuration."""
     try:
         simulation = build(invalid.config)
         simulation.sim.check_start(simulation)

@@ -41,7 +41,6 @@ class Robustness(Study):
     )
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
-        """Parts of the designs, and the configurations."""
         base = base_at(config, TIER)
         designs = self.count("designs", DESIGNS, 1, 1_000_000)
         configurations = self.count("configurations", CONFIGURATIONS, 1, 100_000)
@@ -54,7 +53,6 @@ class Robustness(Study):
         return cells
 
     def compute(self, cell: Cell) -> list[Row]:
-        """A row for each design, or for each configuration."""
         inputs = cell.inputs
         if cell.name == "configurations":
             return [
@@ -70,7 +68,6 @@ class Robustness(Study):
         ]
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
-        """Counts, the slowest, and what was not refused as it should be."""
         rows = [row for name, cell in done.items() if name != "configurations" for row in cell.rows]
         configurations = done["configurations"].rows
         counts = dict(by_status(rows).most_common())
@@ -122,7 +119,7 @@ class Robustness(Study):
 
 
 def random_designs(count: int, seed: Sequence[int]) -> list[tuple[float, ...]]:
-    """So many designs (delta_alpha, epsilon, m_bar, mu), uniform in their ranges."""
+    """Random designs (delta_alpha, epsilon, m_bar, mu), uniform in their ranges."""
     random = np.random.default_rng(list(seed))
     values = random.uniform(LOW, HIGH, (count, 4))
     grid = np.linspace(LOW[1], HIGH[1], EPSILONS)
@@ -131,7 +128,7 @@ def random_designs(count: int, seed: Sequence[int]) -> list[tuple[float, ...]]:
 
 
 def failure(row: Row) -> Row:
-    """What a table of failures shows."""
+    """The columns of the table of failures."""
     return {key: row[key] for key in (*COLUMNS, "status", "newton_iterations") if key in row}
 
 

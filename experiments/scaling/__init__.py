@@ -1,1 +1,1 @@
-"""What lanes and threads buy, and where the time goes: ``python -m experiments.scaling``."""
+"""Throughput by lanes and threads, and a profile of a pass: ``python -m experiments.scaling``."""

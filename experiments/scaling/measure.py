@@ -48,7 +48,7 @@ def measure(
 
 
 def throughput(runs: Sequence[tuple[float, Batch]], count: int) -> Throughput:
-    """What the runs of one setting come to, each with its seconds by the clock."""
+    """The throughput of one setting from its runs, each with its seconds by the clock."""
     kernels = statistics.median(batch.march_seconds for _, batch in runs)
     passes = statistics.median(batch.lane_passes for _, batch in runs)
     one = runs[0][1]

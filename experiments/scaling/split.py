@@ -1,4 +1,4 @@
-"""Where a pass of the time loop spends its time: its pieces, on states frozen along a march.
+"""A profile of a pass of the time loop: times of its pieces on states frozen along a march.
 
 Each piece is compiled by itself, so that the time of a part is a difference: of contact, for
 example, that of the assembly with it and without.
@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-import numpy as np
 from numba import njit
 
 from snapjump.batch.simulate import marches
@@ -23,9 +22,8 @@ from snapjump.engine.model import Model, with_numbers
 from snapjump.engine.newton import newton_iteration, solve_linearised
 from snapjump.engine.stage import stage_motion
 from snapjump.engine.view import view_work
-from snapjump.engine.work import Work
+from snapjump.engine.work import FIELDS, Memory, make_memory
 from snapjump.friction.none import NoFriction
-from snapjump.number.memory import aligned_zeros
 from snapjump.scenes.runner import MOST_ITERATIONS, March
 
 MOMENTS = 8
@@ -55,7 +53,7 @@ def assemble_often(
 def solve_often(
     template: Any, masses: Any, scheme: Any, memory: Any, lanes: Any, count: int
 ) -> None:
-    """The same and the solution of the linear system."""
+    """Residual and tangent, and the solution of the linear system."""
     model, motion, work = frozen(template, scheme, memory, lanes)
     for _ in range(count):
         solve_linearised(model, motion, masses, work)
@@ -85,26 +83,26 @@ def typical(call: Callable[[int], object], count: int) -> float:
 
 
 @contextmanager
-def untouched(memory: Work) -> Iterator[None]:
+def untouched(memory: Memory) -> Iterator[None]:
     """Put back afterwards what lanes carry on from pass to pass."""
-    arrays = [array for array in memory if isinstance(array, np.ndarray)]
-    kept = [array.copy() for array in arrays]
+    kept = memory.block.copy()
     yield
-    for array, values in zip(arrays, kept, strict=True):
-        array[...] = values
+    memory.block[...] = kept
 
 
-def groundless(model: Model, numbers: Any) -> tuple[Model, Any]:
-    """The model without contact and friction, and the numbers (P, W) that it has left."""
+def groundless(model: Model, memory: Memory) -> tuple[Model, Memory]:
+    """The model without contact and friction, and its memory in the same state."""
     kept: list[int] = []
     position = 0
     for name, member in zip(Model._fields, model, strict=True):
         if name not in ("contact", "friction"):
             kept += range(position, position + len(member))
         position += len(member)
-    left = aligned_zeros((len(kept), numbers.shape[1]))
-    left[...] = numbers[kept]
-    return model._replace(contact=NoContact.Law(), friction=NoFriction.Law()), left
+    other = make_memory(memory.sizes._replace(numbers=len(kept)), memory.mesh)
+    for name in FIELDS:
+        values = getattr(memory, name)
+        getattr(other, name)[...] = values[kept] if name == "numbers" else values
+    return model._replace(contact=NoContact.Law(), friction=NoFriction.Law()), other
 
 
 def pieces(march: March) -> dict[str, float]:
@@ -112,7 +110,7 @@ def pieces(march: March) -> dict[str, float]:
     worker = march.crew[0]
     lanes = (0,) * march.lanes
     model, memory = march.models[0], worker.memory
-    free, numbers = groundless(model, memory.numbers)
+    free, other = groundless(model, memory)
 
     def timed(kernel: Any, template: Model, work: Any) -> float:
         def call(count: int) -> None:
@@ -121,7 +119,7 @@ def pieces(march: March) -> dict[str, float]:
         call(1)
         return typical(call, COUNT)
 
-    without = timed(assemble_often, free, memory._replace(numbers=numbers))
+    without = timed(assemble_often, free, other)
     assembly = timed(assemble_often, model, memory)
     solution = timed(solve_often, model, memory)
     iteration = timed(iterate_often, model, memory)

@@ -15,9 +15,9 @@ from snapjump.batch import simulate_batch, variants
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.declare.members import make_member
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.status import NAMES, OK
-from snapjump.engine.termination.apex import ApexEnding
+from snapjump.engine.termination.apex import ApexTermination
 from snapjump.run.studies.base import Row
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
@@ -35,7 +35,7 @@ Both = tuple[Callable[[], list[Row]], Callable[[], list[Row]]]  # with everythin
 
 
 def timed(both: Both, repeats: int) -> list[Row]:
-    """Both, in turn, after one run each that compiles: see :func:`compared`."""
+    """Rows of :func:`compared` from repeated runs of both in turn, after one each that compiles."""
     full, scene = (run() for run in both)
     seconds: tuple[list[float], list[float]] = ([], [])
     for _ in range(repeats):
@@ -55,8 +55,8 @@ def flown(simulation: Simulation, designs: Designs) -> list[Row]:
     """The same jumps followed through the air until the centre of mass sinks."""
     simulations = variants(simulation, designs)
     models = [jump_model(one) for one in simulations]
-    ending = ApexEnding(FLIGHT_LIMIT_S / simulation.robot.scales.time_s, FLOWN_HEIGHT)
-    march = jump_march(simulations, models, ending=ending, lanes=LANES)
+    termination = ApexTermination(FLIGHT_LIMIT_S / simulation.robot.scales.time_s, FLOWN_HEIGHT)
+    march = jump_march(simulations, models, termination=termination, lanes=LANES)
     march.find_starts()
     rows = []
     for model, outcome in zip(models, march.run(), strict=True):
@@ -121,18 +121,11 @@ def contact(base: Simulation, designs: Designs) -> Both:
 
 def compared(full: list[Row], scene: list[Row], full_s: float, scene_s: float) -> list[Row]:
     """A row for each design: outcomes with everything and as the scene has it, and the times."""
+    times = {"full_ms": 1e3 * full_s / len(full), "scene_ms": 1e3 * scene_s / len(full)}
+    names = {key: key.removesuffix("_bar") for key in KEPT}
     return [
-        {
-            "full_status": a["status"],
-            "scene_status": b["status"],
-            "full_x": a["x_bar"],
-            "full_y": a["y_bar"],
-            "scene_x": b["x_bar"],
-            "scene_y": b["y_bar"],
-            "full_newton_iterations": a["newton_iterations"],
-            "scene_newton_iterations": b["newton_iterations"],
-            "full_ms": 1e3 * full_s / len(full),
-            "scene_ms": 1e3 * scene_s / len(full),
-        }
-        for a, b in zip(full, scene, strict=True)
+        {f"full_{name}": one[key] for key, name in names.items()}
+        | {f"scene_{name}": other[key] for key, name in names.items()}
+        | times
+        for one, other in zip(full, scene, strict=True)
     ]

@@ -42,7 +42,6 @@ class Scenes(Study):
     sources = ("experiments.scenes.jumps", "experiments.designs")
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
-        """One cell for each comparison."""
         base = base_at(config, TIER)
         count = self.count("designs", DESIGNS, 2, 4096)
         designs = [list(design) for design in spread_designs(count, config["seed"])]
@@ -55,13 +54,11 @@ class Scenes(Study):
         ]
 
     def compute(self, cell: Cell) -> list[Row]:
-        """A row for each design, with everything and as the scene has it."""
         compare = COMPARISONS[cell.name][0]
         both = compare(composed(cell.inputs["groups"]), cell.inputs["designs"])
         return timed(both, 1 if cell.name == "frame" else REPEATS)
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
-        """Savings and changes."""
         rows = [saving(name, cell) for name, cell in done.items()]
         known = [row for row in rows if "saved_percent" in row]
         return Conclusion(

@@ -1,1 +1,1 @@
-"""Are the sensitivities right, and what do they cost?"""
+"""Accuracy and cost of the sensitivities."""

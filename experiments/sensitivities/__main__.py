@@ -66,7 +66,7 @@ def sticking(tier: str, zone: float) -> Simulation:
 
 
 def moved(zone: float, designs: Any) -> dict[str, float]:
-    """By how much (percent) another velocity threshold than the usual one moves the apex."""
+    """Change of the apex (percent) by another velocity threshold than the usual one."""
     here = simulate_designs(with_tier("standard"), designs)
     there = simulate_designs(sticking("standard", zone), designs)
     of_x, _ = relative_errors(there.x_bar, there.y_bar, here.x_bar, here.y_bar)

@@ -5,19 +5,13 @@ from typing import Any
 
 import numpy as np
 
-from experiments.sensitivities.frozen_steps import (
-    adaptive_steps,
-    apex,
-    exact_jump,
-    march_along,
-    outcome_of,
-)
+from experiments.sensitivities import frozen_steps as frozen
 from snapjump.batch import model_derivatives, prepare_designs, simulate_designs
 from snapjump.batch.derivatives import place
 from snapjump.batch.sensitivities import Slopes, apex_sensitivities
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS
-from snapjump.engine.termination.timed import TimedEnding
+from snapjump.engine.termination.timed import TimedTermination
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.runner import March
 from snapjump.scenes.sensitivities import record_sensitivities
@@ -54,8 +48,8 @@ def differences(jump_at: Any, design: Any, steps: Any, solutions: Any, h: float)
             other = np.array(design, dtype=float)
             other[k] += count * h * other[k]
             jump = jump_at(other)
-            exact_jump(jump, steps, solutions)
-            total += weight * apex(jump)
+            frozen.exact_jump(jump, steps, solutions)
+            total += weight * frozen.apex(jump)
         rows.append(total / (12.0 * h))
     return np.array(rows)
 
@@ -66,11 +60,11 @@ def derivatives(jump: March, numbers: Any, steps: Any, solutions: Any, correctio
     jump.stepping = jump.stepping._replace(
         tolerance=1e9, contact_steps=1e9, newton_share=1e-9, largest=1e9
     )
-    jump.ending = TimedEnding(float(np.sum(steps)) * (1.0 - 1e-12))
-    march_along(jump, steps, solutions)
+    jump.termination = TimedTermination(float(np.sum(steps)) * (1.0 - 1e-12))
+    frozen.march_along(jump, steps, solutions)
     first = place(jump.models[0], "load", "acceleration")
     slopes = Slopes(flights[:, :, : numbers.shape[2]], numbers[:, first : first + 3], grazes)
-    found = apex_sensitivities(outcome_of(jump), jump.models[0].load, slopes)
+    found = apex_sensitivities(frozen.outcome_of(jump), jump.models[0].load, slopes)
     return np.vstack([found.dx_bar, found.dy_bar]).T
 
 
@@ -87,8 +81,8 @@ def frozen_errors(
     def jump_at(values: Any) -> March:
         return jump_of(base, values, curve, inputs)
 
-    steps = adaptive_steps(jump_at(design))
-    solutions = exact_jump(jump_at(design), steps)
+    steps = frozen.adaptive_steps(jump_at(design))
+    solutions = frozen.exact_jump(jump_at(design), steps)
     expected = [differences(jump_at, design, steps, solutions, h) for h in STEPS]
     scale = np.abs(expected[0]).max(axis=0)
     numbers = model_derivatives(base, np.array([design]), curve, inputs)

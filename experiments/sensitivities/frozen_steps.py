@@ -7,14 +7,16 @@ import numpy as np
 from numba import njit
 
 from snapjump.engine import clock as c
+from snapjump.engine import outcome as outcomes
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.differentiate import hold_ends, motion_of
 from snapjump.engine.march import march
 from snapjump.engine.model import with_numbers
-from snapjump.engine.shadow import make_shadow, view_shadow
-from snapjump.engine.stage import begin_stage, commit_step, keep_stage, stage_motion
+from snapjump.engine.stage import begin_stage, keep_stage, stage_motion
 from snapjump.engine.status import OK
+from snapjump.engine.step import commit_step
+from snapjump.engine.tangent import make_tangent_state, view_tangent
 from snapjump.engine.view import view_work
 from snapjump.number.dual import PARAMETERS, constant
 from snapjump.scenes.flight import flight
@@ -45,10 +47,10 @@ def guess_stage(template: Any, scheme: Any, masses: Any, memory: Any) -> None:
 
 @njit(error_model="numpy")
 def linearise(
-    template: Any, scheme: Any, masses: Any, memory: Any, shadow: Any, residual: Any, jacobian: Any
+    template: Any, scheme: Any, masses: Any, memory: Any, tangent: Any, residual: Any, jacobian: Any
 ) -> None:
     """Residual (D) and Jacobian (D, D) at ``memory.state``, four columns at a time."""
-    twin = view_shadow(shadow, 0, memory.mesh)
+    twin = view_tangent(tangent, 0)
     size = memory.state.shape[0]
     for k in range(memory.numbers.shape[0]):
         twin.numbers[k] = constant(memory.numbers[k, 0])
@@ -57,8 +59,8 @@ def linearise(
     motion = Motion(constant(plain.time), constant(plain.rate_factor),
                     constant(plain.inertia_rate), constant(plain.anchor))  # fmt: skip
     for i in range(size):
-        twin.origin[i] = constant(memory.origin[i, 0])
-        twin.drift[i] = constant(memory.drift[i, 0])
+        twin.position_predictor[i] = constant(memory.position_predictor[i, 0])
+        twin.velocity_predictor[i] = constant(memory.velocity_predictor[i, 0])
         twin.start[i] = constant(memory.start[i, 0])
         twin.velocity[0, i] = constant(memory.velocity[0, i, 0])
     for first in range(0, size, PARAMETERS):
@@ -66,11 +68,11 @@ def linearise(
         for i in range(size):
             twin.state[i] = constant(memory.state[i, 0])
         for k in range(count):
-            shadow.state[0, first + k, 4 + k] = 1.0
+            tangent.state[0, first + k, 4 + k] = 1.0
         hold_ends(model, plain.time, twin)
         assemble(model, motion, masses, twin)
         for i in range(size):
-            row = shadow.frame_residual[0, i] if i < 3 else shadow.residual[0, i - 3]
+            row = tangent.frame_residual[0, i] if i < 3 else tangent.residual[0, i - 3]
             residual[i] = row[0]
             for k in range(count):
                 jacobian[i, first + k] = row[4 + k]
@@ -106,7 +108,7 @@ def load(jump: March) -> None:
     memory.clock[c.STAGE] = 1.0
 
 
-def solve_stage(jump: March, shadow: Any, tolerance: float) -> None:
+def solve_stage(jump: March, tangent: Any, tolerance: float) -> None:
     """Newton's method at the current guess, gaps kept open, until rounding is all that is left."""
     memory = jump.memory
     size = len(memory.state)
@@ -114,7 +116,7 @@ def solve_stage(jump: March, shadow: Any, tolerance: float) -> None:
     free = np.r_[0:3, 5 : size - 2]
     before, damping = np.inf, 1.0
     for count in range(MOST_ITERATIONS):
-        linearise(jump.models[0], jump.scheme, jump.masses, memory, shadow, residual, jacobian)
+        linearise(jump.models[0], jump.scheme, jump.masses, memory, tangent, residual, jacobian)
         change = np.linalg.solve(jacobian[np.ix_(free, free)], residual[free])
         largest = float(np.abs(change).max())
         # Across the kinks of friction full corrections may go to and fro for ever.
@@ -139,7 +141,7 @@ def exact_jump(jump: March, steps: Any, guide: Any = None, tolerance: float = 1e
     ``guide``: solutions of a robot nearby, to begin from.
     """
     load(jump)
-    shadow = make_shadow(jump.memory)
+    tangent = make_tangent_state(jump.memory)
     arguments = (jump.models[0], jump.scheme, jump.masses, jump.memory)
     solutions: list[Any] = []
     for step in steps:
@@ -149,18 +151,19 @@ def exact_jump(jump: March, steps: Any, guide: Any = None, tolerance: float = 1e
             guess_stage(*arguments)
             if guide is not None:
                 jump.memory.state[:, 0] = guide[len(solutions)]
-            solve_stage(jump, shadow, tolerance)
+            solve_stage(jump, tangent, tolerance)
             last = finish_stage(*arguments)
             solutions.append(jump.memory.state[:, 0].copy())
     return np.array(solutions)
 
 
 def outcome_of(jump: March) -> Any:
-    """The outcome (1, ROWS) of a robot that flies after the last step."""
-    memory, outcome = jump.memory, np.zeros((1, c.ROWS))
+    """The outcome (1, COLUMNS) of a robot that flies after the last step."""
+    memory, outcome = jump.memory, np.zeros((1, outcomes.COLUMNS))
     state, velocity = memory.start[:, 0], memory.velocity[0, :, 0]
     flying = centre_of_mass(jump.models[0], jump.masses, jump.mesh, state, velocity)
-    outcome[0, [c.STATUS, c.COM_X, c.COM_Y, c.COM_VX, c.COM_VY]] = OK, *flying
+    columns = (outcomes.STATUS, outcomes.COM_X, outcomes.COM_Y, outcomes.COM_VX, outcomes.COM_VY)
+    outcome[0, columns] = OK, *flying
     return outcome
 
 
@@ -183,7 +186,7 @@ def march_along(jump: March, steps: Any, solutions: Any) -> None:
             memory.clock[c.STEP] = step
             guess_stage(jump.models[0], jump.scheme, jump.masses, memory)
             memory.state[:, 0] = solutions[count]
-            memory.change[:] = 0.0
+            memory.correction[:] = 0.0
             march(*arguments, 1)
             count += 1
-    assert jump.queue.outcome[0, c.STEPS] == len(steps)
+    assert jump.queue.outcome[0, outcomes.STEPS] == len(steps)

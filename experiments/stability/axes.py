@@ -57,7 +57,6 @@ class Map:
         return {self.name: self.up.values}
 
     def groups(self, base: Groups, across: Any, up: Any) -> Groups:
-        """The composition at a pair of values."""
         return changed(base, CHANGES[self.name](across, up))
 
 
@@ -98,7 +97,7 @@ CHANGES: Mapping[str, Any] = {
 
 
 def maps(full: bool) -> list[Map]:
-    """All of them; ``full``: on finer grids."""
+    """All maps; ``full``: on finer grids."""
     grid = _finer if full else lambda *values: values
     steps = grid(1e-8, 1e-7, 1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
     stiffness = grid(1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8)
@@ -128,7 +127,7 @@ def maps(full: bool) -> list[Map]:
 
 
 def _finer(*values: float) -> tuple[float, ...]:
-    """With the geometric mean between every two, the arithmetic one next to zero."""
+    """A finer grid: with the geometric mean between every two, the arithmetic one next to zero."""
     found = [values[0]]
     for low, high in pairwise(values):
         found += [(low * high) ** 0.5 if low > 0.0 else 0.5 * high, high]

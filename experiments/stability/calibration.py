@@ -24,7 +24,7 @@ TIGHT = {"name": "adaptive", "tolerance": 2e-9, "contact_steps": 1.0}
 
 
 def levels(base: Groups, integrators: Sequence[str]) -> dict[str, dict[str, Groups]]:
-    """By kind and level: fixed steps, tolerances, meshes with time well resolved, tiers."""
+    """Compositions by kind and level: fixed steps, tolerances, meshes with time resolved, tiers."""
     found: dict[str, dict[str, Groups]] = {}
     for name in integrators:
         method = changed(base, {"integrator": {"name": name}})
@@ -78,7 +78,7 @@ def level_row(kind: str, level: str, rows: Sequence[Row]) -> Row:
 
 
 def overall(by_level: Mapping[Any, Sequence[Row]]) -> dict[str, float]:
-    """Of all levels together: coverage, correlation of logarithms, and how cautious it is."""
+    """Coverage, correlation of logarithms and caution of the estimate over all levels."""
     rows = [row for some in by_level.values() for row in some]
     (x, ex), (y, ey) = (compared(rows, name) for name in ("x", "y"))
     seen = x > 0.0

@@ -56,7 +56,7 @@ def jump_rows(
 
 
 def alike(simulation: Simulation) -> Any:
-    """What jumps must share to be simulated side by side: all but numbers of the model."""
+    """The key that jumps side by side must share: all but numbers of the model."""
     return (
         simulation.accuracy,
         simulation.robot.scales,

@@ -1,4 +1,4 @@
-"""What physics says about cells of the maps (the extremes of the references), and what came out."""
+"""Expectations from physics for cells of the maps (the extremes), and what was found."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -26,13 +26,12 @@ class Check:
     holds: bool
 
     def row(self) -> Row:
-        """A line of the table."""
         verdict = "yes" if self.holds else "NO"
         return {"case": self.name, "expected": self.expected, "found": self.found, "holds": verdict}
 
 
 def known(rows: Rows) -> list[Row]:
-    """Those with an apex."""
+    """The rows with an apex."""
     return [row for row in rows if row["status"] in ENDED]
 
 

@@ -1,4 +1,4 @@
-"""What must hold for every single run, whatever its numbers: no hang, NaN, negative gap, or lie."""
+"""Rules for every single run, whatever its numbers: no hang, NaN, negative gap, unmarked error."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -38,7 +38,7 @@ def with_truth(rows: Sequence[Row], truth: Sequence[Row], own: bool) -> list[Row
 
 
 def key(row: Row, own: bool) -> Key:
-    """What a row's truth is found by."""
+    """The key of a row's truth."""
     return (row["across"], row["up"], row["design"]) if own else (None, None, row["design"])
 
 

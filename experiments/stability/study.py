@@ -58,12 +58,10 @@ class Stability(Study):
         return found
 
     def compute(self, cell: Cell) -> list[Row]:
-        """A row for each jump."""
         inputs = cell.inputs
         return jump_rows(inputs["points"], inputs["designs"], inputs["most_iterations"])
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
-        """Rules, physics, and how well the estimate keeps."""
         found = {one.name: map_rows(one, done) for one in self.maps}
         violations = [
             {"map": name, "rule": rule, **shortened(row)}
@@ -172,7 +170,7 @@ def shares(rows: Sequence[Row]) -> dict[str, int]:
 
 
 def shortened(row: Row) -> Row:
-    """What a table of violations shows of a row."""
+    """The columns of the table of violations."""
     keys = ("across", "up", "design", "status", "x_bar", "y_bar", "true_error_percent",
             "x_error_estimate_percent", "min_gap_m", "newton_iterations", "seconds")  # fmt: skip
     return {key: row[key] for key in keys if key in row}

@@ -30,7 +30,7 @@ opened = cache(open_dataset)
 
 
 def trained_rows(inputs: Mapping[str, Any]) -> list[Row]:
-    """What a surrogate's error is on its own test set and on the judge's, and where it sits."""
+    """Errors of a surrogate on its own test set and on the judge's, and by input."""
     own: Dataset = opened(inputs["dataset"])
     training = Training(**inputs["training"])
     options = make_member("surrogate", inputs["surrogate"])
@@ -87,7 +87,7 @@ def by_input(designs: Array, errors: Array, axes: Sequence[Axis]) -> list[Row]:
 
 
 def concentration(errors: Array) -> dict[str, float]:
-    """What share of all error the worst half, tenth and hundredth of the designs have."""
+    """Shares of all error that the worst half, tenth and hundredth of the designs have."""
     sizes = np.sort(np.abs(errors).mean(axis=1))[::-1]
     sums = sizes.cumsum() / sizes.sum()
     return {

@@ -88,13 +88,11 @@ class CompareSurrogates(Study):
         return cells
 
     def compute(self, cell: Cell) -> list[Row]:
-        """See :mod:`experiments.surrogates.compute`."""
         from experiments.surrogates.compute import floor_of, trained_rows
 
         return trained_rows(cell.inputs) if "surrogate" in cell.inputs else floor_of(cell.inputs)
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
-        """The table, the learning curves, and where the best member is off."""
         trained = {
             name: one
             for name, one in done.items()

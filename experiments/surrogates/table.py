@@ -1,4 +1,4 @@
-"""What the cells of the comparison come to: tables, sentences, and README's block."""
+"""Tables and sentences of the comparison, and README's block."""
 
 import numpy as np
 
@@ -16,7 +16,7 @@ def summary(name: str, done: Done) -> Row:
 
 
 def floor_summary(tier: str, done: Done) -> Row:
-    """Both outputs averaged, over the cells that are known."""
+    """Mean, median and 95th percentile of the floor over the cells that are known."""
     x, y = (column[np.isfinite(column)] for column in map(done.column, ("x_bar", "y_bar")))
     both = 0.5 * (x + y)
     return {

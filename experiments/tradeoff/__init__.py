@@ -1,1 +1,1 @@
-"""What accuracy costs: every composition on one chart, and the tiers on it."""
+"""Accuracy against cost: every composition on one chart, and the tiers on it."""

@@ -48,7 +48,6 @@ class Curve:
     lanes: int = LANES
 
     def cell(self, level: str) -> str:
-        """Name of the cell of a level."""
         return f"{self.name}, {level}"
 
 

@@ -42,7 +42,7 @@ LARGEST = {"percent": 100.0, "bar": 1.0}
 
 @dataclass(frozen=True)
 class Compared:
-    """What is drawn; ``methods``: by curve, what it is coloured by."""
+    """Points, curves and tiers to draw; ``methods``: by curve, what it is coloured by."""
 
     points: Sequence[Point]
     methods: Mapping[str, str]
@@ -50,7 +50,6 @@ class Compared:
 
     @property
     def colours(self) -> dict[str, str]:
-        """By method."""
         names = dict.fromkeys(self.methods.values())
         return {name: COLOURS[k % len(COLOURS)] for k, name in enumerate(names)}
 

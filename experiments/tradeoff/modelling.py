@@ -1,4 +1,4 @@
-"""How the answer moves with what is modelled, beside what numerics contribute; modelling.png."""
+"""Errors of the model beside numerical errors: changes of the answer by what is modelled."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -47,7 +47,7 @@ def models(base: Groups) -> dict[str, Groups]:
 
 
 def shifts(done: Mapping[str, Done]) -> list[dict[str, Any]]:
-    """How far x and y move (%), for each model, from the configured one; failures are infinite."""
+    """Changes of x and y (%) by each model from the configured one; failures are infinite."""
     x0, y0 = split(done[DEFAULT])["design"]
     rows = []
     for name, cell in done.items():

@@ -1,4 +1,4 @@
-"""What one composition at one level came to: error, roughness, cost, failures; the Pareto front."""
+"""Error, roughness, cost and failures of a composition at one level; the Pareto front."""
 
 import math
 from collections import Counter

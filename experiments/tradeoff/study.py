@@ -70,11 +70,9 @@ class Tradeoff(Study):
         ]
 
     def compute(self, cell: Cell) -> list[Row]:
-        """A row for each jump."""
         return jump_rows(cell.inputs)
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
-        """Fronts, tiers, and what the model contributes."""
         limit = done[LIMIT]
         if limit.status != OK:
             raise RuntimeError(f"no limit to compare with: {limit.message}")
@@ -158,7 +156,7 @@ def recommendations(points: list[Point]) -> list[str]:
 
 
 def confirmed(check: Done, limit: Done) -> dict[str, Any]:
-    """How far another method's limit is from the limit."""
+    """The distance of another method's limit from the limit."""
     if check.status != OK:
         return {"finding": f"The limit is not confirmed: {check.message}."}
     x, y = split(check)["design"]

@@ -12,8 +12,12 @@ from snapjump.run.studies.base import OK, Done
 from snapjump.show.terminal.block import markdown_table
 from snapjump.tiers import TIERS
 
-# Error of x and y (%, 95th percentile) and roughness (L) that a tier promises: design.md section 4.
-PROMISES = {"draft": (3.0, 0.03), "standard": (0.5, 0.005), "reference": (0.05, 0.0005)}
+# Error of x and y (%, 95th percentile) and roughness (L) that a tier promises.
+PROMISES = {
+    name: (tier.promise_percent, tier.promise_percent / 100.0)
+    for name, tier in TIERS.items()
+    if name != "paper"
+}
 # What a tier chooses; all else, such as the friction threshold, is the physical model's.
 CHOSEN: dict[str, tuple[str, ...] | None] = {
     "integrator": None,

@@ -24,5 +24,4 @@ class LanesBackend(BackendOptions):
 
     @property
     def thread_count(self) -> int:
-        """Threads that a batch is simulated with."""
         return available_cores() if self.threads is None else self.threads

@@ -13,15 +13,9 @@ def check_alike(simulations: Sequence[Simulation]) -> None:
     """Raises ParameterError for a robot whose program is not the first one's."""
     first = simulations[0]
     for other in simulations[1:]:
-        for family in SAME:
-            if getattr(other, family) != getattr(first, family):
-                raise ParameterError(
-                    family, getattr(other, family), f"the first robot's: {getattr(first, family)}"
-                )
-        for family in OF_ONE_KIND:
-            if type(getattr(other, family)) is not type(getattr(first, family)):
-                raise ParameterError(
-                    family,
-                    getattr(other, family).name,
-                    f"{getattr(first, family).name}, as of the first robot",
-                )
+        for family in (*SAME, *OF_ONE_KIND):
+            ours, theirs = getattr(first, family), getattr(other, family)
+            if family in SAME and theirs != ours:
+                raise ParameterError(family, theirs, f"the first robot's: {ours}")
+            if type(theirs) is not type(ours):
+                raise ParameterError(family, theirs.name, f"{ours.name}, as of the first robot")

@@ -1,4 +1,4 @@
-"""How models' numbers depend on inputs: differences of what builds them, thresholds apart."""
+"""Derivatives of models' numbers by inputs: differences of their builder, thresholds apart."""
 
 from collections.abc import Callable, Sequence
 
@@ -129,6 +129,6 @@ def difference(
 
 
 def place(model: Model, family: str, field: str) -> int:
-    """Where a member's number stands among the numbers of its model."""
+    """The index of a member's number among the numbers of its model."""
     before = model[: model._fields.index(family)]
     return sum(len(member) for member in before) + getattr(model, family)._fields.index(field)

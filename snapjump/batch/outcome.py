@@ -1,4 +1,4 @@
-"""What becomes of many jumps, as arrays with one row a jump."""
+"""Outputs of a batch of jumps: arrays with one row a jump."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from snapjump.batch.prepare import Prepared
 from snapjump.batch.sensitivities import Sensitivities, Slopes, apex_sensitivities
 from snapjump.composition import Simulation
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.load.gravity import Gravity
 from snapjump.scenes.flight_check import checked_status
 from snapjump.scenes.jump_outputs import JumpOutputs
@@ -50,7 +50,7 @@ class Batch(JumpOutputs):
 
 
 class Marched(NamedTuple):
-    """Of M robots: outcomes (M, ROWS), the kernels' seconds, the iterations that lanes had time
+    """Of M robots: outcomes (M, COLUMNS), the kernels' seconds, the iterations that lanes had time
     for, and slopes where these were asked for."""
 
     outcome: Array

@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Prepared:
-    """Of R designs those that can be simulated, M of them.
+    """The M of R designs that can be simulated: their simulations and models.
 
     simulations, models (M); chosen (M): which designs they are; status (R): RUNNING, or why a
     design cannot be simulated (see :mod:`snapjump.engine.status`).

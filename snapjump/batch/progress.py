@@ -1,9 +1,9 @@
-"""What a batch tells of its progress: jumps done, their rate, and the time that remains."""
+"""Progress of many jumps in words: how many are done, their rate, and the time that remains."""
 
 import time
 from collections.abc import Callable
 
-Progress = Callable[[float, str], None]
+from snapjump.declare.scenes import Progress
 
 
 def duration(seconds: float) -> str:
@@ -17,16 +17,22 @@ def duration(seconds: float) -> str:
 
 
 class BatchProgress:
-    """Turns shares of a group's jumps into shares of all of them, and into words."""
+    """Turns shares of a group's jumps into shares of all of them, and into words.
+
+    ``done``: of the ``total``, before it begins. The rate counts from the first time that jumps are
+    told: not while kernels are compiled.
+    """
 
     def __init__(
-        self, total: int, tell: Progress, clock: Callable[[], float] = time.monotonic
+        self,
+        total: int,
+        tell: Progress,
+        clock: Callable[[], float] = time.monotonic,
+        done: int = 0,
     ) -> None:
-        self._total = total
-        self._tell = tell
-        self._clock = clock
+        self._total, self._tell, self._clock = total, tell, clock
+        self._finished = done
         self._begun: tuple[float, int] | None = None
-        self._finished = 0
 
     def starts(self, count: int) -> Progress:
         """The progress of finding the starts of ``count`` jumps."""
@@ -38,24 +44,19 @@ class BatchProgress:
         return told
 
     def jumps(self, count: int) -> Progress:
-        """The progress of the march of ``count`` jumps.
+        """The progress of the march of ``count`` jumps."""
+        return lambda share, _: self.show(round(share * count))
 
-        The rate counts from the first time that anything is told: not while kernels are compiled.
-        """
-
-        def told(share: float, _: str) -> None:
-            done = self._finished + round(share * count)
-            now = self._clock()
-            self._begun = self._begun or (now, done)
-            seconds, more = now - self._begun[0], done - self._begun[1]
-            text = f"{done} of {self._total} jumps"
-            if more > 0 and seconds > 0.0:
-                remaining = seconds * (self._total - done) / more
-                text += f", {more / seconds:.3g} jumps/s, {duration(remaining)} left"
-            self._tell(done / self._total, text)
-
-        return told
+    def show(self, under_way: int = 0) -> None:
+        """Tell, with so many jumps done beside those that are finished."""
+        done, now = self._finished + under_way, self._clock()
+        self._begun = self._begun or (now, done)
+        seconds, more = now - self._begun[0], done - self._begun[1]
+        text = f"{done} of {self._total} jumps"
+        if more > 0 and seconds > 0.0:
+            remaining = seconds * (self._total - done) / more
+            text += f", {more / seconds:.3g} jumps/s, {duration(remaining)} left"
+        self._tell(done / self._total, text)
 
     def finish(self, count: int) -> None:
-        """Count ``count`` more jumps as done."""
         self._finished += count

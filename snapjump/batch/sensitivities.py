@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.status import NO_JUMP, OK
 
@@ -43,7 +43,7 @@ class Slopes(NamedTuple):
 
 
 def apex_sensitivities(outcome: Array, load: Gravity, slopes: Slopes) -> Sensitivities:
-    """Sensitivities from outcomes (R, ROWS) and gravity, arrays (R, 1)."""
+    """Sensitivities from outcomes (R, COLUMNS) and gravity, arrays (R, 1)."""
     status = outcome[:, c.STATUS]
     flew = (status == OK)[:, None]
     vx, vy = outcome[:, c.COM_VX, None], outcome[:, c.COM_VY, None]

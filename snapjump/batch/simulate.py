@@ -12,12 +12,13 @@ from snapjump.batch.alike import check_alike
 from snapjump.batch.derivatives import model_derivatives, place
 from snapjump.batch.outcome import Batch, Marched, batch_of
 from snapjump.batch.prepare import Prepared, prepare_designs
-from snapjump.batch.progress import BatchProgress, Progress
+from snapjump.batch.progress import BatchProgress
 from snapjump.batch.sensitivities import Slopes
 from snapjump.checks import ParameterError, check_integer
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS, check_inputs
-from snapjump.engine import clock as c
+from snapjump.declare.scenes import Progress
+from snapjump.engine import outcome as c
 from snapjump.engine.model import Model
 from snapjump.engine.status import RUNNING
 from snapjump.scenes.card_march import check_backend
@@ -37,7 +38,7 @@ def marches(
     threads: int,
     most_iterations: float,
 ) -> list[tuple[list[int], March]]:
-    """Which jumps march together: those whose frames have one mesh, and one step control."""
+    """Marches of jumps that go together: those with one mesh of the frame and one step control."""
     groups: dict[tuple[Any, ...], list[int]] = {}
     for k, (simulation, model) in enumerate(zip(simulations, models, strict=True)):
         # A fixed step in seconds is another one for a robot of another scale of time.
@@ -45,13 +46,11 @@ def marches(
         kind = (stepping, *simulation.frame.mesh(model.frame))
         groups.setdefault(kind, []).append(k)
     crew: dict[str, Any] = {"lanes": lanes, "threads": threads, "most_iterations": most_iterations}
-    return [
-        (
-            members,
-            jump_march([simulations[k] for k in members], [models[k] for k in members], **crew),
-        )
-        for members in groups.values()
-    ]
+    found = []
+    for alike in groups.values():
+        together = [simulations[k] for k in alike], [models[k] for k in alike]
+        found.append((alike, jump_march(*together, **crew)))
+    return found
 
 
 def march_all(
@@ -62,10 +61,10 @@ def march_all(
     progress: Progress | None,
     numbers: Array | None = None,
 ) -> Marched:
-    """What becomes of prepared jumps; with slopes (M, P, I) of the models' ``numbers`` also those
-    of the flights."""
+    """Outcomes of prepared jumps; with slopes (M, P, I) of the models' ``numbers`` also those of
+    the flights."""
     count = len(ready.models)
-    outcome, slopes = np.zeros((count, c.ROWS)), None
+    outcome, slopes = np.zeros((count, c.COLUMNS)), None
     if numbers is not None:
         inputs = numbers.shape[2]
         slopes = Slopes(
@@ -73,23 +72,23 @@ def march_all(
         )
     told = BatchProgress(count, progress or (lambda share, text: None))
     kernel_seconds, lane_passes = 0.0, 0
-    for members, march in marches(ready.simulations, ready.models, lanes, threads, most_iterations):
-        march.find_starts(told.starts(len(members)))
+    for alike, march in marches(ready.simulations, ready.models, lanes, threads, most_iterations):
+        march.find_starts(told.starts(len(alike)))
         recorded = None
         if numbers is not None:
-            recorded = record_sensitivities(march, numbers[members])
-        outcome[members] = march.run(told.jumps(len(members)))
+            recorded = record_sensitivities(march, numbers[alike])
+        outcome[alike] = march.run(told.jumps(len(alike)))
         if slopes is not None and recorded is not None:
-            slopes.flights[members] = recorded[0][:, :, : slopes.flights.shape[2]]
-            slopes.grazes[members] = recorded[1]
-        told.finish(len(members))
+            slopes.flights[alike] = recorded[0][:, :, : slopes.flights.shape[2]]
+            slopes.grazes[alike] = recorded[1]
+        told.finish(len(alike))
         kernel_seconds += march.kernel_seconds
         lane_passes += march.lanes * march.passes
     return Marched(outcome, kernel_seconds, lane_passes, slopes)
 
 
 def gravity_slopes(ready: Prepared, numbers: Array) -> Array:
-    """Of the models' gravity (M, 3, I), among the slopes (M, P, I) of all their numbers."""
+    """Slopes of the models' gravity (M, 3, I), among those (M, P, I) of all their numbers."""
     if not ready.models:
         return np.zeros((0, 3, numbers.shape[2]))
     first = place(ready.models[0], "load", "acceleration")

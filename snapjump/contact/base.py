@@ -18,40 +18,47 @@ from snapjump.units import Scales
 RESTING_SPEED = 0.02
 
 
-class Approach(NamedTuple):
-    """How a point comes near the ground within a stage.
+class ContactState(NamedTuple):
+    """State of a point in contact, besides its gap.
 
-    speed: of its gap (L/T); rate: d(speed)/d(gap), 0 in statics (1/T); begun, begun_speed: gap
+    speed: of the gap (L/T); rate: d(speed)/d(gap), 0 in statics (1/T); start_gap, start_speed: gap
     and speed at the step's beginning; inertia: d(inertial force)/d(gap) (EI/L^3).
     """
 
     speed: Any
     rate: Any
-    begun: Any
-    begun_speed: Any
+    start_gap: Any
+    start_speed: Any
     inertia: Any
 
 
-def derived_slope(law: Any, gap: Any, approach: Approach) -> Any:
+class Extremes(NamedTuple):
+    """Of an assembly: the largest force in play (EI/L^2), the smallest gap (L), and the square of
+    the fastest contact frequency sqrt(k/m) (1/T^2)."""
+
+    largest_force: Any
+    smallest_gap: Any
+    contact_rate_squared: Any
+
+
+def derived_slope(law: Any, gap: Any, state: ContactState) -> Any:
     """The slope that follows from a law's force."""
 
     def force(moved: Any) -> Any:
-        return law.force(
-            moved, approach._replace(speed=approach.speed + approach.rate * (moved - gap))
-        )
+        return law.force(moved, state._replace(speed=state.speed + state.rate * (moved - gap)))
 
     return -derivative(force, gap)
 
 
 @overload(derived_slope, strict=False, jit_options=INLINED)
-def _derived_slope(law: Any, gap: Any, approach: Any) -> Any:
-    def slope(law: Any, gap: Any, approach: Any) -> Any:
-        moving = Approach(
-            sloped(approach.speed, approach.rate),
-            approach.rate,
-            approach.begun,
-            approach.begun_speed,
-            approach.inertia,
+def _derived_slope(law: Any, gap: Any, state: Any) -> Any:
+    def slope(law: Any, gap: Any, state: Any) -> Any:
+        moving = ContactState(
+            sloped(state.speed, state.rate),
+            state.rate,
+            state.start_gap,
+            state.start_speed,
+            state.inertia,
         )
         return -slope_in(law.force(sloped(gap, 1.0), moving))
 
@@ -59,7 +66,7 @@ def _derived_slope(law: Any, gap: Any, approach: Any) -> Any:
 
 
 class Ground(NamedTuple):
-    """What the model adds to a law: its share at a node of the beam and at a corner of the frame,
+    """Ground of a model: a law's share at a node of the beam and at a corner of the frame,
     and the gap (in L) beyond which a point counts as in the air."""
 
     node_share: Any
@@ -78,15 +85,15 @@ class ContactLaw(Contract):
         """Whether the law needs positive gaps, which every correction must then leave."""
         return False
 
-    def is_impulsive(self) -> Any:
-        """Whether the force is what a constraint calls for, rather than one of the position."""
+    def is_constraint(self) -> Any:
+        """Whether the force is what holds a point of the active set, and no function of the gap."""
         return False
 
     def reach(self) -> Any:
         """The gap beyond which the law gives no force at rest."""
         return 0.0
 
-    def active(self, gap: Any, approach: Any) -> Any:
+    def active(self, gap: Any, state: Any) -> Any:
         """Mask: whether the law gives a force. Only then is it asked for it."""
         return gap < self.reach()
 
@@ -95,14 +102,14 @@ class ContactLaw(Contract):
         """Energy stored at a gap within reach."""
 
     @required
-    def force(self, gap: Any, approach: Any) -> Any:
+    def force(self, gap: Any, state: Any) -> Any:
         """Repulsive force."""
 
-    def slope(self, gap: Any, approach: Any) -> Any:
+    def slope(self, gap: Any, state: Any) -> Any:
         """Negative total derivative of the force by the gap, with which the speed changes too."""
-        return derived_slope(self, gap, approach)
+        return derived_slope(self, gap, state)
 
-    def loss(self, gap: Any, approach: Any) -> Any:
+    def loss(self, gap: Any, state: Any) -> Any:
         """Power that the law takes out (EI/(L T))."""
         return 0.0 * gap
 
@@ -114,39 +121,21 @@ class ContactLaw(Contract):
 
 
 @kernel
-def at_rest(gap: Any) -> Approach:
-    """The approach of a point that does not move."""
+def at_rest(gap: Any) -> ContactState:
+    """The state of a point that does not move."""
     zero = 0.0 * gap
-    return Approach(zero, zero, gap, zero, zero)
+    return ContactState(zero, zero, gap, zero, zero)
 
 
 @kernel
-def force_if_acting(contact: Any, gap: Any, approach: Any) -> Any:
-    """Mask, force and stiffness, the latter two zero where the law does not act."""
-    active = contact.active(gap, approach)
+def force_if_active(contact: Any, gap: Any, state: Any) -> Any:
+    """Mask, force and stiffness, the latter two zero where the law gives none."""
+    active = contact.active(gap, state)
     # A barrier has no force beyond its reach, and no value below zero.
     gap = where(active, gap, contact.reach())
-    force = contact.force(gap, approach)
-    stiffness = contact.slope(gap, approach)
+    force = contact.force(gap, state)
+    stiffness = contact.slope(gap, state)
     return active, where(active, force, 0.0), where(active, stiffness, 0.0)
-
-
-@kernel
-def pressing_force(contact: Any, work: Any, point: Any, force: Any) -> Any:
-    """The normal force that friction sees at a point that the law acts on.
-
-    That of a constraint is known only once an iteration has held the point in its place.
-    """
-    if contact.is_impulsive():
-        return where(work.held[point] > 0.0, force, 0.0)
-    return force
-
-
-@kernel
-def note_contact(contact: Any, work: Any, point: Any, near: Any) -> None:
-    """Remember which points a constraint holds in this iteration."""
-    if contact.is_impulsive():
-        work.held[point] = where(near, 1.0, 0.0)
 
 
 PAPER_ELEMENTS = 66  # of the mesh whose every node the paper gives the stiffness K_c

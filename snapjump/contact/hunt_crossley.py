@@ -78,18 +78,18 @@ class HuntCrossley(ContactOptions):
             """The force at rest."""
             return -self.stiffness * gap * sqrt(-gap)
 
-        def force(self, gap: Any, approach: Any) -> Any:
-            factor = 1.0 - self.damping * approach.speed
+        def force(self, gap: Any, state: Any) -> Any:
+            factor = 1.0 - self.damping * state.speed
             return where(factor > 0.0, self.elastic(gap) * factor, 0.0)
 
-        def slope(self, gap: Any, approach: Any) -> Any:
-            factor = 1.0 - self.damping * approach.speed
-            lost = self.elastic(gap) * self.damping * approach.rate
+        def slope(self, gap: Any, state: Any) -> Any:
+            factor = 1.0 - self.damping * state.speed
+            lost = self.elastic(gap) * self.damping * state.rate
             slope = 1.5 * self.stiffness * sqrt(-gap) * factor + lost
             return where(factor > 0.0, slope, 0.0)
 
-        def loss(self, gap: Any, approach: Any) -> Any:
-            return (self.elastic(gap) - self.force(gap, approach)) * approach.speed
+        def loss(self, gap: Any, state: Any) -> Any:
+            return (self.elastic(gap) - self.force(gap, state)) * state.speed
 
     def law(self, scales: Scales) -> Law:
         """The dimensionless law."""

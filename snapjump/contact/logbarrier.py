@@ -73,25 +73,25 @@ class LogBarrier(ContactOptions):
             ratio = (gap - self.distance) / gap
             return self.stiffness * (ratio * ratio - 4.0 * ratio - 2.0 * log(gap / self.distance))
 
-        def total(self, gap: Any, approach: Any) -> Any:
+        def total(self, gap: Any, state: Any) -> Any:
             """The force before it is kept from pulling."""
-            viscous = self.relaxation_time * self.curvature(gap) * approach.speed
+            viscous = self.relaxation_time * self.curvature(gap) * state.speed
             return self.elastic(gap) - viscous
 
-        def force(self, gap: Any, approach: Any) -> Any:
-            total = self.total(gap, approach)
+        def force(self, gap: Any, state: Any) -> Any:
+            total = self.total(gap, state)
             return where(total > 0.0, total, 0.0)
 
-        def slope(self, gap: Any, approach: Any) -> Any:
+        def slope(self, gap: Any, state: Any) -> Any:
             ratio = (gap - self.distance) / gap
             curvature = self.curvature(gap)
             sharpening = 2.0 * self.stiffness * ((ratio - 2.0) * (1.0 - ratio) - 1.0) / gap
-            lag = curvature * approach.rate + sharpening * approach.speed
+            lag = curvature * state.rate + sharpening * state.speed
             slope = curvature + self.relaxation_time * lag
-            return where(self.total(gap, approach) > 0.0, slope, 0.0)
+            return where(self.total(gap, state) > 0.0, slope, 0.0)
 
-        def loss(self, gap: Any, approach: Any) -> Any:
-            return (self.elastic(gap) - self.force(gap, approach)) * approach.speed
+        def loss(self, gap: Any, state: Any) -> Any:
+            return (self.elastic(gap) - self.force(gap, state)) * state.speed
 
     def law(self, scales: Scales) -> Law:
         """The dimensionless law."""

@@ -19,16 +19,16 @@ class NoContact(ContactOptions):
         def exists(self) -> bool:
             return False
 
-        def active(self, gap: Any, approach: Any) -> Any:
+        def active(self, gap: Any, state: Any) -> Any:
             return gap < -1.0e300
 
         def energy(self, gap: Any) -> Any:
             return 0.0 * gap
 
-        def force(self, gap: Any, approach: Any) -> Any:
+        def force(self, gap: Any, state: Any) -> Any:
             return 0.0 * gap
 
-        def slope(self, gap: Any, approach: Any) -> Any:
+        def slope(self, gap: Any, state: Any) -> Any:
             return 0.0 * gap
 
         def bounce_rate_squared(self, stiffness: Any, mass: Any, speed: Any) -> Any:

@@ -30,7 +30,7 @@ class Penalty(ContactOptions):
         def energy(self, gap: Any) -> Any:
             return 0.5 * self.stiffness * gap * gap
 
-        def force(self, gap: Any, approach: Any) -> Any:
+        def force(self, gap: Any, state: Any) -> Any:
             return -self.stiffness * gap
 
     def law(self, scales: Scales) -> Law:

@@ -51,36 +51,36 @@ class Signorini(ContactOptions):
 
         restitution: float
 
-        def is_impulsive(self) -> bool:
+        def is_constraint(self) -> bool:
             return True
 
         def reach(self) -> float:
             return SKIN
 
-        def target(self, approach: Any) -> Any:
+        def target(self, state: Any) -> Any:
             """The gap that the step must not end below."""
-            rate = approach.rate
+            rate = state.rate
             step = where(rate > 0.0, 1.0 / maximum(rate, 1e-300 + 0.0 * rate), 0.0)
-            closing = approach.begun + step * approach.begun_speed < SKIN
-            falling = approach.begun_speed < 0.0
-            rebound = approach.begun - self.restitution * step * approach.begun_speed
+            closing = state.start_gap + step * state.start_speed < SKIN
+            falling = state.start_speed < 0.0
+            rebound = state.start_gap - self.restitution * step * state.start_speed
             return where(closing & falling & (rebound > SKIN), rebound, SKIN)
 
-        def active(self, gap: Any, approach: Any) -> Any:
-            return gap < self.target(approach)
+        def active(self, gap: Any, state: Any) -> Any:
+            return gap < self.target(state)
 
         def energy(self, gap: Any) -> Any:
             return 0.0 * gap
 
-        def force(self, gap: Any, approach: Any) -> Any:
-            return self.slope(gap, approach) * (self.target(approach) - gap)
+        def force(self, gap: Any, state: Any) -> Any:
+            return self.slope(gap, state) * (self.target(state) - gap)
 
-        def slope(self, gap: Any, approach: Any) -> Any:
-            return STATIC_STIFFNESS + STIFFER_THAN_INERTIA * approach.inertia
+        def slope(self, gap: Any, state: Any) -> Any:
+            return STATIC_STIFFNESS + STIFFER_THAN_INERTIA * state.inertia
 
-        def loss(self, gap: Any, approach: Any) -> Any:
+        def loss(self, gap: Any, state: Any) -> Any:
             # A constant force over the step, along which the speed jumps.
-            return -0.5 * self.force(gap, approach) * (approach.speed + approach.begun_speed)
+            return -0.5 * self.force(gap, state) * (state.speed + state.start_speed)
 
         def bounce_rate_squared(self, stiffness: Any, mass: Any, speed: Any) -> Any:
             return 0.0 * speed

@@ -37,7 +37,7 @@ class DatasetFolder:
         return self.path / SHARDS / f"shard-{number:05d}.parquet"
 
     def entry(self, number: int) -> Path:
-        """What is known of a shard that is done."""
+        """The entry of a finished shard: checksums and statuses."""
         return self.path / SHARDS / f"shard-{number:05d}.json"
 
     def claim(self, part: int, parts: int) -> list[FileLock]:
@@ -91,7 +91,6 @@ class DatasetFolder:
                     left.unlink(missing_ok=True)
 
     def refused(self, allowed: str) -> ParameterError:
-        """What is wrong with the folder, as an error."""
         return ParameterError("dataset.path", str(self.path), allowed)
 
     def _check_empty(self) -> None:

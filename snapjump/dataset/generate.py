@@ -5,12 +5,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from snapjump.batch.progress import Progress, duration
+from snapjump.batch.progress import BatchProgress
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.manifest import Manifest, write_manifest
 from snapjump.dataset.shard import read_entry
 from snapjump.dataset.specification import Specification
 from snapjump.dataset.work import job_of, make_shard
+from snapjump.declare.scenes import Progress
 from snapjump.executor.base import Executor
 
 ROUNDS = 3  # a shard may be spoilt by a worker that was given up too early
@@ -22,8 +23,8 @@ class GenerationError(RuntimeError):
 
 @dataclass
 class Generation:
-    """How it went. ``made``: new rows, in ``seconds`` on ``cores``; ``damaged``: what was wrong
-    with shards that were there, and have been made again; ``manifest`` at its end."""
+    """The outcome of a run. ``made``: new rows, in ``seconds`` on ``cores``; ``damaged``: what was
+    wrong with shards that were there, and have been made again; ``manifest`` at its end."""
 
     kept: int = 0
     made: int = 0
@@ -65,7 +66,7 @@ def generate(
 def look(
     folder: DatasetFolder, specification: Specification, numbers: list[int], damaged: list[str]
 ) -> list[int]:
-    """Those of the shards that are to be made; adds what is wrong to ``damaged``."""
+    """The shards that are missing or damaged; adds the damage to ``damaged``."""
     missing = []
     for number in numbers:
         entry, reason = read_entry(folder, number, specification.sha256)
@@ -110,40 +111,17 @@ class _Maker:
 
     def _make(self, missing: list[int]) -> None:
         kept, specification = self.generation.kept, self.specification
-        pace = Pace(kept + rows_of(specification, set(missing)), kept, self.progress)
+        total = kept + rows_of(specification, set(missing))
+        told = BatchProgress(total, self.progress, done=kept)
         jobs = [job_of(self.folder, specification, self.backend, number) for number in missing]
+        begun = time.perf_counter()
         try:
-            answers = self.executor.answers(
-                make_shard, jobs, lambda share: pace.show(share * specification.shard_size)
-            )
-            pace.show()
+            under_way = told.jumps(specification.shard_size)
+            answers = self.executor.answers(make_shard, jobs, under_way)
+            told.show()
             for entry in answers:
-                pace.made += entry["rows"]
-                pace.show()
+                self.generation.made += entry["rows"]
+                told.finish(entry["rows"])
+                told.show()
         finally:
-            self.generation.made += pace.made
-            self.generation.seconds += pace.seconds
-
-
-class Pace:
-    """Counts designs and tells a progress bar: how many, how fast, how long still."""
-
-    def __init__(self, count: int, kept: int, tell: Progress):
-        self.count, self.kept, self._tell = count, kept, tell
-        self.made = 0
-        self._begun = time.perf_counter()
-
-    @property
-    def seconds(self) -> float:
-        """Since it began."""
-        return time.perf_counter() - self._begun
-
-    def show(self, under_way: float = 0.0) -> None:
-        """Tell, with so many designs done of the shard under way."""
-        made = self.made + under_way
-        rate = made / max(self.seconds, 1e-9)
-        left = self.count - self.kept - made
-        text = f"{int(self.kept + made)} of {self.count} jumps"
-        if made > 0:
-            text += f", {rate:.3g}/s, {duration(left / rate)} left"
-        self._tell((self.kept + made) / self.count, text)
+            self.generation.seconds += time.perf_counter() - begun

@@ -66,7 +66,7 @@ class Dataset:
 
 
 def checked_columns(columns: Sequence[str] | None, there: Collection[str]) -> list[str]:
-    """Those that are chosen of the columns that are there, None for all. Raises ParameterError."""
+    """The columns to read, None for all. Raises ParameterError for one that is not there."""
     chosen = list(there if columns is None else columns)
     for name in chosen:
         if name not in there:

@@ -76,7 +76,7 @@ def read_entry(
 
 
 def damage(shard: Path, entry: Entry) -> str:
-    """What is wrong with the file of a shard; empty if it is what was written."""
+    """The damage of a shard's file in words; empty if it is what was written."""
     if not shard.exists():
         return f"{shard.name} is missing"
     size = shard.stat().st_size

@@ -12,7 +12,7 @@ from snapjump.composition import Simulation
 from snapjump.dataset.columns import APEX, Rows, slope_columns
 from snapjump.dataset.specification import Specification
 from snapjump.declare.inputs import with_inputs
-from snapjump.executor.base import Progress
+from snapjump.declare.scenes import Progress
 from snapjump.plan.parts.axes import Axis
 from snapjump.scenes.frame_body import compression
 from snapjump.statics.threshold_curve import ThresholdCurve
@@ -38,7 +38,7 @@ class Simulator:
             designs,
             inputs=[axis.path for axis in self.specification.axes],
             curve=self.curve,
-            progress=None if progress is None else lambda share, text: progress(share),
+            progress=progress,
             lanes=1 if isinstance(base.backend, ScalarBackend) else None,
             sensitivities=self.specification.sensitivities,
         )

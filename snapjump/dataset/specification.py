@@ -1,4 +1,4 @@
-"""Everything that determines a dataset's numbers, in plain JSON; and back to what computes them."""
+"""The specification of a dataset: all that determines its numbers, to plain JSON and back."""
 
 import json
 from collections.abc import Mapping
@@ -41,7 +41,6 @@ class Specification:
 
     @property
     def sensitivities(self) -> bool:
-        """Whether rows have the derivatives of their apexes."""
         return bool(self.plain["sensitivities"])
 
     @property

@@ -1,4 +1,4 @@
-"""What a dataset looks like, gathered shard by shard: memory is that of one shard and some bins."""
+"""Statistics of a dataset, gathered shard by shard: memory is that of one shard and some bins."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -13,14 +13,14 @@ from snapjump.dataset.shard import Entry, write_shard
 from snapjump.dataset.simulate import Simulator
 from snapjump.dataset.specification import Specification, restored
 from snapjump.declare.plugins import load_plugins
-from snapjump.executor.base import Progress
+from snapjump.declare.scenes import Progress
 from snapjump.files.sources import PLUGINS
 
 
 def job_of(
     folder: DatasetFolder, specification: Specification, backend: Mapping[str, Any], number: int
 ) -> dict[str, Any]:
-    """All that another process needs to make a shard, in plain JSON."""
+    """A job that makes a shard in another process, in plain JSON."""
     return {
         "folder": str(folder.path),
         "specification": dict(specification.plain),
@@ -52,5 +52,5 @@ def make_shard(job: Mapping[str, Any], progress: Progress | None) -> Entry:
 
 @functools.lru_cache(maxsize=1)
 def prepared(specification: str, backend: str) -> Simulator:
-    """What all shards of a dataset share, kept from one to the next."""
+    """The simulator that all shards of a dataset share, kept from one to the next."""
     return Simulator(restored(json.loads(specification), json.loads(backend)))

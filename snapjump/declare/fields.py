@@ -7,21 +7,9 @@ range), before any work. What a field may be stands in its ``metadata["allowed"]
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, dataclass, field, fields, replace
-from importlib import import_module
-from pathlib import Path
-from typing import (
-    Any,
-    ClassVar,
-    NamedTuple,
-    Self,
-    TypedDict,
-    Unpack,
-    dataclass_transform,
-)
+from typing import Any, ClassVar, NamedTuple, Self, TypedDict, Unpack, dataclass_transform
 
 from snapjump.checks import ParameterError, check_group, check_integer, check_number
-from snapjump.declare.plugins import load_plugins
-from snapjump.files.sources import PLUGINS
 
 
 class Number(NamedTuple):
@@ -34,7 +22,6 @@ class Number(NamedTuple):
     words: tuple[str, ...] = ()
 
     def check(self, key: str, value: Any) -> None:
-        """Raises ParameterError."""
         if self.words and isinstance(value, str):
             if value not in self.words:
                 allowed = f"a number ({self.unit}), or one of {', '.join(self.words)}"
@@ -50,7 +37,6 @@ class Integer(NamedTuple):
     high: int
 
     def check(self, key: str, value: Any) -> None:
-        """Raises ParameterError."""
         check_integer(key, value, self.low, self.high)
 
 
@@ -60,7 +46,6 @@ class Choice(NamedTuple):
     words: tuple[str | int, ...]
 
     def check(self, key: str, value: Any) -> None:
-        """Raises ParameterError."""
         if type(value) is not type(self.words[0]) or value not in self.words:
             raise ParameterError(key, value, "one of " + ", ".join(map(str, self.words)))
 
@@ -69,13 +54,12 @@ class Flag(NamedTuple):
     """True or false."""
 
     def check(self, key: str, value: Any) -> None:
-        """Raises ParameterError."""
         if not isinstance(value, bool):
             raise ParameterError(key, value, "true or false")
 
 
 class About(TypedDict, total=False):
-    """What plans, plots and reports need to know of a number beside unit, range and meaning.
+    """Attributes of a number for plans, plots and reports, beside unit, range and meaning.
 
     ``symbol`` as in formulas; ``plan``: low and high of a dataset; ``kind``: of whom it is, one of
     control, environment, property; ``column``: its name in files, where that is not the field's.
@@ -131,7 +115,7 @@ def required(function: Any) -> Any:
 
 
 class Need(NamedTuple):
-    """What a member asks of another family's: an attribute of its class that is true, and why."""
+    """A capability that a member needs of another family's, and why: an attribute that is true."""
 
     family: str
     capability: str
@@ -140,7 +124,7 @@ class Need(NamedTuple):
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 class Part:
-    """What a user chooses and sets of one group; subclasses are frozen dataclasses.
+    """Options of one group, checked; subclasses are frozen dataclasses.
 
     ``given``: names of the fields that were set, and not left to their defaults.
     ``differentiable``: whether sensitivities know the member.
@@ -161,11 +145,6 @@ class Part:
         object.__setattr__(part, "given", frozenset((*names[: len(values)], *named)))
         return part
 
-    def __reduce__(self) -> Any:
-        """Another process may not know the member yet: it loads the plug-in first."""
-        cls = type(self)
-        return revived, (list(PLUGINS), cls.__module__, cls.__qualname__, self.__dict__)
-
     @property
     def name(self) -> str:
         """The member's name in its family: that of its file."""
@@ -175,13 +154,13 @@ class Part:
         """Raises ParameterError for a simulation whose other parts do not suit this one."""
 
     def changed(self, **values: Any) -> Self:
-        """The same with other values of some fields, which are given. Raises ParameterError."""
+        """A copy with other values of some fields, which are given. Raises ParameterError."""
         part = replace(self, **values)  # type: ignore[type-var]
         object.__setattr__(part, "given", self.given | frozenset(values))
         return part
 
     def with_defaults(self, values: Mapping[str, Any]) -> Self:
-        """The same with other values of fields that were not given. Raises ParameterError."""
+        """A copy with other values of fields that were not given. Raises ParameterError."""
         names = [declared.name for declared in fields(self)]  # type: ignore[arg-type]
         other = {k: v for k, v in values.items() if k in names and k not in self.given}
         if not other:
@@ -195,16 +174,6 @@ class Part:
             value, allowed = getattr(self, declared.name), declared.metadata.get("allowed")
             if allowed is not None and not (value is None and declared.default is None):
                 allowed.check(f"{self.group}.{declared.name}", value)
-
-
-def revived(plugins: list[Path], module: str, name: str, state: dict[str, Any]) -> Any:
-    """A part from its pickle. Raises ParameterError where a plug-in's folder is not there."""
-    for folder in plugins:
-        load_plugins(folder)
-    cls = getattr(import_module(module), name)
-    part = cls.__new__(cls)
-    part.__dict__.update(state)
-    return part
 
 
 def settings(part: Any) -> list[str]:

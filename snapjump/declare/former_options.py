@@ -13,7 +13,7 @@ from snapjump.checks import ParameterError
 
 
 class Former(NamedTuple):
-    """What a key is called now (empty: it is gone), in words, and its value there."""
+    """The present path of a former key (empty: it is gone), in words, and its value there."""
 
     path: str
     words: str

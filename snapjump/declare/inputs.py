@@ -4,7 +4,6 @@ An input is a field that :func:`snapjump.declare.fields.number` declares; nothin
 time. Numerical settings (mesh, tolerance, steps) are none.
 """
 
-from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any, TypeVar
@@ -84,19 +83,18 @@ def input_at(parts: Mapping[str, Any] | Any, path: str, key: str = "inputs") -> 
 
 def column_names(inputs: Sequence[Input]) -> list[str]:
     """Their names in files: the whole path where two would be called alike."""
-    uses = Counter(one.column for one in inputs)
-    return [one.column if uses[one.column] == 1 else flat(one.path) for one in inputs]
+    return _distinct(inputs, [one.column for one in inputs])
 
 
 def slope_names(inputs: Sequence[Input]) -> list[str]:
-    """What derivatives by them are called after: the last word of the path, if it is enough."""
-    uses = Counter(one.name for one in inputs)
-    return [one.name if uses[one.name] == 1 else flat(one.path) for one in inputs]
+    """Names of inputs in those of derivatives: the last word of the path, if it is enough."""
+    return _distinct(inputs, [one.name for one in inputs])
 
 
-def flat(path: str) -> str:
-    """A path as one word."""
-    return path.replace(".", "_")
+def _distinct(inputs: Sequence[Input], names: Sequence[str]) -> list[str]:
+    """The names, the whole path as one word where two are alike."""
+    paths = [one.path.replace(".", "_") for one in inputs]
+    return [n if names.count(n) == 1 else p for n, p in zip(names, paths, strict=True)]
 
 
 def value_at(simulation: Any, path: str) -> Any:

@@ -64,7 +64,7 @@ def known_of(statuses: tuple[str, ...], read: Callable[[Any], Any]) -> Callable[
 
 
 class Outputs:
-    """What simulations of a scene came to; a figure has an item for each of them, or is one."""
+    """Outputs of simulations of a scene; a figure has an item for each of them, or is one."""
 
     def statuses(self) -> list[str]:
         """How each of them ended."""

@@ -5,9 +5,11 @@ line reads), and becomes a part of it: a member ``contact/cone.py`` is ``snapjum
 found by its file as ours are. Its files are sources: they are in every hash of these.
 """
 
+import copyreg
 import importlib
 import os
 import sys
+from collections.abc import Sequence
 from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
@@ -16,6 +18,8 @@ from typing import Any
 import yaml
 
 from snapjump.checks import ParameterError
+from snapjump.declare import families
+from snapjump.declare.fields import Part, settings
 from snapjump.files import sources
 from snapjump.tiers import TIERS
 
@@ -64,6 +68,12 @@ def load_plugins(folder: str | Path) -> None:
     os.environ[VARIABLE] = os.pathsep.join(map(str, sources.PLUGINS))
 
 
+def load_all(folders: str | Sequence[str] | None) -> None:
+    """Load the plug-ins of a value of the key ``plugins``. Raises ParameterError."""
+    for folder in [folders] if isinstance(folders, str) else folders or ():
+        load_plugins(folder)
+
+
 def load_installed() -> None:
     """Load, once, what installed packages offer and what the process that started this one had."""
     if _looked:
@@ -80,7 +90,7 @@ def load_installed() -> None:
 def members_in(group: Path) -> list[Path]:
     """The files of members in a folder: Python, and tableaux of Runge-Kutta methods."""
     files_there = sorted(set(group.glob("*.py")) - {group / "__init__.py"})
-    if _is_family(group) and hasattr(_package(group), "NUMBERS_ALONE"):
+    if _is_family(group) and families.numbers_alone(group.name):
         known = {file.stem for file in files_there}
         files_there += [file for file in sorted(group.glob("*.yaml")) if file.stem not in known]
     return files_there
@@ -96,9 +106,8 @@ def _package(group: Path) -> Any:
 
 def _hash(place: Path) -> str:
     sources.forget(place)
-    return sources.combined_hash(
-        source for source in sources.plugin_files() if place in source.path.parents
-    )
+    own = (source for source in sources.plugin_files() if place in source.path.parents)
+    return sources.combined_hash(own)
 
 
 def _check_unchanged(place: Path) -> None:
@@ -116,37 +125,50 @@ def _refresh_kernels() -> None:
 
 def _check_group(group: Path) -> None:
     """Require a family, and names that no member has."""
-    from snapjump.declare.members import BASE, files_of
-
     if not _is_family(group):
         raise ParameterError("plugins", str(group), "a folder named like a group of conf/")
+    taken = (*families.files_in(group.name), families.BASE, "parts")
     for file in members_in(group):
-        if file.stem in (*files_of(group.name), BASE, "parts") or not file.stem.isidentifier():
+        if file.stem in taken or not file.stem.isidentifier():
             raise ParameterError("plugins", str(file), f"a name that no {group.name} has yet")
 
 
 def _check_member(file: Path) -> None:
     """Require a class of options that is complete, and a YAML with its fields and defaults."""
-    from snapjump.declare.fields import settings
-    from snapjump.declare.members import class_in, member_class
-
+    family, name = file.parent.name, file.stem
     try:
         if file.suffix == ".yaml":
-            member_class(file.parent.name, file.stem)()
+            families.of_numbers(family, name, families.numbers_in(file))
             return
-        cls = class_in(file.parent.name, file.stem)
+        cls = families.class_in(family, name)
     except ParameterError as error:
         raise ParameterError("plugins", str(file), error.allowed) from error
     except Exception as error:
         reason = " ".join(f"{type(error).__name__}: {error}".split())
-        raise ParameterError(
-            "plugins", str(file), f"a file that Python imports ({reason})"
-        ) from error
+        allowed = f"a file that Python imports ({reason})"
+        raise ParameterError("plugins", str(file), allowed) from error
+    copyreg.pickle(cls, _reduced)
     settings_file = file.with_suffix(".yaml")
     if settings_file.exists():
         part = cls()
-        expected = {"name": file.stem, **{key: getattr(part, key) for key in settings(part)}}
-        _check_yaml(settings_file, expected, file.parent.name)
+        expected = {"name": name, **{key: getattr(part, key) for key in settings(part)}}
+        _check_yaml(settings_file, expected, family)
+
+
+def _reduced(part: Part) -> Any:
+    """How a part is pickled: another process may not know its member yet, and loads it first."""
+    return _revived, (list(sources.PLUGINS), type(part).__module__, type(part).__qualname__,
+                      part.__dict__)  # fmt: skip
+
+
+def _revived(plugins: list[Path], module: str, name: str, state: dict[str, Any]) -> Any:
+    """A part from its pickle. Raises ParameterError where a plug-in's folder is not there."""
+    for folder in plugins:
+        load_plugins(folder)
+    cls = getattr(importlib.import_module(module), name)
+    part = cls.__new__(cls)
+    part.__dict__.update(state)
+    return part
 
 
 def _check_yaml(file: Path, expected: dict[str, Any], group: str) -> None:

@@ -24,7 +24,16 @@ HALF_BANDWIDTH = 5
 NODES_COUPLED = 2  # a node couples to that many on either side, to one if nodes turn
 # Rotary inertia of a node over its mass, in the unit of its third coordinate: two rigid half
 # elements of l/2 turn about the node with 2 l^3/24, in theta, and a free end has half of both.
-TURN_INERTIA = 1.0 / 12.0
+ROTARY_INERTIA = 1.0 / 12.0
+
+
+class NodeMotion(NamedTuple):
+    """Positions of a chain's nodes within a stage of an integrator, of which velocities are
+    ``(position - predictor) rate_factor``."""
+
+    position: Any
+    predictor: Any
+    rate_factor: Any
 
 
 class EndTangents(NamedTuple):
@@ -59,41 +68,33 @@ class EndHinge(NamedTuple):
 class Discretization(Contract):
     """Discretizations of the beam: the contract that every one fulfils."""
 
-    @required
     def has_elements(self) -> Any:
         """Whether there is a beam at all (False for loose nodes)."""
+        return True
 
     @required
     def axial_stiffness(self) -> Any:
         """EA over an element's length (EI/L^3), the largest stiffness of all: so many times the
         last bit of a coordinate is what rounding leaves of a residual. 0 for loose nodes."""
 
-    @required
     def node_dofs(self) -> Any:
         """Coordinates of a node, a constant while compiling: 2 (x, y) or 3 (x, y, l theta)."""
+        return 2
 
-    @required
-    def turn_length(self) -> Any:
+    def rotation_length(self) -> Any:
         """The length l (in L) of a node's third coordinate l theta; 0 where nodes do not turn."""
+        return 0.0
 
-    @required
     def clamp_distance(self) -> Any:
         """Distance from the mount, along the clamped tangent, at which the chain begins (in L)."""
+        return 0.0
 
     @required
-    def begin_chain(
-        self,
-        damping: Any,
-        position: Any,
-        origin: Any,
-        rate_factor: Any,
-        tangents: Any,
-    ) -> Any:
+    def begin_chain(self, damping: Any, nodes: NodeMotion, tangents: Any) -> Any:
         """Begin a sweep along the chain; returns what it carries and the left :class:`EndHinge`
         (empty where nodes turn: a clamp then holds the node's rotation itself).
 
         The sweep adds gradient and tangent of the elastic (and viscous) energy, node by node.
-        Velocities are ``(position - origin) * rate_factor``, as in every stage of an integrator.
         What it carries has a number ``largest``: the largest element force so far, a scale for
         residuals.
         """
@@ -102,9 +103,7 @@ class Discretization(Contract):
     def add_node_forces(
         self,
         damping: Any,
-        position: Any,
-        origin: Any,
-        rate_factor: Any,
+        nodes: NodeMotion,
         tangents: Any,
         chain: Any,
         node: Any,

@@ -17,7 +17,8 @@ from snapjump.discretization.parts.beam_elements import (
     Straining,
 )
 from snapjump.number.dispatch import kernel
-from snapjump.number.functions import arctan, cos, fma, sin, sqrt
+from snapjump.number.functions import fma, sqrt
+from snapjump.number.trigonometry import arctan, cos, sin
 from snapjump.robot.robot import Robot
 
 

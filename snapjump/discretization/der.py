@@ -17,6 +17,7 @@ from snapjump.discretization.base import (
     Discretization,
     DiscretizationOptions,
     EndHinge,
+    NodeMotion,
 )
 from snapjump.discretization.parts.der_elements import (
     Block,
@@ -26,34 +27,20 @@ from snapjump.discretization.parts.der_elements import (
     edge_at,
     edge_block,
     edge_force,
+    held_end,
     hinge_block,
     hinge_coupling,
     hinge_energy,
     hinge_moment,
     hinge_power,
+    moving_edge,
     put_columns,
+    put_last_node,
     stretching_energy,
 )
-from snapjump.discretization.parts.edge import Edge, half_angle_tangent, make_edge
-from snapjump.number.dispatch import kernel
+from snapjump.discretization.parts.edge import half_angle_tangent, make_edge
 from snapjump.number.functions import absolute, maximum
 from snapjump.robot.robot import Robot
-
-
-@kernel
-def held_end(tangents: Any, zero: Any) -> Edge:
-    """The clamp on the right as an edge that follows the last one and does not give way."""
-    return Edge(
-        zero + 1.0,
-        zero,
-        tangents.right_x + zero,
-        tangents.right_y + zero,
-        zero,
-        zero,
-        tangents.right_rate + zero,
-        zero,
-    )
-
 
 CLAMPS = ("half_element", "two_nodes")
 
@@ -78,17 +65,8 @@ class DiscreteElasticRod(DiscretizationOptions):
         clamp_hinge_length: float
         clamp_offset: float
 
-        def has_elements(self) -> bool:
-            return True
-
         def axial_stiffness(self) -> Any:
             return self.stretching_stiffness / self.element_length
-
-        def node_dofs(self) -> int:
-            return 2
-
-        def turn_length(self) -> float:
-            return 0.0
 
         def clamp_distance(self) -> Any:
             return self.clamp_offset
@@ -96,17 +74,15 @@ class DiscreteElasticRod(DiscretizationOptions):
         def begin_chain(
             self,
             damping: Any,
-            position: Any,
-            origin: Any,
-            rate_factor: Any,
+            nodes: NodeMotion,
             tangents: Any,
         ) -> Any:
-            zero = 0.0 * rate_factor
-            edge = edge_at(0, position, origin, rate_factor)
+            zero = 0.0 * nodes.rate_factor
+            edge = edge_at(0, nodes)
             t = half_angle_tangent(tangents.left_x, tangents.left_y, edge.cx, edge.cy)
             rate = edge.turn_rate - tangents.left_rate
             density = 1.0 / self.clamp_hinge_length
-            moment, stiffness = hinge_moment(damping, t, rate, density, rate_factor)
+            moment, stiffness = hinge_moment(damping, t, rate, density, nodes.rate_factor)
             left = EndHinge(moment, stiffness, edge.slope_x, edge.slope_y)
             chain = Chain(
                 edge,
@@ -123,27 +99,25 @@ class DiscreteElasticRod(DiscretizationOptions):
         def add_node_forces(
             self,
             damping: Any,
-            position: Any,
-            origin: Any,
-            rate_factor: Any,
+            nodes: NodeMotion,
             tangents: Any,
             chain: Any,
             node: Any,
             residual: Any,
             band: Any,
         ) -> Any:
-            last = position.shape[0] // 2 - 2  # the last edge
-            zero = 0.0 * rate_factor
+            last = nodes.position.shape[0] // 2 - 2  # the last edge
+            zero = 0.0 * nodes.rate_factor
             edge = chain.edge
             if node < last:
-                after = edge_at(node + 1, position, origin, rate_factor)
+                after = edge_at(node + 1, nodes)
                 density = 1.0 / self.element_length
             else:
                 after = held_end(tangents, zero)
                 density = 1.0 / self.clamp_hinge_length
             t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
             rate = after.turn_rate - edge.turn_rate
-            moment, stiffness = hinge_moment(damping, t, rate, density, rate_factor)
+            moment, stiffness = hinge_moment(damping, t, rate, density, nodes.rate_factor)
             if node == last:
                 held = 1.0 - tangents.right_free
                 moment = held * moment + tangents.right_free * tangents.right_moment
@@ -155,7 +129,7 @@ class DiscreteElasticRod(DiscretizationOptions):
             fx = force * edge.cx - sideways * edge.cy
             fy = force * edge.cy + sideways * edge.cx
             own = edge_block(
-                stretching * damping.stiffening(rate_factor),
+                stretching * damping.stiffening(nodes.rate_factor),
                 force * edge.over,
                 sideways * edge.over,
                 edge,
@@ -178,24 +152,18 @@ class DiscreteElasticRod(DiscretizationOptions):
             ), EndHinge(moment, stiffness, edge.slope_x, edge.slope_y)
 
         def end_chain(self, chain: Any, node: Any, residual: Any, band: Any) -> Any:
-            i = 2 * node
-            band[i, 0] += chain.before.xx
-            band[i, 1] = chain.before.xy
-            band[i + 1, 0] += chain.before.yy
-            for k in range(2, 6):
-                band[i, k] = 0.0
-                band[i + 1, k - 1] = 0.0
-            residual[i] += chain.force_x
-            residual[i + 1] += chain.force_y
+            end = (chain.force_x, chain.force_y)
+            put_last_node(node, chain.before, end, residual, band)
 
         def internal_energy(self, position: Any, tangents: Any) -> Any:
             elements = position.shape[0] // 2 - 1
+            still = NodeMotion(position, position, 0.0)
             ax = tangents.left_x
             ay = tangents.left_y
             hinge_length = self.clamp_hinge_length
             energy = 0.0 * position[0]
             for j in range(elements):
-                edge = edge_at(j, position, position, 0.0)
+                edge = edge_at(j, still)
                 t = half_angle_tangent(ax, ay, edge.cx, edge.cy)
                 energy = (
                     energy + stretching_energy(self, edge.length) + hinge_energy(t, hinge_length)
@@ -221,12 +189,7 @@ class DiscreteElasticRod(DiscretizationOptions):
             left_y = zero
             force = zero
             for j in range(elements):
-                after = make_edge(
-                    position[2 * j + 2] - position[2 * j],
-                    position[2 * j + 3] - position[2 * j + 1],
-                    velocity[2 * j + 2] - velocity[2 * j],
-                    velocity[2 * j + 3] - velocity[2 * j + 1],
-                )
+                after = moving_edge(j, position, velocity)
                 t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
                 bending, next_moment = hinge_power(damping, t, after.turn_rate - rate, hinge_length)
                 if j == 0:

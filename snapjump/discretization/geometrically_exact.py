@@ -14,7 +14,8 @@ from snapjump.discretization.parts.beam_elements import (
     Span,
     Straining,
 )
-from snapjump.number.functions import cos, fma, sin
+from snapjump.number.functions import fma
+from snapjump.number.trigonometry import cos, sin
 from snapjump.robot.robot import Robot
 
 SHEAR_FACTOR = 5.0 / 6.0  # of a rectangle

@@ -6,9 +6,10 @@ A = (v - drift) inertia_rate; a static equilibrium is the same with both rates 0
 
 from typing import Any, NamedTuple
 
-from snapjump.discretization.base import TURN_INERTIA
-from snapjump.frame.base import FrameForces, Turning
-from snapjump.frame.parts.point_contact import add_point_contact
+from snapjump.contact.base import Extremes
+from snapjump.discretization.base import ROTARY_INERTIA, NodeMotion
+from snapjump.engine.points import add_frame_contacts, add_node_contact
+from snapjump.frame.base import Rotations
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, maximum
 
@@ -22,17 +23,8 @@ class Motion(NamedTuple):
     anchor: Any
 
 
-class Assembly(NamedTuple):
-    """Largest force in play (EI/L^2), smallest gap (L), and the square of the fastest contact
-    frequency sqrt(k/m) (1/T)."""
-
-    largest_force: Any
-    smallest_gap: Any
-    contact_rate_squared: Any
-
-
 class Sweep(NamedTuple):
-    """An assembly under way, node by node: what it needs at every node, and its figures so far.
+    """An assembly under way, node by node: what it needs at every node, and its extremes so far.
 
     tangents: of the clamps; chain: what the beam's sweep carries; left, right: its end hinges.
     """
@@ -41,15 +33,25 @@ class Sweep(NamedTuple):
     chain: Any
     left: Any
     right: Any
-    figures: Assembly
+    extremes: Extremes
 
 
 @kernel
-def clear_border(system: Any, dofs: Any, node: Any, width: Any, zero: Any) -> None:
+def with_force(extremes: Extremes, force: Any) -> Extremes:
+    """The extremes with one more force."""
+    return Extremes(
+        maximum(extremes.largest_force, force),
+        extremes.smallest_gap,
+        extremes.contact_rate_squared,
+    )
+
+
+@kernel
+def clear_border(work: Any, dofs: Any, node: Any, width: Any, zero: Any) -> None:
     """Zero the mounts' rows in the columns of a node of ``dofs`` coordinates."""
     for k in range(width):
         for i in range(dofs):
-            system.border[dofs * node + i, k] = zero
+            work.border[dofs * node + i, k] = zero
 
 
 @kernel
@@ -58,67 +60,54 @@ def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any) -> Any:
     rate = motion.rate_factor
     drag = model.damping.drag()
     diagonal = mass * ((motion.inertia_rate + drag) * rate)
-    band = work.system.band
-    residual = work.system.residual
+    band = work.band
+    residual = work.residual
     row = model.discretization.node_dofs() * node
     i = row + model.frame.dofs(work.mesh)
-    vx = (work.state[i] - work.origin[i]) * rate
-    vy = (work.state[i + 1] - work.origin[i + 1]) * rate
-    ax = (vx - work.drift[i]) * motion.inertia_rate
-    ay = (vy - work.drift[i + 1]) * motion.inertia_rate
+    vx = (work.state[i] - work.position_predictor[i]) * rate
+    vy = (work.state[i + 1] - work.position_predictor[i + 1]) * rate
+    ax = (vx - work.velocity_predictor[i]) * motion.inertia_rate
+    ay = (vy - work.velocity_predictor[i + 1]) * motion.inertia_rate
     residual[row] = mass * (ax + drag * vx - model.load.pull())
     residual[row + 1] = mass * (ay + drag * vy + model.load.gravity())
     band[row, 0] = diagonal
     band[row + 1, 0] = diagonal
     if model.discretization.node_dofs() == 3:
-        turn_rate = (work.state[i + 2] - work.origin[i + 2]) * rate
-        spin = (turn_rate - work.drift[i + 2]) * motion.inertia_rate
-        residual[row + 2] = TURN_INERTIA * mass * (spin + drag * turn_rate)
-        band[row + 2, 0] = TURN_INERTIA * diagonal
+        turn_rate = (work.state[i + 2] - work.position_predictor[i + 2]) * rate
+        spin = (turn_rate - work.velocity_predictor[i + 2]) * motion.inertia_rate
+        residual[row + 2] = ROTARY_INERTIA * mass * (spin + drag * turn_rate)
+        band[row + 2, 0] = ROTARY_INERTIA * diagonal
     return mass * (absolute(ax) + absolute(ay))
 
 
 @kernel
-def add_node_contact(
-    model: Any, motion: Any, mass: Any, node: Any, work: Any, figures: Assembly
-) -> Assembly:
-    """Add contact and friction of a free node; returns the figures with its own."""
-    row = model.discretization.node_dofs() * node
-    touch = add_point_contact(
-        model,
-        motion,
-        work,
-        mass,
-        model.ground.node_share,
-        row + model.frame.dofs(work.mesh),
-        row,
-        node + model.frame.contact_points(work.mesh),
-        work.system.residual,
-        work.system.band,
-        FrameForces(figures.largest_force, figures.smallest_gap, figures.contact_rate_squared),
-    )
-    return Assembly(touch.largest_force, touch.smallest_gap, touch.contact_rate_squared)
+def chain_motion(model: Any, motion: Any, work: Any) -> NodeMotion:
+    """The beam's nodes at the current iterate."""
+    dofs = model.frame.dofs(work.mesh)
+    return NodeMotion(work.state[dofs:], work.position_predictor[dofs:], motion.rate_factor)
 
 
 @kernel
-def begin_assembly(model: Any, motion: Any, work: Any) -> Sweep:
+def begin_assembly(model: Any, motion: Any, masses: Any, work: Any) -> Sweep:
     """Start a sweep over the nodes: the frame's own forces, the clamps, the first edge."""
     mesh = work.mesh
-    dofs = model.frame.dofs(mesh)
-    now = model.frame.mount_turning(mesh, work.state, work.state)
-    before = model.frame.mount_turning(mesh, work.state, work.origin)
-    turning = Turning(
+    now = model.frame.mount_rotations(mesh, work.state, work.state)
+    before = model.frame.mount_rotations(mesh, work.state, work.position_predictor)
+    rotations = Rotations(
         (now.left - before.left) * motion.rate_factor,
         (now.right - before.right) * motion.rate_factor,
     )
-    frame = model.frame.add_forces(model, motion, work)
+    zero = 0.0 * motion.rate_factor
+    inertial = model.frame.add_inertia(model, motion, work)
+    extremes = Extremes(inertial, zero + 1.0e30, zero)
+    if model.contact.exists():
+        extremes = add_frame_contacts(model, motion, masses, work, extremes)
+    elastic = model.frame.add_elasticity(model, motion, work)
     angles = model.clamp.angles(motion.time)
-    tangents = model.frame.end_tangents(mesh, model.load, angles, work.state, turning)
-    chain, left = model.discretization.begin_chain(
-        model.damping, work.state[dofs:], work.origin[dofs:], motion.rate_factor, tangents
-    )
-    figures = Assembly(frame.largest_force, frame.smallest_gap, frame.contact_rate_squared)
-    return Sweep(tangents, chain, left, left, figures)
+    tangents = model.frame.end_tangents(mesh, model.load, angles, work.state, rotations)
+    nodes = chain_motion(model, motion, work)
+    chain, left = model.discretization.begin_chain(model.damping, nodes, tangents)
+    return Sweep(tangents, chain, left, left, with_force(extremes, elastic))
 
 
 @kernel
@@ -129,74 +118,56 @@ def assemble_node(
 
     The border of a node is complete when the next two nodes have been assembled.
     """
-    system = work.system
-    mesh = work.mesh
-    dofs = model.frame.dofs(mesh)
     width = model.frame.border_width()
     per_node = model.discretization.node_dofs()
     last = masses.shape[0] - 1
     mass = masses[node]
-    figures = sweep.figures
+    extremes = sweep.extremes
     chain = sweep.chain
     right = sweep.right
     inertial = begin_node(model, motion, mass, node, work)
-    figures = Assembly(
-        maximum(figures.largest_force, inertial),
-        figures.smallest_gap,
-        figures.contact_rate_squared,
-    )
+    extremes = with_force(extremes, inertial)
     if model.contact.exists():
         if mass > 0.0:
-            figures = add_node_contact(model, motion, mass, node, work, figures)
+            extremes = add_node_contact(model, motion, mass, node, work, extremes)
     if width > 0:
-        clear_border(system, per_node, node, width, 0.0 * motion.rate_factor)
+        clear_border(work, per_node, node, width, 0.0 * motion.rate_factor)
     if node < last:
         chain, right = model.discretization.add_node_forces(
             model.damping,
-            work.state[dofs:],
-            work.origin[dofs:],
-            motion.rate_factor,
+            chain_motion(model, motion, work),
             sweep.tangents,
             chain,
             node,
-            system.residual,
-            system.band,
+            work.residual,
+            work.band,
         )
     else:
-        model.discretization.end_chain(chain, node, system.residual, system.band)
+        model.discretization.end_chain(chain, node, work.residual, work.band)
         force_x, force_y, moment = model.load.tip_load()
         row = per_node * node
-        system.residual[row] -= force_x
-        system.residual[row + 1] -= force_y
+        work.residual[row] -= force_x
+        work.residual[row + 1] -= force_y
         if per_node == 3:
-            system.residual[row + 2] -= moment / model.discretization.turn_length()
+            work.residual[row + 2] -= moment / model.discretization.rotation_length()
     if model.discretization.has_elements():
         if node == 2:
-            model.frame.condense_first(
-                mesh, sweep.tangents, model.discretization, sweep.left, work.state, system
-            )
+            model.frame.condense_first(model, work, sweep.tangents, sweep.left)
         if node == last:
-            model.frame.condense_last(
-                mesh, sweep.tangents, model.discretization, right, work.state, system
-            )
-    return Sweep(sweep.tangents, chain, sweep.left, right, figures)
+            model.frame.condense_last(model, work, sweep.tangents, right)
+    return Sweep(sweep.tangents, chain, sweep.left, right, extremes)
 
 
 @kernel
-def end_assembly(sweep: Sweep) -> Assembly:
-    """The figures of a finished sweep."""
-    figures = sweep.figures
-    return Assembly(
-        maximum(figures.largest_force, sweep.chain.largest),
-        figures.smallest_gap,
-        figures.contact_rate_squared,
-    )
+def end_assembly(sweep: Sweep) -> Extremes:
+    """The extremes of a finished sweep."""
+    return with_force(sweep.extremes, sweep.chain.largest)
 
 
 @kernel
-def assemble(model: Any, motion: Any, masses: Any, work: Any) -> Assembly:
+def assemble(model: Any, motion: Any, masses: Any, work: Any) -> Extremes:
     """Fill the linear system at the current state; ``masses`` is zero at slave nodes."""
-    sweep = begin_assembly(model, motion, work)
+    sweep = begin_assembly(model, motion, masses, work)
     for node in range(masses.shape[0]):
         sweep = assemble_node(model, motion, masses, work, node, sweep)
     return end_assembly(sweep)

@@ -1,4 +1,4 @@
-"""Scalars that every lane carries through a march: rows of ``Work.clock``."""
+"""Scalars that every lane carries through a march: rows of a memory's ``clock``."""
 
 TIME = 0  # at the step's beginning (T)
 STEP = 1  # its size h (T)

@@ -1,19 +1,19 @@
 """Derivatives of the quasi-static start: of its equilibrium, velocity and acceleration."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from snapjump.engine.assemble import Motion
-from snapjump.engine.differentiate import correct, hold_ends, shadow_model, write_sides
-from snapjump.engine.equilibrium import settle
+from snapjump.engine.differentiate import correct, hold_ends, tangent_model, write_sides
+from snapjump.engine.equilibrium import solve_equilibrium
 from snapjump.engine.model import with_numbers
 from snapjump.engine.newton import solve_linearised
-from snapjump.engine.shadow import view_shadow
 from snapjump.engine.start import DIFFERENCE_RAD, stay_in_place, with_angles
 from snapjump.engine.status import RUNNING
-from snapjump.engine.view import view_work
-from snapjump.linear_solver.more_sides import FOUR, solve_more_sides
+from snapjump.engine.tangent import view_tangent
+from snapjump.engine.view import view_memory, view_work
+from snapjump.linear_solver.right_hand_sides import FOUR, solve_right_hand_sides
 from snapjump.number.array import uncounted
 from snapjump.number.dispatch import released, routine
 from snapjump.number.dual import PARAMETERS, constant, dual, slopes_of
@@ -26,30 +26,39 @@ MOST_CORRECTIONS = 30
 SMALL = 1e-13  # correction (L by a parameter) after which there is no need of another
 
 
+class StartSlopes(NamedTuple):
+    """Derivatives by four parameters, of R robots: numbers (R, P, 4), of the models; starts
+    (R, 3, D, 4), to be filled with those of state, velocity and acceleration."""
+
+    numbers: Any
+    starts: Any
+
+
 @routine
 def differentiate_equilibrium(
-    model: Any, twin_model: Any, masses: Any, memory: Any, shadow: Any, chosen: Any, time: float
+    model: Any, twin_model: Any, masses: Any, memory: Any, tangent: Any, chosen: Any, time: float
 ) -> None:
-    """Slopes of the equilibrium near ``memory.state`` at a time, into the shadow's state."""
+    """Slopes of the equilibrium near ``memory.state`` at a time, into the tangent's state."""
     work = view_work(memory, (0,))
-    settle(model, masses, work, time)
+    store = view_memory(memory)
+    solve_equilibrium(model, masses, work, time)
     zero = 0.0 * time
     solve_linearised(model, Motion(time, zero, zero, zero + WEAK_ANCHOR), masses, work)
-    twin = view_shadow(shadow, 0, memory.mesh)
+    twin = view_tangent(tangent, 0)
     for i in range(twin.state.shape[0]):
-        twin.state[i] = constant(memory.state[i, 0])
-        twin.origin[i] = constant(memory.state[i, 0])
+        twin.state[i] = constant(store.state[i, 0])
+        twin.position_predictor[i] = constant(store.state[i, 0])
     hold_ends(twin_model, time, twin)
     still = Motion(time, 0.0, 0.0, WEAK_ANCHOR)
-    turning = model.discretization.node_dofs() == 3
+    rotations = model.discretization.node_dofs() == 3
     for _ in range(MOST_CORRECTIONS):
-        write_sides(twin_model, still, masses, memory, shadow, 0)
-        solve_more_sides(memory.system, shadow.slopes, shadow.frame_slopes, chosen, 1, turning)
-        correct(twin_model, time, memory, shadow, 0)
+        write_sides(twin_model, still, masses, store, tangent, 0)
+        solve_right_hand_sides(store, tangent.slopes, tangent.frame_slopes, chosen, 1, rotations)
+        correct(twin_model, time, store, tangent, 0)
         largest = 0.0
-        for i in range(shadow.slopes.shape[1]):
+        for i in range(tangent.slopes.shape[1]):
             for k in range(PARAMETERS):
-                largest = max(largest, abs(shadow.slopes[0, i, k]))
+                largest = max(largest, abs(tangent.slopes[0, i, k]))
         if largest < SMALL:
             break
 
@@ -57,9 +66,10 @@ def differentiate_equilibrium(
 @routine
 def guess_at(memory: Any, queue: Any, robot: int, time: float) -> None:
     """Put the state of a robot's branch at a time, by its tangent and curvature, into memory."""
-    for i in range(memory.state.shape[0]):
+    state = view_memory(memory).state
+    for i in range(state.shape[0]):
         bend = 0.5 * time * queue.acceleration[robot, i]
-        memory.state[i, 0] = queue.state[robot, i] + time * (queue.velocity[robot, i] + bend)
+        state[i, 0] = queue.state[robot, i] + time * (queue.velocity[robot, i] + bend)
 
 
 @released
@@ -67,54 +77,52 @@ def differentiate_starts(
     template: Any,
     masses: Any,
     memory: Any,
-    shadow: Any,
+    tangent: Any,
     queue: Any,
-    numbers: Any,
-    starts: Any,
+    slopes: StartSlopes,
     first: int,
     last: int,
 ) -> None:
     """Slopes of the starts of robots ``first`` to ``last`` - 1, which have been found already.
 
-    ``memory``, ``shadow``: of one lane; numbers (R, P, 4): slopes of the models' numbers; starts
-    (R, 3, D, 4): filled with those of state, velocity and acceleration.
+    ``memory``, ``tangent``: of one lane.
     """
     chosen = np.zeros(1, dtype=np.int64)
     masses = uncounted(masses)
     memory = uncounted(memory)
-    shadow = uncounted(shadow)
+    tangent = uncounted(tangent)
     work = view_work(memory, (0,))
-    twin = view_shadow(shadow, 0, memory.mesh)
+    twin = view_tangent(tangent, 0)
     for robot in range(first, last):
         if queue.status[robot] != RUNNING:
             continue
-        given = view_numbers(numbers[robot], FOUR)
-        for k in range(memory.numbers.shape[0]):
-            memory.numbers[k, 0] = queue.numbers[robot, k]
+        given = view_numbers(slopes.numbers[robot], FOUR)
+        for k in range(work.numbers.shape[0]):
+            work.numbers[k] = queue.numbers[robot, k]
             twin.numbers[k] = dual(queue.numbers[robot, k], given[k])
         moving = with_numbers(template, work.numbers)
         model = with_angles(moving, moving.clamp.start, moving.clamp.delta_alpha)
-        shadowed = shadow_model(template, shadow, 0)
-        twin_start = shadowed.clamp.start
-        lag = shadowed.clamp.delta_alpha
-        twin_model = with_angles(shadowed, twin_start, lag)
+        dual_model = tangent_model(template, tangent, 0)
+        twin_start = dual_model.clamp.start
+        delta_alpha = dual_model.clamp.delta_alpha
+        twin_model = with_angles(dual_model, twin_start, delta_alpha)
         difference = DIFFERENCE_RAD / moving.clamp.rate
         # Faster clamps pass the same angles on both sides, only sooner.
-        passing = DIFFERENCE_RAD / shadowed.clamp.rate
-        sooner = difference * (shadowed.clamp.rate - moving.clamp.rate)
-        earlier = with_angles(shadowed, twin_start + sooner, lag)
-        later = with_angles(shadowed, twin_start - sooner, lag)
+        passing = DIFFERENCE_RAD / dual_model.clamp.rate
+        sooner = difference * (dual_model.clamp.rate - moving.clamp.rate)
+        earlier = with_angles(dual_model, twin_start + sooner, delta_alpha)
+        later = with_angles(dual_model, twin_start - sooner, delta_alpha)
 
         guess_at(memory, queue, robot, 0.0)
-        differentiate_equilibrium(model, twin_model, masses, memory, shadow, chosen, 0.0)
+        differentiate_equilibrium(model, twin_model, masses, memory, tangent, chosen, 0.0)
         for i in range(twin.state.shape[0]):
             twin.start[i] = twin.state[i]
         guess_at(memory, queue, robot, -difference)
-        differentiate_equilibrium(model, earlier, masses, memory, shadow, chosen, -difference)
+        differentiate_equilibrium(model, earlier, masses, memory, tangent, chosen, -difference)
         for i in range(twin.state.shape[0]):
             twin.velocity[0, i] = twin.state[i]
         guess_at(memory, queue, robot, difference)
-        differentiate_equilibrium(model, later, masses, memory, shadow, chosen, difference)
+        differentiate_equilibrium(model, later, masses, memory, tangent, chosen, difference)
         for i in range(twin.state.shape[0]):
             before = twin.velocity[0, i]
             after = twin.state[i]
@@ -122,8 +130,8 @@ def differentiate_starts(
             bend = after - 2.0 * now + before
             twin.velocity[0, i] = (after - before) / (2.0 * passing)
             twin.acceleration[0, i] = bend / (passing * passing)
-        stay_in_place(shadowed, masses, twin)
-        found = view_numbers(starts[robot], FOUR)
+        stay_in_place(dual_model, masses, twin)
+        found = view_numbers(slopes.starts[robot], FOUR)
         for i in range(twin.state.shape[0]):
             found[0, i] = slopes_of(twin.start[i])
             found[1, i] = slopes_of(twin.velocity[0, i])

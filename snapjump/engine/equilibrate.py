@@ -4,7 +4,7 @@ from typing import Any
 
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.clock import SIZE
-from snapjump.engine.equilibrium import settle
+from snapjump.engine.equilibrium import solve_equilibrium
 from snapjump.engine.model import with_numbers
 from snapjump.engine.view import view_work
 from snapjump.number.dispatch import compiled
@@ -12,9 +12,10 @@ from snapjump.number.dispatch import compiled
 
 @compiled
 def equilibrate(template: Any, numbers: Any, masses: Any, memory: Any, iterate: bool) -> Any:
-    """Settle the state in ``memory`` at time 0, or only assemble there if not ``iterate``.
+    """Solve for the equilibrium near the state in ``memory`` at time 0, or only assemble there if
+    not ``iterate``.
 
-    Afterwards ``memory.system`` holds residual and tangent (width 1). Returns the number of
+    Afterwards ``memory`` holds residual and band (one lane). Returns the number of
     negative pivots at the last iteration, the last correction (L), which is how well the state is
     known, and whether Newton's method failed.
     """
@@ -25,7 +26,7 @@ def equilibrate(template: Any, numbers: Any, masses: Any, memory: Any, iterate: 
     negative = 0.0
     failed = False
     if iterate:
-        negative, failed = settle(model, masses, work, 0.0)
+        negative, failed = solve_equilibrium(model, masses, work, 0.0)
     else:
         angles = model.clamp.angles(0.0)
         model.frame.place_ends(work.mesh, model.discretization, angles, work.state)

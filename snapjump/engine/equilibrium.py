@@ -14,7 +14,7 @@ MOST_ITERATIONS = 60
 
 
 @routine
-def settle(model: Any, masses: Any, work: Any, time: Any) -> Any:
+def solve_equilibrium(model: Any, masses: Any, work: Any, time: Any) -> Any:
     """Newton's method from ``work.state`` to the equilibrium at the clamps' angles of ``time``.
 
     Returns the number of negative pivots (0: stable) and the mask of lanes that failed.
@@ -29,7 +29,7 @@ def settle(model: Any, masses: Any, work: Any, time: Any) -> Any:
     angles = model.clamp.angles(motion.time)
     model.frame.place_ends(work.mesh, model.discretization, angles, work.state)
     for i in range(dofs, work.state.shape[0]):
-        work.origin[i] = work.state[i]
+        work.position_predictor[i] = work.state[i]
     negative = zero
     done = zero > 1.0
     failed = zero > 1.0

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from snapjump.discretization.base import HALF_BANDWIDTH, TURN_INERTIA
+from snapjump.discretization.base import HALF_BANDWIDTH, ROTARY_INERTIA
 from snapjump.engine.assemble import assemble
 from snapjump.engine.clock import FASTEST, GAP, RESIDUAL, SHARE, STABLE_STEP, STEP
 from snapjump.engine.newton import Correction
@@ -20,13 +20,13 @@ def slave_acceleration(work: Any, i: Any, step: Any) -> Any:
 @kernel
 def node_mass(mass: Any, axis: Any) -> Any:
     """Mass or rotary inertia that belongs to a coordinate of a node."""
-    return TURN_INERTIA * mass if axis == 2 else mass
+    return ROTARY_INERTIA * mass if axis == 2 else mass
 
 
 @kernel
-def row_sum(system: Any, row: Any) -> Any:
+def row_sum(work: Any, row: Any) -> Any:
     """Sum of absolute values of a node's row in the tangent (``row`` counts the padding)."""
-    band = system.padded_band
+    band = work.padded_band
     total = absolute(band[row, 0])
     for k in range(1, HALF_BANDWIDTH + 1):
         total = total + absolute(band[row, k]) + absolute(band[row - k, k])
@@ -36,24 +36,23 @@ def row_sum(system: Any, row: Any) -> Any:
 @routine
 def largest_rate_squared(model: Any, masses: Any, work: Any, zero: Any) -> Any:
     """Bound (Gershgorin) on the eigenvalues of M^-1 K (1/T^2); the frame being rigid."""
-    system = work.system
     dofs = model.frame.dofs(work.mesh)
     per_node = model.discretization.node_dofs()
-    border = system.padded_border
+    border = work.padded_border
     bound = zero
     for node in range(masses.shape[0]):
         if masses[node] == 0.0:
             continue
         for axis in range(per_node):
             row = HALF_BANDWIDTH + per_node * node + axis
-            total = row_sum(system, row)
+            total = row_sum(work, row)
             for k in range(dofs):
                 total = total + absolute(border[row, k])
             bound = maximum(bound, total / node_mass(masses[node], axis))
     for k in range(dofs):
         total = zero
         for m in range(dofs):
-            total = total + absolute(system.square[k, m])
+            total = total + absolute(work.corner_block[k, m])
         for row in range(border.shape[0]):
             total = total + absolute(border[row, k])
         bound = maximum(bound, total / model.frame.mass_of(work.mesh, k))
@@ -62,30 +61,30 @@ def largest_rate_squared(model: Any, masses: Any, work: Any, zero: Any) -> Any:
 
 @routine
 def evaluate_forces(model: Any, motion: Any, masses: Any, work: Any, mask: Any) -> Correction:
-    """Leave the acceleration of every coordinate in ``work.change``, and the stable step."""
+    """Write the acceleration of every coordinate at the stage, and the stable step."""
     clock = work.clock
     dofs = model.frame.dofs(work.mesh)
     per_node = model.discretization.node_dofs()
     step = clock[STEP]
-    assembly = assemble(model, motion, masses, work)
-    system = work.system
+    extremes = assemble(model, motion, masses, work)
+    acceleration = work.acceleration[1]
     total = 0.0 * step
     for k in range(dofs):
-        work.change[k] = -system.frame_residual[k] / model.frame.mass_of(work.mesh, k)
-        total = total + absolute(work.change[k])
+        acceleration[k] = -work.frame_residual[k] / model.frame.mass_of(work.mesh, k)
+        total = total + absolute(acceleration[k])
     for node in range(masses.shape[0]):
         for axis in range(per_node):
             row = per_node * node + axis
             i = row + dofs
             if masses[node] > 0.0:
-                work.change[i] = -system.residual[row] / node_mass(masses[node], axis)
+                acceleration[i] = -work.residual[row] / node_mass(masses[node], axis)
             else:
-                work.change[i] = slave_acceleration(work, i, step)
-            total = total + absolute(work.change[i])
+                acceleration[i] = slave_acceleration(work, i, step)
+            total = total + absolute(acceleration[i])
     rate_squared = largest_rate_squared(model, masses, work, 0.0 * step)
     clock[STABLE_STEP] = 2.0 / sqrt(maximum(rate_squared, 1e-300 + 0.0 * step))
-    clock[GAP] = assembly.smallest_gap
-    clock[FASTEST] = assembly.contact_rate_squared
+    clock[GAP] = extremes.smallest_gap
+    clock[FASTEST] = extremes.contact_rate_squared
     clock[RESIDUAL] = 0.0 * step
     sound = (total < 1e300) & (clock[SHARE] >= 1.0)
     return Correction(mask & sound, mask & negate(sound), 0.0 * step)

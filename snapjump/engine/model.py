@@ -4,7 +4,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numba.core import types
-from numba.extending import intrinsic
+from numba.core.imputils import lower_builtin
+from numba.core.typing.templates import AbstractTemplate, infer_global, signature
 from numpy.typing import NDArray
 
 from snapjump.contact.base import Ground
@@ -44,30 +45,38 @@ def numbers_of(model: Model) -> NDArray[np.float64]:
     return np.array([float(v) for member in model for v in member])
 
 
-@intrinsic
-def with_numbers(typingctx: Any, model: Any, numbers: Any) -> Any:
+def with_numbers(model: Any, numbers: Any) -> Any:
     """The same composition with the numbers of an array of shape (P,), of whatever number type."""
-    number = numbers.dtype
-    members = []
-    for member in model.types:
-        cls = member.instance_class
-        count = len(member)
-        members.append(
-            types.NamedUniTuple(number, count, cls) if count else types.NamedTuple((), cls)
-        )
-    filled = types.NamedTuple(tuple(members), model.instance_class)
+    members, position = [], 0
+    for member in model:
+        members.append(type(member)(*[numbers[position + k] for k in range(len(member))]))
+        position += len(member)
+    return Model(*members)
 
-    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        array = View.of(builder, numbers, args[1])
-        position = 0
-        built = []
-        for member in members:
-            values = []
-            for _ in range(len(member)):
-                place = builder.mul(INDEX(position), array.strides[0])
-                values.append(builder.load(builder.gep(array.data, [place])))
-                position += 1
-            built.append(context.make_tuple(builder, member, values))
-        return context.make_tuple(builder, filled, built)
 
-    return filled(model, numbers), codegen
+@infer_global(with_numbers)
+class _WithNumbers(AbstractTemplate):
+    def generic(self, args: Any, kws: Any) -> Any:
+        model, numbers = args
+        members = [
+            types.NamedUniTuple(numbers.dtype, len(member), member.instance_class)
+            if len(member)
+            else types.NamedTuple((), member.instance_class)
+            for member in model.types
+        ]
+        return signature(types.NamedTuple(tuple(members), model.instance_class), *args)
+
+
+@lower_builtin(with_numbers, types.BaseTuple, types.Array)
+def _with_numbers(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    array = View.of(builder, sig.args[1], args[1])
+    position = 0
+    built = []
+    for member in sig.return_type.types:
+        values = []
+        for _ in range(len(member)):
+            place = builder.mul(INDEX(position), array.strides[0])
+            values.append(builder.load(builder.gep(array.data, [place])))
+            position += 1
+        built.append(context.make_tuple(builder, member, values))
+    return context.make_tuple(builder, sig.return_type, built)

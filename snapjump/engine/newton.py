@@ -2,9 +2,9 @@
 
 from typing import Any, NamedTuple
 
+from snapjump.contact.base import Extremes
 from snapjump.discretization.base import NODES_COUPLED
 from snapjump.engine.assemble import (
-    Assembly,
     Motion,
     assemble_node,
     begin_assembly,
@@ -19,12 +19,15 @@ from snapjump.engine.clock import (
     SHARE,
     SIZE,
 )
+from snapjump.engine.gaps import gap_safe_share
 from snapjump.linear_solver.banded import begin_elimination, eliminate_node, substitute_back
-from snapjump.linear_solver.banded_turning import eliminate_turning_node, substitute_back_turning
+from snapjump.linear_solver.banded_rotations import (
+    eliminate_rotating_node,
+    substitute_back_rotating,
+)
 from snapjump.number.dispatch import kernel, routine
-from snapjump.number.functions import absolute, any_true, maximum, minimum, negate, where
+from snapjump.number.functions import absolute, maximum, minimum, negate, where
 
-GAP_FRACTION = 0.15  # of its gap that every point keeps in one correction
 GROWTH_LIMIT = 2.0  # of the correction, above which the last one is halved
 LARGEST_CORRECTION = 0.3  # of the beam's length
 ROUNDING = 2.0**-50  # of the length: what rounding of a point's few coordinates adds up to
@@ -33,32 +36,12 @@ SHRINKING = 0.5  # of the last correction: a smaller one still converges
 
 
 class Correction(NamedTuple):
-    """Masks and figures of an iteration: converged, failed lanes, and the sign of the pivots."""
+    """Of an iteration: masks of the lanes that have converged and that have failed, and how many
+    pivots are not positive."""
 
     converged: Any
     failed: Any
     negative_pivots: Any
-
-
-@kernel
-def allowed_share(
-    model: Any, masses: Any, mesh: Any, state: Any, frame_drop: Any, drop: Any
-) -> Any:
-    """Share of ``state -= drop`` (at most 1) by which no gap shrinks below GAP_FRACTION."""
-    share = 1.0 + 0.0 * state[0]
-    if model.contact.exists() and model.contact.keeps_open():
-        share = model.frame.limit_step(mesh, state, frame_drop, GAP_FRACTION)
-        offset = model.frame.dofs(mesh)
-        dofs = model.discretization.node_dofs()
-        for node in range(masses.shape[0]):
-            if masses[node] == 0.0:
-                continue
-            fall = drop[dofs * node + 1]
-            allowed = (1.0 - GAP_FRACTION) * state[dofs * node + 1 + offset]
-            beyond = fall > allowed
-            if any_true(beyond):
-                share = minimum(share, where(beyond, allowed / absolute(fall), 1.0))
-    return share
 
 
 @kernel
@@ -70,10 +53,10 @@ def largest_of(values: Any, count: Any, largest: Any) -> Any:
 
 
 class Solution(NamedTuple):
-    """Figures of a solved system: those of its assembly, the largest residual (EI/L^2) and
+    """Figures of a solved work: those of its assembly, the largest residual (EI/L^2) and
     correction (L), and the number of pivots that are not positive."""
 
-    assembly: Assembly
+    extremes: Extremes
     residual: Any
     correction: Any
     negative_pivots: Any
@@ -85,34 +68,33 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
 
     A node is eliminated as soon as it is complete, while its columns are still in fast memory.
     """
-    system = work.system
     dofs = model.frame.dofs(work.mesh)
     bordered = model.frame.border_width() > 0
-    turning = model.discretization.node_dofs() == 3
+    rotations = model.discretization.node_dofs() == 3
     nodes = masses.shape[0]
     zero = 0.0 * motion.rate_factor
-    sweep = begin_assembly(model, motion, work)
+    sweep = begin_assembly(model, motion, masses, work)
     done = begin_elimination(zero)
     for node in range(nodes + NODES_COUPLED):
         if node < nodes:
             sweep = assemble_node(model, motion, masses, work, node, sweep)
         if node >= NODES_COUPLED:
-            if turning:
-                done = eliminate_turning_node(system, node - NODES_COUPLED, bordered, done)
+            if rotations:
+                done = eliminate_rotating_node(work, node - NODES_COUPLED, bordered, done)
             else:
-                done = eliminate_node(system, node - NODES_COUPLED, bordered, done)
+                done = eliminate_node(work, node - NODES_COUPLED, bordered, done)
     residual = done.largest
     negative = done.negative
     correction = zero
     if bordered:
-        residual = largest_of(system.frame_residual, dofs, residual)
-        negative = negative + model.frame.solve(work.mesh, work.state, system, done)
-        correction = largest_of(system.frame_residual, dofs, correction)
+        residual = largest_of(work.frame_residual, dofs, residual)
+        negative = negative + model.frame.solve(work, done)
+        correction = largest_of(work.frame_residual, dofs, correction)
     remains = model.frame.border_width() == 3
-    if turning:
-        correction = maximum(correction, substitute_back_turning(system, remains, zero))
+    if rotations:
+        correction = maximum(correction, substitute_back_rotating(work, remains, zero))
     else:
-        correction = maximum(correction, substitute_back(system, remains, zero))
+        correction = maximum(correction, substitute_back(work, remains, zero))
     return Solution(end_assembly(sweep), residual, correction, negative)
 
 
@@ -132,14 +114,14 @@ def newton_iteration(
     size = work.state.shape[0]
     dofs = model.frame.dofs(work.mesh)
     tiny = 1e-300 + 0.0 * motion.rate_factor
-    x = work.system.residual
-    y = work.system.frame_residual
+    x = work.residual
+    y = work.frame_residual
     solution = solve_linearised(model, motion, masses, work)
-    assembly = solution.assembly
+    extremes = solution.extremes
     correction = solution.correction
-    clock[GAP] = assembly.smallest_gap
-    clock[FASTEST] = assembly.contact_rate_squared
-    force = maximum(assembly.largest_force, tiny)
+    clock[GAP] = extremes.smallest_gap
+    clock[FASTEST] = extremes.contact_rate_squared
+    force = maximum(extremes.largest_force, tiny)
     residual = solution.residual / force
     larger = maximum(residual, clock[RESIDUAL])  # of this iteration's and the last one's
     clock[RESIDUAL] = residual
@@ -150,7 +132,7 @@ def newton_iteration(
     # A correction that outgrows the last one tells that the last one went too far: halve that.
     half = 0.5 * clock[SHARE]
     share = minimum(
-        allowed_share(model, masses, work.mesh, work.state, y, x),
+        gap_safe_share(model, masses, work.mesh, work.state, y, x),
         LARGEST_CORRECTION / maximum(correction, tiny),
     )
     share = where(finite & mask, share, 0.0)
@@ -159,8 +141,8 @@ def newton_iteration(
     for i in range(size):
         step = y[i] if i < dofs else x[i - dofs]
         step = where(finite, step, 0.0)
-        work.state[i] = work.state[i] - moving * step + undoing * work.change[i]
-        work.change[i] = where(back, work.change[i], step)
+        work.state[i] = work.state[i] - moving * step + undoing * work.correction[i]
+        work.correction[i] = where(back, work.correction[i], step)
     if model.discretization.has_elements():
         angles = model.clamp.angles(motion.time)
         model.frame.place_ends(work.mesh, model.discretization, angles, work.state)

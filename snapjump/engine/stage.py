@@ -5,8 +5,6 @@ from typing import Any
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import (
     BACKTRACKS,
-    FASTEST,
-    GAP,
     ITERATION,
     LAST_STEP,
     SHARE,
@@ -15,10 +13,10 @@ from snapjump.engine.clock import (
     STEP,
     TIME,
 )
-from snapjump.engine.newton import GAP_FRACTION, allowed_share
+from snapjump.engine.gaps import gap_safe_share
 from snapjump.integrator.base import Rates
 from snapjump.number.dispatch import kernel, routine
-from snapjump.number.functions import maximum, minimum, sqrt, where
+from snapjump.number.functions import maximum, where
 
 
 @kernel
@@ -35,7 +33,7 @@ def stage_motion(scheme: Any, work: Any) -> Motion:
     step = clock[STEP]
     rates = scheme.stage_rates(step, step_ratio(work))
     return Motion(
-        clock[TIME] + scheme.stage_node(clock[STAGE]) * step,
+        clock[TIME] + scheme.abscissa(clock[STAGE]) * step,
         rates.rate_factor,
         rates.inertia_rate,
         0.0 * step,
@@ -50,71 +48,9 @@ def keep_stage(scheme: Any, work: Any, motion: Any, mask: Any) -> Any:
     return scheme.store_stage(work, clock[STAGE], clock[STEP], step_ratio(work), rates, mask)
 
 
-@kernel
-def smallest_gap(model: Any, masses: Any, mesh: Any, state: Any) -> Any:
-    """Of all points that can touch the ground (L)."""
-    dofs = model.frame.dofs(mesh)
-    stride = model.discretization.node_dofs()
-    smallest = 1.0e30 + 0.0 * state[0]
-    for node in range(masses.shape[0]):
-        if masses[node] > 0.0:
-            smallest = minimum(smallest, state[stride * node + 1 + dofs])
-    for point in range(model.frame.contact_points(mesh)):
-        _, height, _, _ = model.frame.contact_point(mesh, point, state, state)
-        weight = model.frame.point_share(mesh, point, model.ground) + 0.0 * height
-        smallest = minimum(smallest, where(weight > 0.0, height, smallest))
-    return smallest
-
-
-@routine
-def reach_end(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> Any:
-    """Move from the last stage to the end of the step, where that is no stage.
-
-    Returns the mask of lanes whose step must be repeated: the end closed a gap.
-    """
-    clock = work.clock
-    mesh = work.mesh
-    dofs = model.frame.dofs(mesh)
-    drop = work.system.residual
-    frame_drop = work.system.frame_residual
-    for i in range(work.state.shape[0]):
-        if i < dofs:
-            frame_drop[i] = work.state[i]
-        else:
-            drop[i - dofs] = work.state[i]
-    scheme.end_step(work, clock[STEP], mask)
-    if model.discretization.has_elements():
-        share = where(mask, 1.0, scheme.stage_node(clock[STAGE]))
-        angles = model.clamp.angles(clock[TIME] + share * clock[STEP])
-        model.frame.place_ends(mesh, model.discretization, angles, work.state)
-    # Of its gap at the stage every point must keep GAP_FRACTION; said of the gap at the end.
-    for i in range(work.state.shape[0]):
-        if i < dofs:
-            frame_drop[i] = GAP_FRACTION * (frame_drop[i] - work.state[i])
-        else:
-            drop[i - dofs] = GAP_FRACTION * (drop[i - dofs] - work.state[i])
-    allowed = allowed_share(model, masses, mesh, work.state, frame_drop, drop)
-    clock[GAP] = where(mask, smallest_gap(model, masses, mesh, work.state), clock[GAP])
-    return mask & (allowed < 1.0)
-
-
-@routine
-def commit_step(scheme: Any, work: Any, mask: Any) -> None:
-    """Make the last stage the beginning of the next step."""
-    last = scheme.stage_count()
-    clock = work.clock
-    scheme.keep_history(work, clock[STEP], mask)
-    clock[TIME] = where(mask, clock[TIME] + clock[STEP], clock[TIME])
-    clock[LAST_STEP] = where(mask, clock[STEP], clock[LAST_STEP])
-    for i in range(work.state.shape[0]):
-        work.start[i] = where(mask, work.state[i], work.start[i])
-        work.velocity[0, i] = where(mask, work.velocity[last, i], work.velocity[0, i])
-        work.acceleration[0, i] = where(mask, work.acceleration[last, i], work.acceleration[0, i])
-
-
 @routine
 def begin_stage(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> None:
-    """Set origin, drift and a gap-safe first guess of every masked lane's current stage."""
+    """Set both predictors and a gap-safe first guess of every masked lane's current stage."""
     clock = work.clock
     stage = clock[STAGE]
     step = clock[STEP]
@@ -122,34 +58,28 @@ def begin_stage(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> N
     rates = scheme.stage_rates(step, ratio)
     size = work.state.shape[0]
     restart = mask & (stage == 1.0)
-    scheme.weigh_slots(stage, step, ratio, work.weights)
+    scheme.stage_coefficients(stage, step, ratio, work.coefficients)
     for i in range(size):
-        origin, drift, aim = scheme.predict(work, i, stage, rates)
+        position, velocity, aim = scheme.predict(work, i, stage, rates)
         state = where(restart, work.start[i], work.state[i])
-        work.origin[i] = where(mask, origin, work.origin[i])
-        work.drift[i] = where(mask, drift, work.drift[i])
+        work.position_predictor[i] = where(mask, position, work.position_predictor[i])
+        work.velocity_predictor[i] = where(mask, velocity, work.velocity_predictor[i])
         work.state[i] = state
-        work.change[i] = where(mask, state - aim, work.change[i])
+        work.correction[i] = where(mask, state - aim, work.correction[i])
     mesh = work.mesh
-    drop = work.change[model.frame.dofs(mesh) :]
-    allowed = allowed_share(model, masses, mesh, work.state, work.change, drop)
+    drop = work.correction[model.frame.dofs(mesh) :]
+    allowed = gap_safe_share(model, masses, mesh, work.state, work.correction, drop)
     allowed = where(mask, allowed, 0.0)
     for i in range(size):
-        work.state[i] = work.state[i] - allowed * work.change[i]
-    for i in range(work.slip.shape[0]):
-        work.slip[i] = where(mask, 0.0, work.slip[i])
-        work.held[i] = where(mask, 0.0, work.held[i])
+        work.state[i] = work.state[i] - allowed * work.correction[i]
+    for i in range(work.sliding_velocity.shape[0]):
+        work.sliding_velocity[i] = where(mask, 0.0, work.sliding_velocity[i])
+        work.active_set[i] = where(mask, 0.0, work.active_set[i])
     clock[ITERATION] = where(mask, 0.0, clock[ITERATION])
     clock[SIZE] = where(mask, 0.0, clock[SIZE])
     clock[SHARE] = where(mask, allowed, clock[SHARE])
     clock[BACKTRACKS] = where(mask, 0.0, clock[BACKTRACKS])
     if model.discretization.has_elements():
-        time = clock[TIME] + scheme.stage_node(stage) * step
+        time = clock[TIME] + scheme.abscissa(stage) * step
         angles = model.clamp.angles(time)
         model.frame.place_ends(mesh, model.discretization, angles, work.state)
-
-
-@kernel
-def contact_frequency(work: Any) -> Any:
-    """Fastest contact frequency of the last assembly (1/T)."""
-    return sqrt(work.clock[FASTEST])

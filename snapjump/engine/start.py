@@ -8,7 +8,7 @@ from typing import Any
 
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clamp.constant_rate import ConstantRate
-from snapjump.engine.equilibrium import settle
+from snapjump.engine.equilibrium import solve_equilibrium
 from snapjump.engine.model import Model
 from snapjump.engine.status import NO_EQUILIBRIUM, RUNNING
 from snapjump.friction.parts.holding import Holding
@@ -21,10 +21,10 @@ DIFFERENCE_RAD = 2e-3  # clamp angle between the equilibria that velocity is tak
 
 
 @kernel
-def with_angles(model: Any, left: Any, lag: Any) -> Any:
+def with_angles(model: Any, left: Any, delta_alpha: Any) -> Any:
     """The model with other clamp angles at time 0, and friction that holds it on its slope: slow
     loading has no sliding velocity, and a lagged law would look for one that is not there yet."""
-    clamp = ConstantRate(left, model.clamp.end, model.clamp.rate, lag)
+    clamp = ConstantRate(left, model.clamp.end, model.clamp.rate, delta_alpha)
     return Model(
         model.discretization,
         model.frame,
@@ -59,7 +59,8 @@ def stay_in_place(model: Any, masses: Any, work: Any) -> None:
 
 @routine
 def follow_branch(model: Any, masses: Any, work: Any) -> Any:
-    """Settle from flat clamps up to the march's beginning; fill start, velocity, acceleration.
+    """Follow equilibria from flat clamps up to the march's beginning, whose state, velocity and
+    acceleration are filled in.
 
     ``work.state`` holds a guess for flat clamps. Both angles grow in proportion, so that the
     branch begins at the symmetric arch. Returns the status: RUNNING, or NO_EQUILIBRIUM where the
@@ -80,35 +81,35 @@ def follow_branch(model: Any, masses: Any, work: Any) -> Any:
         elif k == 0:
             share = FIRST_TURN / CONTINUATION_STEPS
         partial = with_angles(model, share * clamp.start, share * clamp.delta_alpha)
-        negative, failed = settle(partial, masses, work, 0.0)
+        negative, failed = solve_equilibrium(partial, masses, work, 0.0)
         lost = lost | failed | (negative > 0.0)
         for i in range(size):
-            settled = state[i]
+            equilibrium = state[i]
             if i < held:
                 # The feet stay on the ground: no guess may lift them out of a short reach.
                 older[i] = past[i]
-                past[i] = settled
+                past[i] = equilibrium
                 continue
             if k == 0:
-                state[i] = past[i] + (settled - past[i]) / FIRST_TURN
-                settled = past[i]
+                state[i] = past[i] + (equilibrium - past[i]) / FIRST_TURN
+                equilibrium = past[i]
             elif k == 1:
-                state[i] = 2.0 * settled - past[i]
+                state[i] = 2.0 * equilibrium - past[i]
             elif 1 < k < CONTINUATION_STEPS:
-                state[i] = 3.0 * settled - 3.0 * past[i] + older[i]
+                state[i] = 3.0 * equilibrium - 3.0 * past[i] + older[i]
             older[i] = past[i]
-            past[i] = settled
+            past[i] = equilibrium
     for i in range(size):
         work.start[i] = past[i]
 
     resting = with_angles(model, clamp.start, clamp.delta_alpha)
     difference = DIFFERENCE_RAD / clamp.rate
-    negative, failed = settle(resting, masses, work, -difference)
+    negative, failed = solve_equilibrium(resting, masses, work, -difference)
     lost = lost | failed | (negative > 0.0)
     for i in range(size):
         work.velocity[0, i] = state[i]
         state[i] = work.start[i] if i < held else 2.0 * work.start[i] - state[i]
-    negative, failed = settle(resting, masses, work, difference)
+    negative, failed = solve_equilibrium(resting, masses, work, difference)
     lost = lost | failed | (negative > 0.0)
     for i in range(size):
         before = work.velocity[0, i]

@@ -1,4 +1,4 @@
-"""How a march ends: a fixed set of statuses, by number in the kernels and by name outside."""
+"""Statuses of a march: by number in the kernels and by name outside."""
 
 RUNNING = 0
 OK = 1

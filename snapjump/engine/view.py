@@ -1,46 +1,187 @@
-"""The memory of a march seen as arrays of numbers."""
+"""The memory of a march in kernels: one value of addresses and sizes, whose parts are arrays.
+
+What a kernel hands to another is the addresses of the parts and the sizes that all of them share,
+and not every array with extents of its own.
+"""
 
 from typing import Any
 
-from snapjump.engine.work import System, Work
-from snapjump.number.array import uncounted
-from snapjump.number.dispatch import routine
-from snapjump.number.lane import view_numbers
+from numba.core import cgutils, types
+from numba.core.imputils import lower_builtin, lower_getattr_generic
+from numba.core.typing.templates import (
+    AbstractTemplate,
+    AttributeTemplate,
+    infer_getattr,
+    infer_global,
+    signature,
+)
+from numba.extending import models, register_model
+
+from snapjump.discretization.base import HALF_BANDWIDTH
+from snapjump.engine.work import DIFFERENTIATED, FIELDS, WINDOWS, Memory, Sizes
+from snapjump.number.array import INDEX, NumberArray, View, contiguous, seen_as
+from snapjump.number.dual import DUAL
+from snapjump.number.lane import LaneType
+from snapjump.number.nowhere import NOWHERE
+
+MESH = NumberArray(types.int64, 1)
+DOUBLES_A_DUAL = 8
 
 
-@routine
-def view_work(work: Any, lanes: Any) -> Work:
-    """The memory as arrays of numbers, one lane or many."""
-    system = System(
-        view_numbers(work.system.residual, lanes),
-        view_numbers(work.system.band, lanes),
-        view_numbers(work.system.border, lanes),
-        view_numbers(work.system.padded_residual, lanes),
-        view_numbers(work.system.padded_band, lanes),
-        view_numbers(work.system.padded_border, lanes),
-        view_numbers(work.system.frame_residual, lanes),
-        view_numbers(work.system.square, lanes),
-        view_numbers(work.system.mounts, lanes),
-        view_numbers(work.system.padded_frame_residual, lanes),
-        view_numbers(work.system.frame_band, lanes),
-        view_numbers(work.system.frame_border, lanes),
-        view_numbers(work.system.levers, lanes),
-        view_numbers(work.system.last_residual, lanes),
-        view_numbers(work.system.last_square, lanes),
-    )
-    return Work(
-        view_numbers(work.state, lanes),
-        view_numbers(work.start, lanes),
-        view_numbers(work.origin, lanes),
-        view_numbers(work.drift, lanes),
-        view_numbers(work.change, lanes),
-        view_numbers(work.velocity, lanes),
-        view_numbers(work.acceleration, lanes),
-        view_numbers(work.slip, lanes),
-        view_numbers(work.held, lanes),
-        view_numbers(work.clock, lanes),
-        view_numbers(work.numbers, lanes),
-        view_numbers(work.weights, lanes),
-        uncounted(work.mesh),
-        system,
-    )
+class WorkType(types.Type):
+    """The type of a march's memory in kernels, of one number type.
+
+    lanes: whether its parts are doubles, lanes last; strided: whether neighbours are apart, as one
+    thread's numbers are on a card. Where numbers are duals only what is differentiated is kept.
+    """
+
+    def __init__(self, number: types.Type, lanes: bool, strided: bool):
+        self.number = number
+        self.lanes = lanes
+        self.strided = strided
+        self.fields = DIFFERENTIATED if number is DUAL else FIELDS
+        super().__init__(name=f"Work({number}, {lanes}, {strided})")
+
+    def number_of(self, name: str) -> types.Type:
+        """The numbers of a part: coefficients of a scheme have no derivatives."""
+        return types.float64 if name == "coefficients" and self.number is DUAL else self.number
+
+    def part(self, name: str) -> types.Type | None:
+        """The type of a part, None if there is none of that name."""
+        name = WINDOWS.get(name, name)
+        if name not in FIELDS:
+            return MESH if name == "mesh" else None
+        if name not in self.fields:
+            return NOWHERE
+        ndim = len(FIELDS[name]) + self.lanes
+        return NumberArray(self.number_of(name), ndim, "A" if self.strided else "C")
+
+
+@register_model(WorkType)
+class WorkModel(models.StructModel):
+    """Addresses of the parts, their sizes, and how many numbers neighbours are apart."""
+
+    def __init__(self, dmm: Any, fe_type: WorkType):
+        parts = [(name, types.CPointer(fe_type.number_of(name))) for name in fe_type.fields]
+        sizes = ("sizes", types.UniTuple(types.intp, len(Sizes._fields)))
+        super().__init__(dmm, fe_type, [*parts, sizes, ("apart", types.intp), ("mesh", MESH)])
+
+
+@infer_getattr
+class WorkParts(AttributeTemplate):
+    """Typing of the parts."""
+
+    key = WorkType
+
+    def generic_resolve(self, work: WorkType, name: str) -> types.Type | None:
+        return work.part(name)
+
+
+@lower_getattr_generic(WorkType)
+def part_of(context: Any, builder: Any, kind: WorkType, value: Any, name: str) -> Any:
+    """The LLVM value of a part."""
+    work = cgutils.create_struct_proxy(kind)(context, builder, value=value)
+    if name == "mesh":
+        return work.mesh
+    found: Any = kind.part(name)
+    if found is NOWHERE:
+        return context.get_dummy_value()
+    field = WINDOWS.get(name, name)
+    sizes = Sizes(*cgutils.unpack_tuple(builder, work.sizes, len(Sizes._fields)))
+    shape = shape_of(field, sizes)
+    strides = [builder.mul(stride, work.apart) for stride in contiguous(builder, shape)]
+    data = getattr(work, field)
+    if name in WINDOWS:
+        data = builder.gep(data, [builder.mul(INDEX(HALF_BANDWIDTH), strides[0])])
+        shape[0] = builder.sub(shape[0], INDEX(2 * HALF_BANDWIDTH))
+    if kind.lanes:
+        shape, strides = [*shape, sizes.lanes], [*strides, INDEX(1)]
+    return View(data, shape, strides).packed(context, builder, found)
+
+
+def shape_of(field: str, sizes: Sizes) -> list[Any]:
+    """The extents of a part in LLVM."""
+    return [
+        INDEX(extent) if isinstance(extent, int) else getattr(sizes, extent)
+        for extent in FIELDS[field]
+    ]
+
+
+def taken_apart(
+    context: Any, builder: Any, kind: WorkType, block: Any, apart: Any, sizes: Any, mesh: Any
+) -> Any:
+    """The LLVM value of a memory whose parts lie in a block, from the address of its first
+    number."""
+    work = cgutils.create_struct_proxy(kind)(context, builder)
+    begin = INDEX(0)
+    extents = Sizes(*cgutils.unpack_tuple(builder, sizes, len(Sizes._fields)))
+    for name in kind.fields:
+        place = builder.gep(block, [builder.mul(begin, apart)])
+        pointer = context.get_value_type(types.CPointer(kind.number_of(name)))
+        setattr(work, name, builder.bitcast(place, pointer))
+        count = INDEX(1)
+        for extent in shape_of(name, extents):
+            count = builder.mul(count, extent)
+        begin = builder.add(begin, count)
+    work.sizes, work.apart, work.mesh = sizes, apart, mesh
+    return work._getvalue()
+
+
+def unpacked(context: Any, builder: Any, kind: Any, value: Any) -> tuple[Any, Any, Any]:
+    """Block (address and strides in doubles), sizes and mesh of a :class:`Memory`'s value."""
+    block, sizes, mesh = cgutils.unpack_tuple(builder, value, len(kind.types))
+    doubles = NumberArray(types.float64, 2, "A")
+    view = View.of(builder, doubles, seen_as(context, builder, doubles, kind.types[0], block))
+    return view, sizes, seen_as(context, builder, MESH, kind.types[2], mesh)
+
+
+def view_memory(memory: Any) -> Any:
+    """A march's memory as doubles, the lanes last."""
+    return memory
+
+
+@infer_global(view_memory)
+class _ViewingMemory(AbstractTemplate):
+    def generic(self, args: Any, kws: Any) -> Any:
+        return signature(WorkType(types.float64, True, args[0].types[0].layout != "C"), *args)
+
+
+@lower_builtin(view_memory, types.BaseTuple)
+def _view_memory(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    view, sizes, mesh = unpacked(context, builder, sig.args[0], args[0])
+    return taken_apart(context, builder, sig.return_type, view.data, view.strides[0], sizes, mesh)
+
+
+class PlainWork:
+    """In plain Python: the parts of a single lane."""
+
+    def __init__(self, memory: Memory):
+        self.mesh = memory.mesh
+        for name in (*FIELDS, *WINDOWS):
+            setattr(self, name, getattr(memory, name)[..., 0])
+
+
+def view_work(memory: Any, lanes: Any) -> Any:
+    """A march's memory as numbers; ``lanes``: a tuple as long as there are lanes, of which one
+    gives doubles."""
+    return PlainWork(memory)
+
+
+@infer_global(view_work)
+class _ViewingWork(AbstractTemplate):
+    def generic(self, args: Any, kws: Any) -> Any:
+        memory, lanes = args
+        number = types.float64 if lanes.count == 1 else LaneType(lanes.count)
+        strided = memory.types[0].layout != "C"
+        if strided and lanes.count > 1:
+            raise TypeError("lanes need contiguous memory")
+        return signature(WorkType(number, False, strided), *args)
+
+
+@lower_builtin(view_work, types.BaseTuple, types.BaseTuple)
+def _view_work(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    kind = sig.return_type
+    view, sizes, mesh = unpacked(context, builder, sig.args[0], args[0])
+    block = builder.bitcast(view.data, context.get_value_type(types.CPointer(kind.number)))
+    apart = view.strides[0] if kind.strided else INDEX(1)
+    return taken_apart(context, builder, kind, block, apart, sizes, mesh)

@@ -1,4 +1,8 @@
-"""The memory of a march: every array the time loop touches, allocated once before it starts."""
+"""The memory of a march: one block of numbers, allocated before it starts, whose parts have names.
+
+In Python a part is an array of it, lanes last. In kernels the whole is one value
+(:mod:`snapjump.engine.view`), and a part an array of numbers: doubles, lanes or duals.
+"""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -7,124 +11,128 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.discretization.base import HALF_BANDWIDTH
+from snapjump.engine.clock import ROWS
 from snapjump.frame.base import NO_MESH
 from snapjump.number.memory import aligned_zeros
 
-CORNERS = 4
 
+class Sizes(NamedTuple):
+    """Extents of the parts.
 
-class System(NamedTuple):
-    """The linear system of a Newton iteration, for B coordinates of nodes and F of the frame.
-
-    residual (B), band (B, 6), border (B, W): of the nodes, two or three coordinates each, W being
-    the coordinates of the mounts that they are condensed onto; these are views into the padded
-    arrays of B + 10 rows, whose five zero rows before and after spare the solver its edge cases.
-    frame_residual (F) and square (W, W): of a rigid frame, or of an elastic one and its mounts.
-    The rest is an elastic one's (see :mod:`snapjump.frame.parts.elastic_solve`): mounts (W),
-    padded_frame_residual (F + 10), frame_band (F + 10, 6), frame_border (F + 10, 4), levers
-    (8, 3), last_residual (4), last_square (4, 4).
+    coordinates: D, of the frame and then of the beam's nodes; stages: slots S of velocity and
+    acceleration; points: C, that can touch the ground; numbers: P, of the model; width: W, of the
+    mounts' coordinates that the beam is condensed onto. The others are rows of linear systems, with
+    HALF_BANDWIDTH rows of zeros on either side, which spare a solver its edge cases: of the beam
+    (B + 10), of the frame's right-hand side, and of an elastic frame's matrix.
     """
 
-    residual: Any
-    band: Any
-    border: Any
-    padded_residual: Any
-    padded_band: Any
-    padded_border: Any
-    frame_residual: Any
-    square: Any
-    mounts: Any
-    padded_frame_residual: Any
-    frame_band: Any
-    frame_border: Any
-    levers: Any
-    last_residual: Any
-    last_square: Any
-
-
-class Work(NamedTuple):
-    """State and memory of a march, for one robot or for a set of lanes.
-
-    state: current Newton iterate (D); start: state at the step's beginning (D); origin, drift:
-    the stage's position and velocity before its own share (D); change: last Newton correction
-    (D); velocity, acceleration: of every stage, the first being the step's beginning (S, D);
-    slip: sliding velocities at the last iterate, the frame's points first; held: 1 where a
-    constraint held such a point at the last iterate; clock: scalars by
-    lane (see :mod:`snapjump.engine.clock`); numbers: of the model (P); weights: of earlier
-    stages (S); mesh: of the frame, the same for all lanes (see :mod:`snapjump.frame.base`).
-    """
-
-    state: Any
-    start: Any
-    origin: Any
-    drift: Any
-    change: Any
-    velocity: Any
-    acceleration: Any
-    slip: Any
-    held: Any
-    clock: Any
+    lanes: Any
+    coordinates: Any
+    stages: Any
+    points: Any
     numbers: Any
-    weights: Any
-    mesh: Any
-    system: System
+    width: Any
+    padded_beam: Any
+    padded_frame: Any
+    padded_chain: Any
 
 
-def make_work(
-    nodes: int,
-    frame_dofs: int,
-    stages: int,
-    clocks: int,
-    numbers: int,
-    lanes: int,
-    node_dofs: int = 2,
+Shape = tuple[str | int, ...]  # names of sizes, and numbers
+
+# What depends on the parameters of a march, and is there again in duals where derivatives are.
+DIFFERENTIATED: dict[str, Shape] = {
+    "state": ("coordinates",),  # the Newton iterate q of the stage at hand
+    "start": ("coordinates",),  # state at the step's beginning
+    # Of a stage: v = (q - position_predictor) rate, a = (v - velocity_predictor) rate.
+    "position_predictor": ("coordinates",),
+    "velocity_predictor": ("coordinates",),
+    "velocity": ("stages", "coordinates"),  # slot 0 is the step's beginning
+    "acceleration": ("stages", "coordinates"),
+    "sliding_velocity": ("points",),  # along the ground, at the last iterate
+    "numbers": ("numbers",),  # of the model
+    "coefficients": ("stages",),  # of the stage at hand, by which slots are weighted
+    "padded_residual": ("padded_beam",),  # of the nodes; then the correction
+    "padded_frame_residual": ("padded_frame",),  # of the frame; then the correction
+}
+FIELDS: dict[str, Shape] = {
+    **DIFFERENTIATED,
+    "correction": ("coordinates",),  # what was last subtracted from the state, before its share
+    "active_set": ("points",),  # 1 where a constraint held the point at the last iterate
+    "clock": (ROWS,),  # the lane's scalars (snapjump.engine.clock)
+    # The nodes' symmetric band, column by column, and its border: the rows of the mounts.
+    "padded_band": ("padded_beam", HALF_BANDWIDTH + 1),
+    "padded_border": ("padded_beam", "width"),
+    "corner_block": ("width", "width"),  # of a rigid frame, or of an elastic one's mounts
+    # Of an elastic frame (snapjump.frame.parts.elastic_solve).
+    "mount_residual": ("width",),
+    "mount_jacobian": (8, 3),
+    "padded_frame_band": ("padded_chain", HALF_BANDWIDTH + 1),
+    "padded_frame_border": ("padded_chain", 4),
+    "last_residual": (4,),
+    "last_block": (4, 4),
+}
+# Padded parts without the padding.
+WINDOWS = {name.removeprefix("padded_"): name for name in FIELDS if name.startswith("padded_")}
+
+
+class Memory(NamedTuple):
+    """block (N, W): all parts of W lanes one after the other; mesh: of the frame, of all lanes."""
+
+    block: Any
+    sizes: Sizes
+    mesh: NDArray[np.int64]
+
+    def __getattr__(self, name: str) -> Any:
+        """A part as an array, lanes last."""
+        if name in WINDOWS:
+            return getattr(self, WINDOWS[name])[HALF_BANDWIDTH:-HALF_BANDWIDTH]
+        if name not in FIELDS:
+            raise AttributeError(name)
+        begin = 0
+        for field, shape in FIELDS.items():
+            extents = extents_of(shape, self.sizes)
+            count = int(np.prod(extents, dtype=int))
+            if field == name:
+                break
+            begin += count
+        return self.block[begin : begin + count].reshape(*extents, self.block.shape[1])
+
+
+def extents_of(shape: Shape, sizes: Any) -> list[Any]:
+    """The extents of a part."""
+    return [getattr(sizes, extent) if isinstance(extent, str) else extent for extent in shape]
+
+
+def count_of(fields: dict[str, Shape], sizes: Sizes) -> int:
+    """Numbers of so many parts together."""
+    return int(sum(np.prod(extents_of(shape, sizes), dtype=int) for shape in fields.values()))
+
+
+def sizes_of(
+    model: Any, nodes: int, stages: int = 2, lanes: int = 1, mesh: NDArray[np.int64] = NO_MESH
+) -> Sizes:
+    """Sizes for a model whose beam has so many nodes."""
+    frame = model.frame.dofs(mesh)
+    beam = model.discretization.node_dofs() * nodes
+    chain = frame if len(mesh) else 0
+    pad = 2 * HALF_BANDWIDTH
+    return Sizes(
+        lanes=lanes,
+        coordinates=int(frame + beam),
+        stages=stages,
+        points=int(nodes + model.frame.contact_points(mesh)),
+        numbers=sum(len(member) for member in model),
+        width=6 if chain else 3,
+        padded_beam=beam + pad,
+        padded_frame=int(max(frame, 3)) + pad,
+        padded_chain=int(chain) + pad,
+    )
+
+
+def make_memory(
+    sizes: Sizes,
     mesh: NDArray[np.int64] = NO_MESH,
-    allocate: Callable[[tuple[int, ...]], Any] = aligned_zeros,
-) -> Work:
-    """Zeroed memory of shape (..., lanes)."""
-    chain = frame_dofs if len(mesh) else 0
-    width = 6 if chain else 3
-    beam = node_dofs * nodes
-    size = frame_dofs + beam
-
-    def zeros(*shape: int) -> Any:
-        return allocate((*shape, lanes))
-
-    pad = HALF_BANDWIDTH
-    residual = zeros(beam + 2 * pad)
-    band = zeros(beam + 2 * pad, pad + 1)
-    border = zeros(beam + 2 * pad, width)
-    frame = zeros(max(frame_dofs, 3) + 2 * pad)
-    system = System(
-        residual[pad : pad + beam],
-        band[pad : pad + beam],
-        border[pad : pad + beam],
-        residual,
-        band,
-        border,
-        frame[pad : pad + max(frame_dofs, 3)],
-        zeros(width, width),
-        zeros(width),
-        frame,
-        zeros(chain + 2 * pad, pad + 1),
-        zeros(chain + 2 * pad, 4),
-        zeros(8, 3),
-        zeros(4),
-        zeros(4, 4),
-    )
-    return Work(
-        state=zeros(size),
-        start=zeros(size),
-        origin=zeros(size),
-        drift=zeros(size),
-        change=zeros(size),
-        velocity=zeros(stages, size),
-        acceleration=zeros(stages, size),
-        slip=zeros(max(CORNERS, chain // 2) + nodes),
-        held=zeros(max(CORNERS, chain // 2) + nodes),
-        clock=zeros(clocks),
-        numbers=zeros(numbers),
-        weights=zeros(stages),
-        mesh=mesh,
-        system=system,
-    )
+    allocate: Callable[[tuple[int, int]], Any] = aligned_zeros,
+) -> Memory:
+    """Zeroed memory."""
+    return Memory(allocate((count_of(FIELDS, sizes), sizes.lanes)), sizes, mesh)

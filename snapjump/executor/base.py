@@ -5,10 +5,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, Self
 
 from snapjump.declare.fields import Part, required
+from snapjump.declare.scenes import Progress
 
 Job = Mapping[str, Any]  # plain JSON, since it may travel
 Answer = dict[str, Any]  # likewise
-Progress = Callable[[float], None]  # share of a job that is done
 Work = Callable[[Job, Progress | None], Answer]
 
 

@@ -4,15 +4,18 @@ import logging
 import os
 import platform
 import re
+import signal
 import socket
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from importlib.util import find_spec
+from typing import Any
 from urllib.parse import urlsplit
 
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import integer
-from snapjump.executor.base import Answer, Executor, ExecutorOptions, Job, Progress, Work
+from snapjump.declare.scenes import Progress
+from snapjump.executor.base import Answer, Executor, ExecutorOptions, Job, Work
 
 CONNECT_TIMEOUT_S = 10.0
 ADDRESS = re.compile(r"(tcp|tls)://[^\s:/]+:\d{1,5}")
@@ -30,7 +33,6 @@ class DaskExecutor(Executor):
         self.scheduler, self.workers = scheduler, workers
 
     def check(self) -> None:
-        """The package must be there, and a scheduler must listen."""
         if find_spec("distributed") is None:
             raise ParameterError("executor", "dask", "local, or pip install 'snapjump[cluster]'")
         if self.scheduler is None:
@@ -55,7 +57,7 @@ class DaskExecutor(Executor):
                 threads_per_worker=1,
                 host="127.0.0.1",
                 dashboard_address=None,
-                preload=["snapjump.executor.parts.dask_worker"],
+                preload=[__name__],
             )
         self._client = Client(self._cluster or self.scheduler, timeout=CONNECT_TIMEOUT_S)
         return self
@@ -69,7 +71,7 @@ class DaskExecutor(Executor):
 
     @property
     def cores(self) -> int:
-        """Of the workers that are there now, each machine's counted once."""
+        """Cores of the workers that are there now, each machine's counted once."""
         machines: dict[str, set[int]] = {}
         for machine, cores in self._client.run(own_cores).values():
             machines.setdefault(machine, set()).update(cores)
@@ -93,11 +95,17 @@ class DaskExecutor(Executor):
             try:
                 done, left = wait(waiting, timeout=PATIENCE_S, return_when="FIRST_COMPLETED")
             except TimeoutError:
-                progress(0.0)
+                progress(0.0, "")
                 continue
             waiting = list(left)
             for future in done:
                 yield future.result()
+
+
+def dask_setup(worker: Any) -> None:
+    """Set up a worker that is started here, as dask calls it: Ctrl-C, which a terminal sends to all
+    processes, is left to the one that started them."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def own_cores() -> tuple[str, list[int]]:

@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator, Sequence
 
-from snapjump.executor.base import Answer, Executor, ExecutorOptions, Job, Progress, Work
+from snapjump.declare.scenes import Progress
+from snapjump.executor.base import Answer, Executor, ExecutorOptions, Job, Work
 
 
 class LocalExecutor(Executor):

@@ -1,1 +1,1 @@
-"""What a job leaves on disk: every file whole or not at all."""
+"""Files on disk, each written whole or not at all."""

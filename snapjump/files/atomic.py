@@ -1,7 +1,7 @@
 """Files that are there whole or not at all, whatever interrupts the writing."""
 
 import os
-import tempfile
+import uuid
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -16,18 +16,15 @@ def atomic_file(path: Path, mode: str = "w") -> Iterator[IO[Any]]:
     nothing is left and a file that was there before is untouched.
     """
     path = Path(path)
-    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-    encoding = None if "b" in mode else "utf-8"
+    beside = path.with_name(f".{path.name}.{uuid.uuid4().hex}")
     try:
-        with os.fdopen(handle, mode, encoding=encoding) as file:
+        with open(beside, mode, encoding=None if "b" in mode else "utf-8") as file:
             yield file
             file.flush()
             os.fsync(file.fileno())
-        # mkstemp makes files private; results are as readable as any other file.
-        os.chmod(name, 0o666 & ~_umask())
-        os.replace(name, path)
+        os.replace(beside, path)
     except BaseException:
-        os.unlink(name)
+        beside.unlink(missing_ok=True)
         raise
     # Or the new name might be lost with the power, though the contents are safe.
     flush_folder(path.parent)
@@ -58,9 +55,3 @@ def flush_folder(path: Path) -> None:
         os.fsync(handle)
     finally:
         os.close(handle)
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

@@ -3,12 +3,12 @@
 import hashlib
 import json
 import os
-import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from snapjump.files import tokens
+from snapjump.files.atomic import write_text
 
 FILE = "source_hashes.json"
 MOST = 5000  # more are begun anew, with those in use
@@ -16,12 +16,8 @@ MOST = 5000  # more are begun anew, with those in use
 
 def cache_root() -> Path:
     """The folder of what can be made again, under the user's cache directory."""
-    return Path(
-        os.environ.get("NUMBA_CACHE_DIR")
-        or os.path.join(
-            os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache"), "snapjump"
-        )
-    )
+    own = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
+    return Path(os.environ.get("NUMBA_CACHE_DIR") or Path(own, "snapjump"))
 
 
 @contextmanager
@@ -43,7 +39,10 @@ def kept_hashes() -> Iterator[Callable[[Path], str]]:
     yield file_hash
     if not used.keys() <= kept.keys():
         both = {**kept, **used}
-        _write(rule, both if len(both) <= MOST else used)
+        content = {"rule": rule, "hashes": both if len(both) <= MOST else used}
+        with suppress(OSError):  # where it cannot be written, the next process hashes again
+            cache_root().mkdir(parents=True, exist_ok=True)
+            write_text(cache_root() / FILE, json.dumps(content))
 
 
 def _read(rule: str) -> dict[str, str]:
@@ -52,17 +51,3 @@ def _read(rule: str) -> dict[str, str]:
         return dict(found["hashes"]) if found["rule"] == rule else {}
     except (OSError, ValueError, TypeError, KeyError):
         return {}
-
-
-def _write(rule: str, hashes: dict[str, str]) -> None:
-    """Whole or not at all; where it cannot be written, the next process hashes again."""
-    with suppress(OSError):
-        cache_root().mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(prefix=f".{FILE}.", dir=cache_root())
-        try:
-            with os.fdopen(handle, "w", encoding="utf-8") as file:
-                json.dump({"rule": rule, "hashes": hashes}, file)
-            os.replace(name, cache_root() / FILE)
-        except BaseException:
-            os.unlink(name)
-            raise

@@ -29,7 +29,6 @@ class FileLock:
         return True
 
     def release(self) -> None:
-        """Let others have it."""
         if self._file is not None:
             self._file.close()
             self._file = None

@@ -1,4 +1,4 @@
-"""Where a result comes from: code, versions, machine, seed and the command that repeats it."""
+"""Provenance of a result: code, versions, machine, seed and the command that repeats it."""
 
 import os
 import platform
@@ -23,7 +23,6 @@ PACKAGES = (
     "matplotlib",
     "pyarrow",
     "torch",
-    "pytorch-lightning",
 )
 # Packages that only show, keep or ask for results: a change in them changes no number.
 NOT_PHYSICS = ("executor", "files", "run", "show", "tracking")

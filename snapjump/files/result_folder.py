@@ -30,7 +30,6 @@ class ResultFolder:
         write_text(self.path / "config.yaml", yaml.safe_dump(dict(config), sort_keys=False))
 
     def write_provenance(self, content: Mapping[str, Any]) -> None:
-        """Write where the result comes from."""
         write_json(self.path / "provenance.json", content)
 
     def write_result(self, content: Mapping[str, Any]) -> list[str]:
@@ -66,11 +65,9 @@ class ResultFolder:
         return None if found is None else with_present_names(found, self.config)
 
     def provenance(self) -> dict[str, Any] | None:
-        """Where the result comes from, if there is one."""
         return read_json(self.path / "provenance.json")
 
     def config(self) -> dict[str, Any] | None:
-        """The configuration, if there is one."""
         try:
             content = yaml.safe_load((self.path / "config.yaml").read_text(encoding="utf-8"))
         except (OSError, yaml.YAMLError):

@@ -1,4 +1,4 @@
-"""Which source files there are, of the package and of plug-ins, and one hash of several.
+"""Source files of the package and of plug-ins, and one hash of several.
 
 A process computes by the sources that it has imported, whatever becomes of the files while it
 runs: each is hashed as it was when it was first asked for.
@@ -42,7 +42,7 @@ def package_files() -> list[Source]:
 
 
 def plugin_files() -> list[Source]:
-    """What is in the groups of all folders of plug-ins, wherever these lie."""
+    """The files in the groups of all folders of plug-ins, wherever these lie."""
     return [
         Source(path.relative_to(folder).as_posix(), path)
         for folder in PLUGINS

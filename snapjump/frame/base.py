@@ -1,4 +1,4 @@
-"""What holds the beam's ends: the contract that every frame fulfils.
+"""Frames, which hold the beam's ends: the contract that every one fulfils.
 
 A frame is a ``NamedTuple`` of dimensionless numbers. Its own coordinates come first in every
 state vector, the nodes of the beam follow. Nodes at clamps are slaves: the frame places them,
@@ -15,25 +15,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.declare.fields import Part
+from snapjump.linear_solver.contact_rows import NodeRows
 from snapjump.number.methods import Contract, required
 
 
-class FrameForces(NamedTuple):
-    """What a frame reports of its own forces: a scale, its smallest gap, its fastest contact."""
-
-    largest_force: Any
-    smallest_gap: Any
-    contact_rate_squared: Any
-
-
-class Turning(NamedTuple):
+class Rotations(NamedTuple):
     """Turning of the left and of the right mount: rates (rad/T), or increments (rad)."""
 
     left: Any
     right: Any
 
 
-STILL = Turning(0.0, 0.0)
+STILL = Rotations(0.0, 0.0)
 
 
 class FrameBox(NamedTuple):
@@ -53,7 +46,7 @@ class FrameBox(NamedTuple):
 
 
 class Frame(Contract):
-    """What holds the beam's ends: the contract that every frame fulfils."""
+    """Frames, which hold the beam's ends: the contract that every one fulfils."""
 
     def dofs(self, mesh: Any) -> Any:
         """Number of the frame's own coordinates; constant while compiling unless the mesh tells."""
@@ -64,51 +57,37 @@ class Frame(Contract):
         return 0
 
     @required
-    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Turning) -> Any:
+    def end_tangents(
+        self, mesh: Any, load: Any, angles: Any, state: Any, rotations: Rotations
+    ) -> Any:
         """The :class:`~snapjump.discretization.base.EndTangents` of a state whose mounts turn."""
 
-    def mount_turning(self, mesh: Any, state: Any, vector: Any) -> Any:
+    def mount_rotations(self, mesh: Any, state: Any, vector: Any) -> Any:
         """Turning of the mounts when coordinates move by ``vector``, in which it is linear."""
         zero = 0.0 * state[0]
-        return Turning(zero, zero)
+        return Rotations(zero, zero)
 
-    @required
     def place_ends(self, mesh: Any, discretization: Any, angles: Any, state: Any) -> Any:
         """Put the slave nodes where the frame holds them."""
 
-    @required
-    def condense_first(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> Any:
+    def condense_first(self, model: Any, work: Any, tangents: Any, hinge: Any) -> Any:
         """Move the first node's rows and columns, and its hinge, onto the frame's coordinates."""
 
-    @required
-    def condense_last(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> Any:
+    def condense_last(self, model: Any, work: Any, tangents: Any, hinge: Any) -> Any:
         """Move the last node's rows and columns, and its hinge, onto the frame's coordinates."""
 
-    def add_forces(self, model: Any, motion: Any, work: Any) -> Any:
-        """Write inertia, weight, elasticity, contact and friction of the frame itself.
+    def add_inertia(self, model: Any, motion: Any, work: Any) -> Any:
+        """Write the frame's own inertia, drag and weight, before contact is added to them.
 
-        They go to ``frame_residual`` and the frame's matrix; returns FrameForces.
+        They go to ``frame_residual`` and the frame's matrix; returns the largest force (EI/L^2).
         """
-        zero = 0.0 * motion.rate_factor
-        return FrameForces(zero, zero + 1.0e30, zero)
+        return 0.0 * motion.rate_factor
 
-    def solve(self, mesh: Any, state: Any, system: Any, done: Any) -> Any:
+    def add_elasticity(self, model: Any, motion: Any, work: Any) -> Any:
+        """Add the frame's own elastic forces; returns the largest (EI/L^2)."""
+        return 0.0 * motion.rate_factor
+
+    def solve(self, work: Any, done: Any) -> Any:
         """Solve for the frame's coordinates once all nodes are eliminated (``done``).
 
         ``frame_residual`` becomes the solution. A border of other than three columns is moved to
@@ -116,10 +95,6 @@ class Frame(Contract):
         number of pivots that are not positive.
         """
         return 0.0 * done.negative
-
-    def limit_step(self, mesh: Any, state: Any, drop: Any, fraction: Any) -> Any:
-        """Share (at most 1) of ``state -= drop`` that leaves points ``fraction`` of their gaps."""
-        return 1.0 + 0.0 * state[0]
 
     def contact_points(self, mesh: Any) -> Any:
         """Number of the frame's own points that can touch the ground."""
@@ -129,6 +104,21 @@ class Frame(Contract):
         """Place (x, y) of such a point (in L) and its velocity (in L/T)."""
         zero = 0.0 * state[0]
         return zero, zero, zero, zero
+
+    def stage_point(self, point: Any, work: Any, rate: Any) -> Any:
+        """Gap (L) of such a point at a stage's iterate and its velocity (L/T): that of the iterate
+        less the predictor, times ``rate``."""
+        zero = 0.0 * rate
+        return zero, zero, zero
+
+    def fall(self, mesh: Any, point: Any, state: Any, drop: Any) -> Any:
+        """Gap (L) of such a point, and how far ``state -= drop`` lets it fall (L)."""
+        zero = 0.0 * state[0]
+        return zero, zero
+
+    def contact_rows(self, point: Any, work: Any, rate: Any) -> Any:
+        """The :class:`~snapjump.linear_solver.contact_rows.ContactRows` of such a point."""
+        return NodeRows(work.frame_residual, work.corner_block, 0)
 
     def point_mass(self, mesh: Any, point: Any, state: Any) -> Any:
         """Mass (in rho A L) that a vertical push at such a point moves."""
@@ -178,7 +168,7 @@ NO_MESH: Mesh = np.zeros(0, dtype=np.int64)
 
 
 class Outline(NamedTuple):
-    """What a frame is built from: leg, top, leg, and what is clamped to the legs.
+    """Dimensions and masses that a frame is built from: leg, top, leg, and what is clamped to them.
 
     width, height; mount: height of the clamps above the feet (in L); mass: the robot's less the
     beam's, end: of the beam's nodes that move with one clamp (in rho A L); length_m: of L;

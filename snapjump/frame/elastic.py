@@ -11,23 +11,20 @@ import numpy as np
 from snapjump.checks import ParameterError
 from snapjump.contact.base import PAPER_ELEMENTS
 from snapjump.declare.fields import Need, choice, flag, integer, number
-from snapjump.discretization.base import HALF_BANDWIDTH
-from snapjump.frame.base import FrameForces, FrameOptions, Mesh, Outline
+from snapjump.discretization.base import NodeMotion
+from snapjump.frame.base import FrameOptions, Mesh, Outline
 from snapjump.frame.parts.elastic_chain import add_chain_forces, chain_dissipation, chain_energy
 from snapjump.frame.parts.elastic_mesh import (
     DOFS,
     LEFT_CORNER,
     RIGHT_CORNER,
-    is_corner,
     node_count,
     node_mass,
-    weight_at,
 )
 from snapjump.frame.parts.elastic_mounts import ElasticMounts, clear_mounts
 from snapjump.frame.parts.elastic_solve import solve_chain
-from snapjump.frame.parts.point_contact import add_point_contact
 from snapjump.frame.rigid import RigidFrame
-from snapjump.number.functions import absolute, any_true, maximum, minimum, where
+from snapjump.number.functions import absolute, maximum
 
 MOUNTS = ("exact", "edge_middle")
 
@@ -120,80 +117,47 @@ class ElasticFrame(FrameOptions):
         def border_width(self) -> int:
             return 6
 
-        def add_forces(self, model: Any, motion: Any, work: Any) -> Any:
+        def add_inertia(self, model: Any, motion: Any, work: Any) -> Any:
             mesh = work.mesh
             state = work.state
-            residual = work.system.frame_residual
-            band = work.system.frame_band[HALF_BANDWIDTH:]
+            residual = work.frame_residual
+            band = work.frame_band
             rate = motion.rate_factor
             drag = model.damping.drag()
             fall = model.load.gravity()
             tug = model.load.pull()
-            zero = 0.0 * rate
-            clear_mounts(work.system, zero)
-            figures = FrameForces(zero, zero + 1.0e30, zero)
+            largest = 0.0 * rate
+            clear_mounts(work, largest)
             for node in range(node_count(mesh)):
                 i = 2 * node
                 mass = node_mass(self, mesh, node)
-                vx = (state[i] - work.origin[i]) * rate
-                vy = (state[i + 1] - work.origin[i + 1]) * rate
-                ax = (vx - work.drift[i]) * motion.inertia_rate
-                ay = (vy - work.drift[i + 1]) * motion.inertia_rate
+                vx = (state[i] - work.position_predictor[i]) * rate
+                vy = (state[i + 1] - work.position_predictor[i + 1]) * rate
+                ax = (vx - work.velocity_predictor[i]) * motion.inertia_rate
+                ay = (vy - work.velocity_predictor[i + 1]) * motion.inertia_rate
                 residual[i] = mass * (ax + drag * vx - tug)
                 residual[i + 1] = mass * (ay + drag * vy + fall)
                 band[i, 0] = mass * (motion.inertia_rate + drag) * rate
                 band[i + 1, 0] = mass * (motion.inertia_rate + drag) * rate
-                inertial = mass * (absolute(ax) + absolute(ay) + fall)
-                figures = FrameForces(
-                    maximum(figures.largest_force, inertial),
-                    figures.smallest_gap,
-                    figures.contact_rate_squared,
-                )
-                if model.contact.exists():
-                    weight = weight_at(self, mesh, node, model.ground)
-                    if any_true(weight > 0.0):
-                        figures = add_point_contact(
-                            model,
-                            motion,
-                            work,
-                            self.bouncing_mass,
-                            weight,
-                            i,
-                            i,
-                            node,
-                            residual,
-                            band,
-                            figures,
-                        )
+                largest = maximum(largest, mass * (absolute(ax) + absolute(ay) + fall))
+            return largest
+
+        def add_elasticity(self, model: Any, motion: Any, work: Any) -> Any:
+            mesh = work.mesh
+            state = work.state
+            residual = work.frame_residual
+            band = work.frame_band
             # Statics leaves x undetermined: a spring that ends up without force holds the top's
             # middle.
             middle = (mesh[LEFT_CORNER] + mesh[RIGHT_CORNER]) // 2
             place = (middle - mesh[LEFT_CORNER]) * self.top_length - self.half_span
             residual[2 * middle] += motion.anchor * (state[2 * middle] - place)
             band[2 * middle, 0] += motion.anchor
-            largest = add_chain_forces(
-                self, mesh, model.damping, state, work.origin, rate, residual, band
-            )
-            return FrameForces(
-                maximum(figures.largest_force, largest),
-                figures.smallest_gap,
-                figures.contact_rate_squared,
-            )
+            nodes = NodeMotion(state, work.position_predictor, motion.rate_factor)
+            return add_chain_forces(self, mesh, model.damping, nodes, residual, band)
 
-        def solve(self, mesh: Any, state: Any, system: Any, done: Any) -> Any:
-            return solve_chain(mesh, state, system, done)
-
-        def limit_step(self, mesh: Any, state: Any, drop: Any, fraction: Any) -> Any:
-            share = 1.0 + 0.0 * state[0]
-            light = self.node_weight + self.length_weight <= 0.0
-            for node in range(node_count(mesh)):
-                if is_corner(mesh, node) or not any_true(light):
-                    fall = drop[2 * node + 1]
-                    allowed = (1.0 - fraction) * state[2 * node + 1]
-                    beyond = fall > allowed
-                    if any_true(beyond):
-                        share = minimum(share, where(beyond, allowed / absolute(fall), 1.0))
-            return share
+        def solve(self, work: Any, done: Any) -> Any:
+            return solve_chain(work, done)
 
         def energy(self, mesh: Any, state: Any) -> Any:
             return chain_energy(self, mesh, state)

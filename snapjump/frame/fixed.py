@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 from snapjump.discretization.base import EndTangents
 from snapjump.frame.base import Frame, FrameOptions, Outline
 from snapjump.frame.parts.ends import release_first_node, release_last_node
-from snapjump.number.functions import cos, sin
+from snapjump.number.trigonometry import cos, sin
 
 
 class FixedFrame(FrameOptions):
@@ -22,7 +22,9 @@ class FixedFrame(FrameOptions):
         half_span: float
         mount_height: float
 
-        def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Any) -> Any:
+        def end_tangents(
+            self, mesh: Any, load: Any, angles: Any, state: Any, rotations: Any
+        ) -> Any:
             return EndTangents(
                 cos(angles.left),
                 -sin(angles.left),
@@ -43,31 +45,14 @@ class FixedFrame(FrameOptions):
             state[last] = self.half_span - offset * cos(angles.right)
             state[last + 1] = self.mount_height - offset * sin(angles.right)
             if dofs == 3:
-                state[2] = -discretization.turn_length() * angles.left
-                state[last + 2] = discretization.turn_length() * angles.right
+                state[2] = -discretization.rotation_length() * angles.left
+                state[last + 2] = discretization.rotation_length() * angles.right
 
-        def condense_first(
-            self,
-            mesh: Any,
-            tangents: Any,
-            discretization: Any,
-            hinge: Any,
-            state: Any,
-            system: Any,
-        ) -> None:
-            release_first_node(discretization.node_dofs(), system.residual, system.band)
+        def condense_first(self, model: Any, work: Any, tangents: Any, hinge: Any) -> None:
+            release_first_node(model.discretization.node_dofs(), work)
 
-        def condense_last(
-            self,
-            mesh: Any,
-            tangents: Any,
-            discretization: Any,
-            hinge: Any,
-            state: Any,
-            system: Any,
-        ) -> None:
-            dofs = discretization.node_dofs()
-            release_last_node(dofs, system.residual, system.band, state.shape[0] // dofs - 1)
+        def condense_last(self, model: Any, work: Any, tangents: Any, hinge: Any) -> None:
+            release_last_node(model.discretization.node_dofs(), work)
 
     def body(self, outline: Outline) -> Body:
         """The dimensionless frame."""

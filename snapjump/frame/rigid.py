@@ -6,12 +6,13 @@ The clamped end nodes of the beam belong to it, so that its mass matrix is diago
 from typing import Any, NamedTuple
 
 from snapjump.discretization.base import EndTangents
-from snapjump.frame.base import Frame, FrameBox, FrameForces, FrameOptions, Outline, Turning
-from snapjump.frame.parts.ends import move_first, move_last
-from snapjump.frame.parts.rigid_corners import add_corner_contacts, corner_arm
+from snapjump.frame.base import Frame, FrameBox, FrameOptions, Outline, Rotations
+from snapjump.frame.parts.ends import Arm, move_first, move_last
 from snapjump.linear_solver import banded
+from snapjump.linear_solver.contact_rows import CornerRows
 from snapjump.number.dispatch import kernel
-from snapjump.number.functions import absolute, cos, maximum, minimum, sin, where
+from snapjump.number.functions import absolute, maximum, where
+from snapjump.number.trigonometry import cos, sin
 
 LIFTED = 0.05  # of the anchor's stiffness, against rise and turn
 
@@ -37,85 +38,69 @@ class RigidFrame(FrameOptions):
         def border_width(self) -> int:
             return 3
 
-        def mount_turning(self, mesh: Any, state: Any, vector: Any) -> Turning:
-            return Turning(vector[2], vector[2])
+        def mount_rotations(self, mesh: Any, state: Any, vector: Any) -> Rotations:
+            return Rotations(vector[2], vector[2])
 
         def end_tangents(
-            self, mesh: Any, load: Any, angles: Any, state: Any, turning: Turning
+            self, mesh: Any, load: Any, angles: Any, state: Any, rotations: Rotations
         ) -> Any:
             left = state[2] - angles.left
             right = state[2] + angles.right
             return EndTangents(
                 cos(left),
                 sin(left),
-                turning.left - angles.left_rate,
+                rotations.left - angles.left_rate,
                 cos(right),
                 sin(right),
-                turning.right + angles.right_rate,
+                rotations.right + angles.right_rate,
                 0.0 * left,
                 0.0 * left,
             )
 
         def place_ends(self, mesh: Any, discretization: Any, angles: Any, state: Any) -> None:
-            still = Turning(0.0 * state[2], 0.0 * state[2])
+            still = Rotations(0.0 * state[2], 0.0 * state[2])
             tangents = self.end_tangents(mesh, 0.0, angles, state, still)
             dofs = discretization.node_dofs()
             offset = discretization.clamp_distance()
-            lx, ly = first_arm(self, offset, tangents, state[2])
-            rx, ry = last_arm(self, offset, tangents, state[2])
+            left = first_arm(self, offset, tangents, state[2])
+            right = last_arm(self, offset, tangents, state[2])
             last = state.shape[0] - dofs
-            state[3] = state[0] + lx
-            state[4] = state[1] + ly
-            state[last] = state[0] + rx
-            state[last + 1] = state[1] + ry
+            state[3] = state[0] + left.x
+            state[4] = state[1] + left.y
+            state[last] = state[0] + right.x
+            state[last + 1] = state[1] + right.y
             if dofs == 3:
-                state[5] = discretization.turn_length() * (state[2] - angles.left)
-                state[last + 2] = discretization.turn_length() * (state[2] + angles.right)
+                state[5] = discretization.rotation_length() * (state[2] - angles.left)
+                state[last + 2] = discretization.rotation_length() * (state[2] + angles.right)
 
-        def condense_first(
-            self,
-            mesh: Any,
-            tangents: Any,
-            discretization: Any,
-            hinge: Any,
-            state: Any,
-            system: Any,
-        ) -> None:
-            arm_x, arm_y = first_arm(self, discretization.clamp_distance(), tangents, state[2])
-            move_first(discretization, hinge, arm_x, arm_y, system.frame_residual, system)
+        def condense_first(self, model: Any, work: Any, tangents: Any, hinge: Any) -> None:
+            offset = model.discretization.clamp_distance()
+            arm = first_arm(self, offset, tangents, work.state[2])
+            move_first(model.discretization, hinge, arm, work.frame_residual, work)
 
-        def condense_last(
-            self,
-            mesh: Any,
-            tangents: Any,
-            discretization: Any,
-            hinge: Any,
-            state: Any,
-            system: Any,
-        ) -> None:
-            arm_x, arm_y = last_arm(self, discretization.clamp_distance(), tangents, state[2])
-            last = (state.shape[0] - 3) // discretization.node_dofs() - 1
-            move_last(discretization, last, hinge, arm_x, arm_y, system.frame_residual, system, 0)
+        def condense_last(self, model: Any, work: Any, tangents: Any, hinge: Any) -> None:
+            offset = model.discretization.clamp_distance()
+            arm = last_arm(self, offset, tangents, work.state[2])
+            move_last(model.discretization, hinge, arm, work.frame_residual, work, 0)
 
-        def add_forces(self, model: Any, motion: Any, work: Any) -> Any:
+        def add_inertia(self, model: Any, motion: Any, work: Any) -> Any:
             state = work.state
-            residual = work.system.frame_residual
-            square = work.system.square
+            residual = work.frame_residual
+            square = work.corner_block
             rate = motion.rate_factor
             drag = model.damping.drag()
             largest = 0.0 * rate
             clear(residual, square, largest)
             for k in range(3):
                 mass = self.inertia if k == 2 else self.mass
-                velocity = (state[k] - work.origin[k]) * rate
-                inertial = mass * (velocity - work.drift[k]) * motion.inertia_rate
+                velocity = (state[k] - work.position_predictor[k]) * rate
+                inertial = mass * (velocity - work.velocity_predictor[k]) * motion.inertia_rate
                 residual[k] += inertial + mass * drag * velocity
                 square[k, k] += mass * (motion.inertia_rate + drag) * rate
                 largest = maximum(largest, absolute(inertial))
             weight = self.mass * model.load.gravity()
             residual[0] -= self.mass * model.load.pull()
             residual[1] += weight
-            largest = maximum(largest, 0.0 * rate + weight)
             # Statics leaves x undetermined: a spring that ends up without force holds it.
             residual[0] += motion.anchor * state[0]
             square[0, 0] += motion.anchor
@@ -123,27 +108,30 @@ class RigidFrame(FrameOptions):
             # bring them back, and leaves the equilibrium where it is.
             square[1, 1] += LIFTED * motion.anchor
             square[2, 2] += LIFTED * motion.anchor
+            return maximum(largest, 0.0 * rate + weight)
 
-            figures = FrameForces(largest, 0.0 * rate + 1.0e30, 0.0 * rate)
-            if model.contact.exists():
-                figures = add_corner_contacts(self, model, motion, work, figures)
-            return figures
+        def stage_point(self, point: Any, work: Any, rate: Any) -> Any:
+            state = work.state
+            origin = work.position_predictor
+            rx, ry = corner_arm(self, point, cos(state[2]), sin(state[2]))
+            turn = state[2] - origin[2]
+            vx = (state[0] - origin[0]) * rate - ry * (turn * rate)
+            return state[1] + ry, vx, (state[1] - origin[1] + rx * turn) * rate
 
-        def limit_step(self, mesh: Any, state: Any, drop: Any, fraction: Any) -> Any:
-            c = cos(state[2])
-            s = sin(state[2])
-            share = 1.0 + 0.0 * state[0]
-            for corner in range(4):
-                rx, ry = corner_arm(self, corner, c, s)
-                gap = state[1] + ry
-                # The second-order term bounds the corner's fall along its arc.
-                fall = drop[1] + rx * drop[2] + 0.5 * absolute(ry) * drop[2] * drop[2]
-                allowed = (1.0 - fraction) * gap
-                share = minimum(share, where(fall > allowed, allowed / fall, 1.0))
-            return share
+        def fall(self, mesh: Any, point: Any, state: Any, drop: Any) -> Any:
+            rx, ry = corner_arm(self, point, cos(state[2]), sin(state[2]))
+            # The second-order term bounds the corner's fall along its arc.
+            bound = drop[1] + rx * drop[2] + 0.5 * absolute(ry) * drop[2] * drop[2]
+            return state[1] + ry, bound
 
-        def solve(self, mesh: Any, state: Any, system: Any, done: Any) -> Any:
-            return banded.solve_frame(system, done)
+        def contact_rows(self, point: Any, work: Any, rate: Any) -> CornerRows:
+            turn = work.state[2]
+            rx, ry = corner_arm(self, point, cos(turn), sin(turn))
+            turn_rate = (turn - work.position_predictor[2]) * rate
+            return CornerRows(work.frame_residual, work.corner_block, rx, ry, turn_rate)
+
+        def solve(self, work: Any, done: Any) -> Any:
+            return banded.solve_frame(work, done)
 
         def contact_points(self, mesh: Any) -> int:
             return 4
@@ -190,12 +178,6 @@ class RigidFrame(FrameOptions):
         def slide(self, mesh: Any, vector: Any, along_x: Any) -> None:
             vector[0] = vector[0] + along_x
 
-        def energy(self, mesh: Any, state: Any) -> Any:
-            return 0.0 * state[0]
-
-        def dissipation(self, damping: Any, mesh: Any, state: Any, velocity: Any) -> Any:
-            return 0.0 * state[0]
-
     def body(self, outline: Outline) -> Body:
         """The dimensionless frame of an outline, whose numbers may be arrays.
 
@@ -223,22 +205,30 @@ class RigidFrame(FrameOptions):
 
 
 @kernel
-def first_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Any:
+def corner_arm(frame: Any, corner: Any, c: Any, s: Any) -> Any:
+    """Vector from the centre of mass to a corner: left foot, left top, right top, right foot."""
+    x = -frame.half_span if corner < 2 else frame.half_span
+    y = frame.foot_y if corner == 0 or corner == 3 else frame.top_y
+    return c * x - s * y, s * x + c * y
+
+
+@kernel
+def first_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Arm:
     """Vector from the centre of mass to the first node."""
     c = cos(turn)
     s = sin(turn)
-    return (
+    return Arm(
         -frame.mount_y * s - frame.half_span * c + offset * tangents.left_x,
         frame.mount_y * c - frame.half_span * s + offset * tangents.left_y,
     )
 
 
 @kernel
-def last_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Any:
+def last_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Arm:
     """Vector from the centre of mass to the last node."""
     c = cos(turn)
     s = sin(turn)
-    return (
+    return Arm(
         -frame.mount_y * s + frame.half_span * c - offset * tangents.right_x,
         frame.mount_y * c + frame.half_span * s - offset * tangents.right_y,
     )

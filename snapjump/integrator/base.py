@@ -3,10 +3,10 @@
 A scheme is a ``NamedTuple`` of numbers. A step has implicit stages 1 ... S, and every stage of
 every scheme is the same problem (:mod:`snapjump.engine.assemble`),
 
-    M A + grad V(q) + damping(q, v) + contact = 0,   v = (q - origin) rate_factor,
-                                                     A = (v - drift) inertia_rate,
+    M A + grad V(q) + damping(q, v) + contact = 0,   v = (q - q*) rate_factor,
+                                                     A = (v - v*) inertia_rate,
 
-in which only two rates and the vectors ``origin`` and ``drift`` differ. Velocities and
+in which only two rates and the predictors q* and v* of position and velocity differ. Velocities and
 accelerations are kept in slots: slot 0 is the beginning of the step, slots 1 ... S its stages (the
 last one becomes slot 0 of the next step), and a scheme may keep a slot of history.
 An explicit scheme has one stage, whose position is known and whose forces are only evaluated.
@@ -45,7 +45,7 @@ class TimeIntegrator(Contract):
         """Whether the last stage is the end of the step; a constant while compiling."""
         return True
 
-    def stage_node(self, stage: Any) -> Any:
+    def abscissa(self, stage: Any) -> Any:
         """Time of a stage, as a share of the step."""
         return 1.0 + 0.0 * stage
 
@@ -54,12 +54,12 @@ class TimeIntegrator(Contract):
         """The :class:`Rates` of a step; ``ratio`` is its size over the last one's, first 0."""
 
     @required
-    def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
-        """Fill ``weights`` (slots) with what ``predict`` needs at every lane's own stage."""
+    def stage_coefficients(self, stage: Any, step: Any, ratio: Any, coefficients: Any) -> None:
+        """Fill ``coefficients`` (slots) with what ``predict`` needs at the stage of every lane."""
 
     @required
     def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
-        """Origin, drift and first guess of coordinate ``i`` of a stage."""
+        """Predictors of position and velocity, and first guess, of coordinate ``i`` of a stage."""
 
     @required
     def store_stage(
@@ -67,7 +67,9 @@ class TimeIntegrator(Contract):
     ) -> Any:
         """Keep velocity and acceleration of the stage that has just converged.
 
-        An explicit scheme finds the stage's acceleration in ``work.change``.
+        In lanes outside ``mask`` slots that will be read again stay as they are; the last stage's
+        is used up at once, so that it may be overwritten in all of them. An explicit scheme finds
+        the stage's acceleration in its slot.
 
         Returns the step's estimated error in position (L, root mean square over the coordinates)
         for lanes whose last stage it was.

@@ -34,14 +34,18 @@ class Bdf2(IntegratorOptions):
             rate = (1.0 + 2.0 * ratio) / ((1.0 + ratio) * step)
             return Rates(rate, rate)
 
-        def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
-            weights[0] = step * ratio / (1.0 + 2.0 * ratio)
+        def stage_coefficients(self, stage: Any, step: Any, ratio: Any, coefficients: Any) -> None:
+            coefficients[0] = step * ratio / (1.0 + 2.0 * ratio)
 
         def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
-            origin = fma(work.weights[0], work.velocity[HISTORY, i], work.start[i])
-            drift = fma(work.weights[0], work.acceleration[HISTORY, i], work.velocity[0, i])
+            position = fma(work.coefficients[0], work.velocity[HISTORY, i], work.start[i])
+            velocity = fma(work.coefficients[0], work.acceleration[HISTORY, i], work.velocity[0, i])
             share = 1.0 / rates.rate_factor
-            return origin, drift, origin + share * (drift + share * work.acceleration[0, i])
+            return (
+                position,
+                velocity,
+                position + share * (velocity + share * work.acceleration[0, i]),
+            )
 
         def store_stage(
             self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
@@ -54,12 +58,12 @@ class Bdf2(IntegratorOptions):
             scale = grown * grown / ((1.0 + 2.0 * ratio) * (2.0 + 3.0 * ratio))
             total = 0.0 * rate
             for i in range(work.state.shape[0]):
-                v = (work.state[i] - work.origin[i]) * rate
-                begun = work.velocity[0, i]
+                v = (work.state[i] - work.position_predictor[i]) * rate
+                before = work.velocity[0, i]
                 work.velocity[1, i] = v
-                work.acceleration[1, i] = (v - work.drift[i]) * rate
-                past = 2.0 * ratio * (begun - work.velocity[HISTORY, i])
-                error = v - begun - past
+                work.acceleration[1, i] = (v - work.velocity_predictor[i]) * rate
+                past = 2.0 * ratio * (before - work.velocity[HISTORY, i])
+                error = v - before - past
                 total = fma(error, error, total)
             return sqrt(total / work.state.shape[0]) * (scale * step)
 

@@ -65,15 +65,15 @@ class CentralDifference(IntegratorOptions):
         def stage_rates(self, step: Any, ratio: Any) -> Any:
             return Rates(2.0 / step, 0.0 * step)
 
-        def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
-            weights[0] = step
+        def stage_coefficients(self, stage: Any, step: Any, ratio: Any, coefficients: Any) -> None:
+            coefficients[0] = step
 
         def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
-            h = work.weights[0]
+            h = work.coefficients[0]
             a = work.acceleration[0, i]
             velocity = work.velocity[0, i]
             aim = fma(h, fma(0.5 * h, a, velocity), work.start[i])
-            # The assembly finds the predicted velocity as (aim - origin) rate_factor.
+            # The assembly finds the predicted velocity as (aim - position) rate_factor.
             return aim - 0.5 * h * fma(h, a, velocity), velocity, aim
 
         def store_stage(
@@ -82,9 +82,8 @@ class CentralDifference(IntegratorOptions):
             total = 0.0 * step
             for i in range(work.state.shape[0]):
                 before = work.acceleration[0, i]
-                after = work.change[i]
+                after = work.acceleration[1, i]
                 work.velocity[1, i] = fma(0.5 * step, before + after, work.velocity[0, i])
-                work.acceleration[1, i] = after
                 total = fma(after - before, after - before, total)
             return sqrt(total / work.state.shape[0]) * (step * step / 6.0)
 

@@ -48,20 +48,20 @@ class GeneralizedAlpha(IntegratorOptions):
             share = (1.0 - self.alpha_m) / (1.0 - self.alpha_f)
             return Rates(self.gamma / (self.beta * step), share / (self.gamma * step))
 
-        def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
-            weights[0] = step
+        def stage_coefficients(self, stage: Any, step: Any, ratio: Any, coefficients: Any) -> None:
+            coefficients[0] = step
 
         def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
-            h = work.weights[0]
+            h = work.coefficients[0]
             a = work.acceleration[0, i]
             forces = work.acceleration[FORCES, i]
             velocity = work.velocity[0, i]
             coasting = fma(h, velocity, work.start[i])
             known = fma(h * (1.0 - self.gamma), a, velocity)
-            origin = coasting + h * (h * (0.5 - self.beta) * a - self.beta / self.gamma * known)
+            position = coasting + h * (h * (0.5 - self.beta) * a - self.beta / self.gamma * known)
             carried = self.alpha_m * a - self.alpha_f * forces
-            drift = known - h * self.gamma / (1.0 - self.alpha_m) * carried
-            return origin, drift, fma(0.5 * h * h, a, coasting)
+            velocity_predictor = known - h * self.gamma / (1.0 - self.alpha_m) * carried
+            return position, velocity_predictor, fma(0.5 * h * h, a, coasting)
 
         def store_stage(
             self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
@@ -72,11 +72,11 @@ class GeneralizedAlpha(IntegratorOptions):
             for i in range(work.state.shape[0]):
                 a = work.acceleration[0, i]
                 known = fma(step * (1.0 - self.gamma), a, work.velocity[0, i])
-                v = (work.state[i] - work.origin[i]) * rates.rate_factor
+                v = (work.state[i] - work.position_predictor[i]) * rates.rate_factor
                 after = (v - known) * over
                 work.velocity[1, i] = v
                 work.acceleration[1, i] = after
-                work.velocity[FORCES, i] = (v - work.drift[i]) * rates.inertia_rate
+                work.velocity[FORCES, i] = (v - work.velocity_predictor[i]) * rates.inertia_rate
                 total = fma(after - a, after - a, total)
             return sqrt(total / work.state.shape[0]) * (factor * step * step)
 

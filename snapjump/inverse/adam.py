@@ -16,7 +16,7 @@ class AdamOptions(InverseOptions):
     learning_rate: float = number(0.03, above=0.0, most=1.0)
 
     def solve(self, problem: Problem) -> list[Solution]:
-        """Where the starts have gone. Source: the paper, its section on inverse design."""
+        """Ends of the descents. Source: the paper, its section on inverse design."""
         forward = problem.known_forward("adam")
         span = problem.high - problem.low
         shares = torch.from_numpy(qmc.Sobol(2, rng=problem.seed).random(self.starts))

@@ -1,6 +1,6 @@
 """The contract of an inverse method: which clamps reach a target apex in a given environment."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar, Protocol
 
 import numpy as np
@@ -77,6 +77,10 @@ class Problem:
         """Controls (N, 2) from shares (N, 2) of the way from low to high."""
         return self.low + np.asarray(shares) * (self.high - self.low)
 
+    def misses(self, apexes: Array) -> Array:
+        """Distances (N) of apexes (N, 2) from the target in L; NaN where there is none."""
+        return np.hypot(*(apexes - self.target).T)
+
     def grid(self, points: int) -> Array:
         """Controls (points, points, 2) over the rectangle, delta_alpha along the first axis."""
         ticks = np.linspace(0.0, 1.0, points)
@@ -103,6 +107,39 @@ class Solution:
         return float(np.hypot(*(self.apex - target)))
 
 
+@dataclass
+class Search:
+    """Simulated designs: ``shares`` (N, 2) of the controls' ranges, and their apexes (N, 2)."""
+
+    problem: Problem
+    simulator: Simulator
+    shares: Array = field(default_factory=lambda: np.zeros((0, 2)))
+    apexes: Array = field(default_factory=lambda: np.zeros((0, 2)))
+
+    def simulate(self, shares: Array) -> Array:
+        """Apexes (N, 2) of candidates (N, 2); those that do not jump are NaN, and forgotten."""
+        apexes = self.simulator.apexes(self.designs(shares))
+        jumped = np.isfinite(apexes).all(axis=1)
+        self.shares = np.vstack([self.shares, shares[jumped]])
+        self.apexes = np.vstack([self.apexes, apexes[jumped]])
+        return apexes
+
+    def misses(self) -> Array:
+        """Distances (N) to the target in L."""
+        return self.problem.misses(self.apexes)
+
+    def best(self) -> Solution:
+        """The point nearest to the target; if none jumped, the middle, infinitely far."""
+        if not len(self.apexes):
+            return Solution(self.problem.unscaled(np.full(2, 0.5)), np.full(2, np.inf), True)
+        k = int(self.misses().argmin())
+        return Solution(self.problem.unscaled(self.shares[k]), self.apexes[k], True)
+
+    def designs(self, shares: Array) -> Array:
+        """Designs (N, 4) of shares (N, 2)."""
+        return self.problem.designs(self.problem.unscaled(shares))
+
+
 class InverseOptions(Part):
     """A method of inverse design and its numbers.
 
@@ -127,8 +164,8 @@ class InverseOptions(Part):
 
 
 def one_percent_bar(designs: Array, slopes: Array) -> Array:
-    """How far (L) one percent of each parameter moves an apex: (N, 4), from designs (N, 4) and
-    derivatives (N, 2, 4)."""
+    """Distances (N, 4) in L that one percent of each parameter moves apexes by, from designs (N, 4)
+    and derivatives (N, 2, 4)."""
     return 0.01 * np.abs(designs) * np.hypot(slopes[:, 0], slopes[:, 1])
 
 
@@ -137,7 +174,7 @@ def predicted_solutions(problem: Problem, forward: ForwardModel, controls: Array
     manufacturing errors move least first; if none does, the nearest alone."""
     designs = problem.designs(controls)
     apexes = forward.predict(designs)
-    misses = np.hypot(*(apexes - problem.target).T)
+    misses = problem.misses(apexes)
     order = np.argsort(misses, kind="stable")
     kept: list[int] = []
     for k in order[misses[order] <= REACHED_BAR]:

@@ -7,7 +7,7 @@ from bayes_opt import BayesianOptimization
 
 from snapjump.checks import check_integer
 from snapjump.declare.fields import integer
-from snapjump.inverse.base import CONTROLS, Array, InverseOptions, Problem, Solution
+from snapjump.inverse.base import CONTROLS, InverseOptions, Problem, Search, Solution
 
 
 class BayesianOptions(InverseOptions):
@@ -23,35 +23,22 @@ class BayesianOptions(InverseOptions):
 
     def solve(self, problem: Problem) -> list[Solution]:
         """The best of all simulated designs: ``first`` random ones, then one after the other."""
-        search = BayesianOptimization(
+        optimizer = BayesianOptimization(
             None,
             {name: (0.0, 1.0) for name in CONTROLS},
             random_state=problem.seed,
             verbose=0,
             allow_duplicate_points=True,
         )
-        begun = np.random.default_rng(problem.seed).random((self.first, 2))
-        shares, apexes = begun, simulated(problem, begun)
-        for share, apex in zip(shares, apexes, strict=True):
-            search.register(dict(zip(CONTROLS, share, strict=True)), -miss_bar(problem, apex))
-        while len(shares) < self.simulations:
-            suggested = search.suggest()
-            share = np.array([[suggested[name] for name in CONTROLS]])
-            apex = simulated(problem, share)
-            search.register(suggested, -miss_bar(problem, apex[0]))
-            shares, apexes = np.vstack([shares, share]), np.vstack([apexes, apex])
-        best = int(np.argmin([miss_bar(problem, apex) for apex in apexes]))
-        apex = apexes[best] if np.isfinite(apexes[best]).all() else np.full(2, np.inf)
-        return [Solution(problem.unscaled(shares[best]), apex, True)]
-
-
-def simulated(problem: Problem, shares: Array) -> Array:
-    """Apexes (N, 2) of shares (N, 2)."""
-    return problem.simulator.apexes(problem.designs(problem.unscaled(shares)))
-
-
-def miss_bar(problem: Problem, apex: Array) -> float:
-    """Distance of an apex (2,) from the target, in L; without a jump more than from the start."""
-    if not np.isfinite(apex).all():
-        return 1.0 + float(np.hypot(*problem.target))
-    return float(np.hypot(*(apex - problem.target)))
+        search = Search(problem, problem.simulator)
+        # What does not jump is farther away than the start.
+        farthest = 1.0 + float(np.hypot(*problem.target))
+        shares = np.random.default_rng(problem.seed).random((self.first, 2))
+        for left in range(self.simulations - self.first, -1, -1):
+            misses = np.nan_to_num(problem.misses(search.simulate(shares)), nan=farthest)
+            for share, miss in zip(shares, misses.tolist(), strict=True):
+                optimizer.register(dict(zip(CONTROLS, share, strict=True)), -miss)
+            if left:
+                suggested = optimizer.suggest()
+                shares = np.array([[suggested[name] for name in CONTROLS]])
+        return [search.best()]

@@ -11,14 +11,13 @@ wrinkle, a fit sees over it. The benchmark compares both.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from typing import ClassVar
 
 import numpy as np
 from scipy.optimize import lsq_linear
 
 from snapjump.declare.fields import choice, integer, number
-from snapjump.inverse.base import Array, InverseOptions, Problem, Simulator, Solution
+from snapjump.inverse.base import Array, InverseOptions, Problem, Search, Solution
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
 
 CANDIDATES = 8  # a round: as many as the simulator has lanes
@@ -64,7 +63,7 @@ class PhysicsOptions(InverseOptions):
     def _reaches(self, problem: Problem, solution: Solution) -> bool:
         return solution.miss_bar(problem.target) <= self.tolerance_bar
 
-    def _refined(self, search: "Search", start: Solution) -> Solution:
+    def _refined(self, search: Search, start: Solution) -> Solution:
         """Refined at the problem's tier, then at the finer one if that is to have the last word."""
         rounds = exact_rounds if self.needs_slopes else fitted_rounds
         problem, searches = search.problem, [search]
@@ -79,7 +78,7 @@ class PhysicsOptions(InverseOptions):
         return start
 
 
-def first_guesses(search: "Search") -> list[Solution]:
+def first_guesses(search: Search) -> list[Solution]:
     """The forward model's solutions, or without one the best point of a grid of simulations."""
     if search.problem.forward is not None:
         return GaussNewtonOptions().solve(search.problem)
@@ -87,45 +86,10 @@ def first_guesses(search: "Search") -> list[Solution]:
     return [search.best()]
 
 
-@dataclass
-class Search:
-    """What was simulated: ``shares`` (N, 2) of the controls' ranges, and their apexes (N, 2)."""
-
-    problem: Problem
-    simulator: Simulator
-    shares: Array = field(default_factory=lambda: np.zeros((0, 2)))
-    apexes: Array = field(default_factory=lambda: np.zeros((0, 2)))
-
-    @property
-    def target(self) -> Array:
-        return self.problem.target
-
-    def simulate(self, shares: Array) -> None:
-        """Simulate candidates (N, 2); those that do not jump are forgotten."""
-        apexes = self.simulator.apexes(self.designs(shares))
-        jumped = np.isfinite(apexes).all(axis=1)
-        self.shares = np.vstack([self.shares, shares[jumped]])
-        self.apexes = np.vstack([self.apexes, apexes[jumped]])
-
-    def misses(self) -> Array:
-        """Distances (N) to the target in L."""
-        return np.hypot(*(self.apexes - self.target).T)
-
-    def best(self) -> Solution:
-        """The point nearest to the target; if none jumped, the middle, infinitely far."""
-        if not len(self.apexes):
-            return Solution(self.problem.unscaled(np.full(2, 0.5)), np.full(2, np.inf), True)
-        k = int(self.misses().argmin())
-        return Solution(self.problem.unscaled(self.shares[k]), self.apexes[k], True)
-
-    def by_shares(self, slopes: Array) -> Array:
-        """Derivatives (2, 2) of the apex by the shares, from those (1, 2, 4) by the design."""
-        found: Array = slopes[0, :, :2] * (self.problem.high - self.problem.low)
-        return found
-
-    def designs(self, shares: Array) -> Array:
-        """Designs (N, 4) of shares (N, 2)."""
-        return self.problem.designs(self.problem.unscaled(shares))
+def by_shares(problem: Problem, slopes: Array) -> Array:
+    """Derivatives (2, 2) of the apex by the shares, from those (1, 2, 4) by the design."""
+    found: Array = slopes[0, :, :2] * (problem.high - problem.low)
+    return found
 
 
 def step(slopes: Array, change: Array, shares: Array) -> Array:
@@ -137,12 +101,12 @@ def step(slopes: Array, change: Array, shares: Array) -> Array:
 
 def fitted_rounds(search: Search, start: Solution) -> Iterator[Solution]:
     """The best point after each round; slopes are fitted to what was simulated."""
-    forward, target = search.problem.forward, search.target
+    forward, target = search.problem.forward, search.problem.target
     here = search.problem.scaled(start.controls)
     believed = start.apex if np.isfinite(start.apex).all() else target
     drawn_to = np.eye(2) * max(1.0, float(np.abs(target).max()))
     if forward is not None:
-        drawn_to = search.by_shares(forward.jacobian(search.designs(here[None])))
+        drawn_to = by_shares(search.problem, forward.jacobian(search.designs(here[None])))
     slopes = drawn_to
     if len(search.apexes):
         here, believed, slopes = fit(search, drawn_to)
@@ -187,9 +151,9 @@ def exact_rounds(search: Search, start: Solution) -> Iterator[Solution]:
         slopes = search.simulator.slopes(search.designs(here[None]))
         if not np.isfinite(slopes).all():
             return
-        way = step(search.by_shares(slopes), search.target - best.apex, here)
+        way = step(by_shares(search.problem, slopes), search.problem.target - best.apex, here)
         search.simulate(np.clip(here + LENGTHS[:, None] * way, 0.0, 1.0))
-        if search.best().miss_bar(search.target) >= best.miss_bar(search.target):
+        if search.best().miss_bar(search.problem.target) >= best.miss_bar(search.problem.target):
             return
         best = search.best()
         yield best

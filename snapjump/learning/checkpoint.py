@@ -74,7 +74,7 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
 
 
 def learned_inputs(axes: Sequence[Axis]) -> Inputs:
-    """What a surrogate has to know of its inputs."""
+    """The inputs of a surrogate for these axes."""
     paths = [axis.path for axis in axes]
     mass = "environment.mass_bar"
     return Inputs(len(paths), paths.index(mass) if mass in paths else None)

@@ -1,12 +1,11 @@
 """The jumps of a dataset in memory: split by a seed, and handed out in batches that grow."""
 
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
-from pytorch_lightning import LightningDataModule
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.columns import APEX, slope_columns
@@ -33,7 +32,7 @@ class Split(NamedTuple):
 
 
 def split(count: int, training: Training, seed: int) -> Split:
-    """By :data:`RULE`. The test set depends on seed, count and test_share alone."""
+    """A split by :data:`RULE`. The test set depends on seed, count and test_share alone."""
     order = np.random.default_rng(seed).permutation(count)
     tested = round(training.test_share * count)
     rest = order[tested:]
@@ -46,18 +45,16 @@ def split(count: int, training: Training, seed: int) -> Split:
     found = Split(rest[validated:], rest[:validated], order[:tested])
     for name, part in found._asdict().items():
         if len(part) < SMALLEST_PART:
-            given = count if training.rows is None else training.rows
-            allowed = (
-                f"more jumps: training, validation and test set need {SMALLEST_PART} each, and "
-                f"the {name} set of these has {len(part)}"
-            )
-            key = "dataset.path" if training.rows is None else "training.rows"
-            raise ParameterError(key, given, allowed)
+            need = f"training, validation and test set need {SMALLEST_PART} each"
+            allowed = f"more jumps: {need}, and the {name} set of these has {len(part)}"
+            if training.rows is None:
+                raise ParameterError("dataset.path", count, allowed)
+            raise ParameterError("training.rows", training.rows, allowed)
     return found
 
 
 class Batches:
-    """All rows once, in a random order that a seed determines, or as they are without one."""
+    """Batches of all rows, in a random order that a seed determines, or as they are without one."""
 
     def __init__(self, rows: Rows, size: int, seed: tuple[int, int] | None = None):
         self.rows, self.size, self.seed = rows, size, seed
@@ -74,14 +71,13 @@ class Batches:
             yield Rows(*(part[chosen] for part in self.rows))
 
 
-class JumpData(LightningDataModule):
+class JumpData:
     """``train``, ``validation`` and ``test`` rows of a dataset, by a seed.
 
     Raises ParameterError for a dataset that has too few jumps that are ok.
     """
 
     def __init__(self, dataset: Dataset, training: Training, seed: int):
-        super().__init__()
         self.dataset, self.training, self.seed = dataset, training, seed
         rows = read_rows(dataset)
         if not len(rows.designs):
@@ -92,18 +88,9 @@ class JumpData(LightningDataModule):
             Rows(*(values[part] for values in rows)) for part in parts
         )
 
-    def train_dataloader(self) -> Batches:
-        """The batches of the trainer's epoch: another order, and perhaps size, in each."""
-        epoch = 0 if self.trainer is None else self.trainer.current_epoch
+    def batches(self, epoch: int) -> Batches:
+        """The training set in an order, and perhaps a size of batches, of the epoch's own."""
         return Batches(self.train, self.training.batch_size(epoch), (self.seed, epoch))
-
-    def val_dataloader(self) -> Batches:
-        """The validation set."""
-        return Batches(self.validation, WHOLE)
-
-    def transfer_batch_to_device(self, batch: Rows, device: Any, dataloader_idx: int) -> Rows:
-        """It is where it belongs."""
-        return batch
 
 
 def read_rows(dataset: Dataset) -> Rows:

@@ -15,7 +15,7 @@ from snapjump.composition import Simulation
 from snapjump.dataset.specification import first_difference
 from snapjump.declare.inputs import PARTS
 from snapjump.learning.checkpoint import read_checkpoint
-from snapjump.learning.threads import torch_threads
+from snapjump.learning.fit import torch_threads
 from snapjump.plan.parts.axes import Array, Range, recorded_axes
 from snapjump.surrogate.base import Surrogate
 
@@ -85,7 +85,7 @@ class ForwardModel:
             raise ParameterError(key, ours, f"{theirs!r}, which the forward model was trained with")
 
     def _asked(self, function: Callable[[Tensor], Any], designs: Array) -> list[Any]:
-        """What a function says of designs, chunk by chunk."""
+        """Values of a function of designs, chunk by chunk."""
         given = torch.from_numpy(self._checked(designs)).to(self.network.inputs.mean.dtype)
         with torch_threads():
             return [function(chunk) for chunk in given.split(CHUNK)]

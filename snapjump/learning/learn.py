@@ -13,10 +13,10 @@ from typing import Any, NamedTuple
 
 import torch
 
-from snapjump.batch.progress import Progress
 from snapjump.checks import ParameterError
 from snapjump.dataset.sealed import read_sealed, sha256_of, write_sealed
 from snapjump.declare.members import member_group
+from snapjump.declare.scenes import Progress
 from snapjump.files.lock import FileLock
 from snapjump.files.provenance import origin
 from snapjump.files.sources import combined_hash, package_files, plugin_files
@@ -27,9 +27,8 @@ from snapjump.learning.checkpoint import (
     write_checkpoint,
 )
 from snapjump.learning.data import RULE, JumpData
-from snapjump.learning.fit import STATE, Fitted, descend
+from snapjump.learning.fit import STATE, Fitted, descend, torch_threads
 from snapjump.learning.measures import measures
-from snapjump.learning.threads import torch_threads
 from snapjump.surrogate.base import Surrogate, SurrogateOptions
 
 DEFAULT = Path("outputs/training")
@@ -39,8 +38,6 @@ FORWARD_MODEL, CURVES = "forward_model.safetensors", "curves.json"
 DETERMINES = (
     "learning/data.py",
     "learning/fit.py",
-    "learning/keeper.py",
-    "learning/lightning_module.py",
     "learning/training.py",
     "surrogate/base.py",
     "surrogate/parts/layers.py",
@@ -131,7 +128,7 @@ def _fitted(
 
 
 def _about(data: JumpData, network: Surrogate, fitted: Fitted) -> dict[str, Any]:
-    """What a checkpoint says of itself."""
+    """The metadata of a checkpoint."""
     dataset = data.dataset
     return {
         "dataset": {
@@ -150,7 +147,7 @@ def _about(data: JumpData, network: Surrogate, fitted: Fitted) -> dict[str, Any]
 
 
 def _finished(folder: Path) -> Learned | None:
-    """What an earlier run has finished, if it is whole."""
+    """The forward model that an earlier run has finished, if it is whole."""
     kept = read_sealed(folder / CURVES)
     try:
         found: Checkpoint = read_checkpoint(folder / FORWARD_MODEL)

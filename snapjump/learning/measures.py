@@ -1,4 +1,4 @@
-"""How far a forward model is off on jumps that it has not seen."""
+"""Errors of a forward model on jumps that it has not seen."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""What one design costs to ask."""
+"""Time of a prediction."""
 
 import time
 from collections.abc import Callable

@@ -14,35 +14,25 @@ eliminated column, entry 0 is one over the pivot, the others are those of L D.
 from typing import Any, NamedTuple
 
 from snapjump.discretization.base import HALF_BANDWIDTH
+from snapjump.linear_solver.schur import Schur, solve_block, subtract_schur, with_column
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, fma, maximum, where
 
 
 class Elimination(NamedTuple):
-    """Running figures of an elimination.
-
-    negative: pivots of the nodes that are not positive; largest: residual so far; (xx, xy, yy,
-    xt, yt, tt) and (x, y, t): what the nodes take from the frame's block and right-hand side
-    (t for its direction theta).
-    """
+    """Running figures of an elimination: pivots of the nodes that are not positive, the largest
+    residual so far, and the terms of the Schur complement."""
 
     negative: Any
     largest: Any
-    xx: Any
-    xy: Any
-    yy: Any
-    xt: Any
-    yt: Any
-    tt: Any
-    x: Any
-    y: Any
-    t: Any
+    schur: Schur
 
 
 @kernel
 def begin_elimination(zero: Any) -> Elimination:
     """No node eliminated yet."""
-    return Elimination(zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero)
+    nothing = Schur(zero, zero, zero, zero, zero, zero, zero, zero, zero)
+    return Elimination(zero, zero, nothing)
 
 
 @kernel
@@ -144,11 +134,11 @@ def reduce_y_border(border: Any, j: Any, factors: Any) -> Any:
 
 
 @kernel
-def eliminate_node(system: Any, node: Any, bordered: Any, done: Elimination) -> Elimination:
+def eliminate_node(work: Any, node: Any, bordered: Any, done: Elimination) -> Elimination:
     """Eliminate a node whose columns, and whose share of the border, are complete."""
-    band = system.padded_band
-    rhs = system.padded_residual
-    border = system.padded_border
+    band = work.padded_band
+    rhs = work.padded_residual
+    border = work.padded_border
     i = 2 * node + HALF_BANDWIDTH
     j = i + 1
     largest = maximum(maximum(done.largest, absolute(rhs[i])), absolute(rhs[j]))
@@ -159,70 +149,27 @@ def eliminate_node(system: Any, node: Any, bordered: Any, done: Elimination) -> 
     over_i = band[i, 0]
     over_j = band[j, 0]
     negative = done.negative + where(over_i > 0.0, 0.0, 1.0) + where(over_j > 0.0, 0.0, 1.0)
-    if not bordered:
-        return Elimination(
-            negative,
-            largest,
-            done.xx,
-            done.xy,
-            done.yy,
-            done.xt,
-            done.yt,
-            done.tt,
-            done.x,
-            done.y,
-            done.t,
-        )
-    xi, yi, ti = reduce_x_border(border, i, of_x)
-    xj, yj, tj = reduce_y_border(border, j, of_y)
-    fxi = xi * over_i
-    fyi = yi * over_i
-    fti = ti * over_i
-    fxj = xj * over_j
-    fyj = yj * over_j
-    ftj = tj * over_j
-    return Elimination(
-        negative,
-        largest,
-        fma(fxj, xj, fma(fxi, xi, done.xx)),
-        fma(fxj, yj, fma(fxi, yi, done.xy)),
-        fma(fyj, yj, fma(fyi, yi, done.yy)),
-        fma(fxj, tj, fma(fxi, ti, done.xt)),
-        fma(fyj, tj, fma(fyi, ti, done.yt)),
-        fma(ftj, tj, fma(fti, ti, done.tt)),
-        fma(fxj, rj, fma(fxi, ri, done.x)),
-        fma(fyj, rj, fma(fyi, ri, done.y)),
-        fma(ftj, rj, fma(fti, ri, done.t)),
-    )
+    schur = done.schur
+    if bordered:
+        schur = with_column(schur, reduce_x_border(border, i, of_x), over_i, ri)
+        schur = with_column(schur, reduce_y_border(border, j, of_y), over_j, rj)
+    return Elimination(negative, largest, schur)
 
 
 @kernel
-def solve_frame(system: Any, done: Elimination) -> Any:
+def solve_frame(work: Any, done: Elimination) -> Any:
     """Solve for the frame once all nodes are eliminated; returns the number of pivots <= 0."""
-    square = system.square
-    x = system.frame_residual
-    square[0, 0] -= done.xx
-    square[0, 1] -= done.xy
-    square[1, 0] -= done.xy
-    square[1, 1] -= done.yy
-    square[0, 2] -= done.xt
-    square[2, 0] -= done.xt
-    square[1, 2] -= done.yt
-    square[2, 1] -= done.yt
-    square[2, 2] -= done.tt
-    x[0] -= done.x
-    x[1] -= done.y
-    x[2] -= done.t
-    return solve_square(square, x)
+    subtract_schur(done.schur, work.corner_block, work.frame_residual)
+    return solve_block(work.corner_block, work.frame_residual)
 
 
 @kernel
-def substitute_back(system: Any, bordered: Any, zero: Any) -> Any:
+def substitute_back(work: Any, bordered: Any, zero: Any) -> Any:
     """Replace the nodes' right-hand side by the solution; returns its largest entry."""
-    band = system.padded_band
-    border = system.padded_border
-    rhs = system.padded_residual
-    frame = system.frame_residual
+    band = work.padded_band
+    border = work.padded_border
+    rhs = work.padded_residual
+    frame = work.frame_residual
     x0 = frame[0]
     x1 = frame[1]
     x2 = frame[2]
@@ -259,25 +206,3 @@ def substitute_back(system: Any, bordered: Any, zero: Any) -> Any:
         next_x = x
         next_y = y
     return largest
-
-
-@kernel
-def solve_square(square: Any, x: Any) -> Any:
-    """Solve the frame's own 3 x 3 block for x[0:3]; returns the number of pivots <= 0."""
-    s00 = square[0, 0]
-    inverse = 1.0 / s00
-    f1 = square[1, 0] * inverse
-    f2 = square[2, 0] * inverse
-    s11 = square[1, 1] - f1 * square[0, 1]
-    s12 = square[1, 2] - f1 * square[0, 2]
-    s21 = square[2, 1] - f2 * square[0, 1]
-    s22 = square[2, 2] - f2 * square[0, 2]
-    x1 = x[1] - f1 * x[0]
-    x2 = x[2] - f2 * x[0]
-    f2 = s21 / s11
-    s22 = s22 - f2 * s12
-    x[2] = (x2 - f2 * x1) / s22
-    x[1] = (x1 - s12 * x[2]) / s11
-    x[0] = (x[0] - square[0, 1] * x[1] - square[0, 2] * x[2]) * inverse
-    negative = where(s00 > 0.0, 0.0, 1.0) + where(s11 > 0.0, 0.0, 1.0)
-    return negative + where(s22 > 0.0, 0.0, 1.0)

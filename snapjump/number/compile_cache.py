@@ -1,4 +1,4 @@
-"""Where compiled kernels are kept: a folder named after the sources they came from.
+"""Cache of compiled kernels on disk: a folder named after the sources they came from.
 
 numba checks only the file of the function that was called, not those of the functions it uses;
 with the hash of all kernel sources in the folder's name, an edited one is never served stale. It

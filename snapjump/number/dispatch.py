@@ -1,4 +1,4 @@
-"""How kernels are compiled: what Python calls, what only they call, and what is merged."""
+"""Decorators of kernels: programs that Python calls, routines, and what is inlined."""
 
 from collections.abc import Callable
 from typing import Any

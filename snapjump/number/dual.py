@@ -17,7 +17,7 @@ from numba.core.typeconv import Conversion
 from numba.core.typing.templates import infer_global, signature
 from numba.extending import intrinsic, models, register_model
 
-from snapjump.number.array import FirstTemplate, NumberArray, seen_as
+from snapjump.number.array import FirstTemplate
 from snapjump.number.lane import LaneType, splat
 
 PARAMETERS = 4
@@ -233,20 +233,3 @@ def slope_at(typingctx: Any, slopes: Any, place: Any) -> Any:
         return builder.extract_element(args[0], index)
 
     return types.float64(SLOPES, place), codegen
-
-
-@intrinsic
-def view_duals(typingctx: Any, array: Any) -> Any:
-    """View a C-contiguous float64 array of shape (..., 8) as an array of duals of shape (...).
-
-    The data must be aligned to 64 bytes; of the eight, the first is the value and the last four
-    are the slopes. The caller keeps the array alive.
-    """
-    if array.layout != "C" or array.dtype != types.float64:
-        raise TypeError(f"view_duals needs C-contiguous doubles, not {array}")
-    viewed = NumberArray(DUAL, array.ndim - 1)
-
-    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        return seen_as(context, builder, viewed, array, args[0])
-
-    return viewed(array), codegen

@@ -28,6 +28,7 @@ __all__ = ["Contract", "ContractError", "required"]
 METHODS_KEY = "snapjump.methods"
 METHODS: dict[tuple[type, str], Function] = {}
 CALLS: dict[Function, Function] = {}  # how numba writes a call of each
+FORMER_NAMES = {"approach": "state"}  # of arguments, which plug-ins may still have
 OF_TUPLES = ("_make", "_replace", "_asdict")
 
 
@@ -36,7 +37,7 @@ class ContractError(TypeError):
 
 
 class Contract:
-    """What kernels ask of a family's members; its methods are those of every member."""
+    """A contract: the methods of every member of a family, which kernels call."""
 
     @classmethod
     def member(cls, member: Any) -> Any:
@@ -68,7 +69,7 @@ def methods_of(cls: type) -> dict[str, Function]:
 
 def parameters(function: Function) -> list[str]:
     """Names of a method's arguments but for itself."""
-    return list(inspect.signature(function).parameters)[1:]
+    return [FORMER_NAMES.get(name, name) for name in inspect.signature(function).parameters][1:]
 
 
 @cache

@@ -32,7 +32,7 @@ def one_process_compiles(kernel: Any, *args: Any) -> Iterator[None]:
 
 
 def types_of(kernel: Any, args: Any) -> Any:
-    """What numba chooses the program by; None for what is no function of numba's."""
+    """The signature that numba chooses a program by; None for what is no function of numba's."""
     if not isinstance(kernel, Dispatcher):
         return None
     return tuple(kernel.typeof_pyval(arg) for arg in args)

@@ -59,7 +59,7 @@ class PlanOptions(Part):
 
     @property
     def settings(self) -> dict[str, Any]:
-        """All but the box."""
+        """Fields but for the box."""
         box = {"name", *settings(PlanOptions)}
         return {key: value for key, value in member_group(self).items() if key not in box}
 
@@ -69,7 +69,7 @@ class PlanOptions(Part):
 
     @required
     def size(self, inputs: int) -> int:
-        """How many designs there are of so many inputs."""
+        """The number of designs of so many inputs."""
         raise NotImplementedError
 
     @required
@@ -87,7 +87,7 @@ class Plan:
 
     @property
     def count(self) -> int:
-        """How many designs there are."""
+        """The number of designs."""
         return self.options.size(len(self.ranges))
 
     def designs(self, first: int, last: int) -> Array:
@@ -113,7 +113,7 @@ def checked_inputs(given: Any) -> dict[str, Range | None]:
 
 
 class RandomPlanOptions(PlanOptions):
-    """So many designs, by a seed."""
+    """Plans of a chosen number of designs, by a seed."""
 
     count: int = integer(4096, least=1, most=MOST_DESIGNS)
     seed: int = integer(0, least=0, most=LARGEST_SEED)

@@ -1,1 +1,1 @@
-"""What a user describes: the robot, its design and its environment."""
+"""The robot, its design and its environment."""

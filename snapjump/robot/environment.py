@@ -30,14 +30,11 @@ class Environment(Part):
         """Raises ParameterError for a slope on which friction of a coefficient holds nothing."""
         if self.slope_rad != 0.0 and abs(math.tan(self.slope_rad)) >= mu:
             steepest = math.atan(mu)
-            raise ParameterError(
-                "environment.slope_rad",
-                self.slope_rad,
-                f"between {-steepest:.6g} and {steepest:.6g} rad, where friction of coefficient "
-                f"{mu:g} holds the robot"
-                if mu > 0.0
-                else "0 without friction",
-            )
+            allowed = "0 without friction"
+            if mu > 0.0:
+                between = f"between {-steepest:.6g} and {steepest:.6g} rad"
+                allowed = f"{between}, where friction of coefficient {mu:g} holds the robot"
+            raise ParameterError("environment.slope_rad", self.slope_rad, allowed)
 
     def mass_kg(self, robot: Robot) -> float:
         """The robot's whole mass.
@@ -46,19 +43,13 @@ class Environment(Part):
         gravity to define m_bar with.
         """
         if robot.gravity_m_s2 < SMALLEST:
-            raise ParameterError(
-                "robot.gravity_m_s2",
-                robot.gravity_m_s2,
-                f"at least {SMALLEST:g}, since without gravity a jump has no apex, and "
-                "m_bar = m g L^2/EI defines no mass",
-            )
+            why = "without gravity a jump has no apex, and m_bar = m g L^2/EI defines no mass"
+            allowed = f"at least {SMALLEST:g}, since {why}"
+            raise ParameterError("robot.gravity_m_s2", robot.gravity_m_s2, allowed)
         square = robot.length_m * robot.length_m
         per_mass = robot.gravity_m_s2 * square / robot.bending_stiffness_N_m2
         lightest = robot.beam_mass_kg * per_mass
         if self.mass_bar <= lightest:
-            raise ParameterError(
-                "environment.mass_bar",
-                self.mass_bar,
-                f"above {lightest:.6g}, the mass of the beam alone",
-            )
+            allowed = f"above {lightest:.6g}, the mass of the beam alone"
+            raise ParameterError("environment.mass_bar", self.mass_bar, allowed)
         return self.mass_bar / per_mass

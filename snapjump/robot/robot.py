@@ -64,18 +64,12 @@ class Robot(Part):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.thickness_m > 0.1 * self.length_m:
-            raise ParameterError(
-                "robot.thickness_m",
-                self.thickness_m,
-                f"a slender beam: at most a tenth of robot.length_m = {self.length_m:g} m",
-            )
+            allowed = f"a slender beam: at most a tenth of robot.length_m = {self.length_m:g} m"
+            raise ParameterError("robot.thickness_m", self.thickness_m, allowed)
         if not isinstance(self.mount_height, str) and self.mount_height > self.frame_height_m:
-            raise ParameterError(
-                "robot.mount_height",
-                self.mount_height,
-                f"a number in (0, {self.frame_height_m:g}] m (up to robot.frame_height_m), or "
-                "'optimal' or 'fitted'",
-            )
+            numbers = f"a number in (0, {self.frame_height_m:g}] m (up to robot.frame_height_m)"
+            allowed = f"{numbers}, or 'optimal' or 'fitted'"
+            raise ParameterError("robot.mount_height", self.mount_height, allowed)
 
     @property
     def bending_stiffness_N_m2(self) -> float:

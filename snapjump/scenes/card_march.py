@@ -12,10 +12,10 @@ from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.engine.cuda.availability import check_card
 from snapjump.engine.cuda.plan import make_plan
-from snapjump.engine.march import Limits, Queue
+from snapjump.engine.queue import Queue
 from snapjump.engine.recorder.none import NoRecorder
-from snapjump.number.memory import aligned_zeros
-from snapjump.scenes.runner import ITERATIONS_PER_STAGE, March, Progress
+from snapjump.engine.work import FIELDS, count_of, make_memory
+from snapjump.scenes.runner import March, Progress
 
 Array = NDArray[np.float64]
 PASSES_PER_LAUNCH = 250  # about a quarter of a second for a full card
@@ -63,27 +63,15 @@ class CardMarch(March):
 
     def bytes_a_thread(self) -> int:
         """Memory that a robot is simulated in."""
-        sizes = []
-
-        def count(shape: tuple[int, ...]) -> Array:
-            sizes.append(8 * int(np.prod(shape)))
-            return aligned_zeros(shape)
-
-        self.make_memory(1, count)
-        return sum(sizes)
+        return 8 * count_of(FIELDS, self.sizes(1))
 
     def memory_on_card(self) -> Any:
-        """Memory for all threads of the plan, carved from one piece."""
-        threads = self.plan.threads
-        numbers = self.card.zeros(threads * self.bytes_a_thread() // 8)
-        taken = 0
+        """Memory for all threads of the plan."""
 
-        def carve(shape: tuple[int, ...]) -> Any:
-            nonlocal taken
-            begin, taken = taken, taken + int(np.prod(shape))
-            return numbers[begin:taken].reshape(shape)
+        def allocate(shape: tuple[int, int]) -> Any:
+            return self.card.zeros(shape[0] * shape[1]).reshape(shape)
 
-        memory = self.make_memory(threads, carve)
+        memory = make_memory(self.sizes(self.plan.threads), self.mesh, allocate)
         return memory._replace(mesh=self.card.send(self.mesh))
 
     def queues_on_card(self) -> Iterator[tuple[slice, Queue]]:
@@ -124,7 +112,7 @@ class CardMarch(March):
         self.crew[0].kernel_seconds += self.card.kernel_seconds - begun
 
     def run(self, progress: Progress | None = None) -> Array:
-        """Simulate all robots; returns the outcome (robots, ROWS).
+        """Simulate all robots; returns the outcome (robots, COLUMNS).
 
         ``progress`` is told the share of the robots that are done.
         """
@@ -132,9 +120,8 @@ class CardMarch(March):
 
         robots = len(self.models)
         begun = self.card.kernel_seconds
-        limits = Limits(ITERATIONS_PER_STAGE, self.most_iterations)
-        fixed = (self.models[0], self.masses, self.scheme, self.stepping, self.ending, limits)
-        common = self.card.send((*fixed, self.recorder)) + (self.memory_on_card(),)
+        fixed = (self.models[0], self.masses, self.method, self.recorder)
+        common = self.card.send(fixed) + (self.memory_on_card(),)
         for part, queue in self.queues_on_card():
             if part.start == 0:
                 self.card.compile(kernels.march, *common, queue, 0)

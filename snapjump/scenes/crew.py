@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from threading import Event
 from typing import Any
 
-from snapjump.engine.march import Queue
+from snapjump.engine.queue import Queue
 from snapjump.engine.recorder.none import NoRecorder
-from snapjump.engine.work import Work
+from snapjump.engine.work import Memory
 
 REPORT_EVERY_S = 0.1
 
@@ -20,7 +20,7 @@ class Worker:
     carry is its own), its recorder, and the seconds of a core that its kernels have taken, which
     do not count while other programs have the core."""
 
-    memory: Work
+    memory: Memory
     queue: Queue
     recorder: Any = NoRecorder()
     kernel_seconds: float = 0.0

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.status import OK
 
@@ -30,7 +30,7 @@ class Flight(NamedTuple):
 
 
 def flight(begun: Any, load: Gravity, outcome: Array) -> Flight:
-    """The flight of outcomes (..., ROWS) of marches that began at times ``begun`` (T) of the
+    """The flight of outcomes (..., COLUMNS) of marches that began at times ``begun`` (T) of the
     rotation. The apex is the highest point against gravity.
 
     Whatever has not jumped has its apex where it is.

@@ -1,11 +1,11 @@
-"""Whether a flight can be true: no robot gets farther than the energy of its beam carries it."""
+"""Energy bound on flights: no robot gets farther than the energy of its beam carries it."""
 
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.status import ENERGY_GAINED, OK
 from snapjump.scenes.flight import flight, world
 
@@ -31,7 +31,7 @@ def farthest_apex(model: Any, beam_mass: float) -> Any:
 
 
 def checked_status(model: Any, beam_mass: float, outcome: Array) -> Array:
-    """The statuses (R) of jumps that ended with outcomes (R, ROWS); a flight that cannot be true
+    """The statuses (R) of jumps that ended with outcomes (R, COLUMNS); a flight that cannot be true
     is no success."""
     flown = flight(0.0, model.load, outcome)
     distance, height = world(model.load, flown.apex_x, flown.apex_y)

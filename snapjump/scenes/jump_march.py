@@ -4,17 +4,17 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from snapjump.composition import Simulation
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.model import Model
 from snapjump.engine.recorder.none import NoRecorder
-from snapjump.engine.termination.flight import FlightEnding
+from snapjump.engine.termination.flight import FlightTermination
 from snapjump.scenes.card_march import march_on
 from snapjump.scenes.flight_check import checked_status
 from snapjump.scenes.march_outputs import side_by_side
 from snapjump.scenes.resting import resting_guesses
 from snapjump.scenes.runner import Array, March, Progress
 
-UNTIL_FLIGHT = FlightEnding()
+UNTIL_FLIGHT = FlightTermination()
 
 
 def no_recorder(coordinates: int) -> NoRecorder:
@@ -26,7 +26,7 @@ def jump_march(
     simulations: Sequence[Simulation],
     models: Sequence[Model],
     *,
-    ending: Any = UNTIL_FLIGHT,
+    termination: Any = UNTIL_FLIGHT,
     recorder: Callable[[int], Any] = no_recorder,
     **settings: Any,
 ) -> March:
@@ -41,7 +41,7 @@ def jump_march(
         masses=base.discretization.masses(),
         states=states,
         simulation=base,
-        ending=ending,
+        termination=termination,
         recorder=recorder(states.shape[1]),
         mesh=base.frame.mesh(models[0].frame),
         **settings,
@@ -49,7 +49,7 @@ def jump_march(
 
 
 def jumped(march: March, progress: Progress | None = None) -> tuple[Model, Array]:
-    """What becomes of a march's robots: their models side by side, and their outcomes (R, ROWS),
+    """Run a march and read it: its robots' models side by side, and their outcomes (R, COLUMNS),
     in which a flight that cannot be true is no success."""
     outcome = march.run(progress)
     side = side_by_side(march.models, range(len(march.models)), len(march.models))

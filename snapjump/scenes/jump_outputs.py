@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.declare.outputs import FLAG, output
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.error_estimate import ErrorEstimate, error_estimate
 from snapjump.scenes.flight import Flight, flight, world
 from snapjump.scenes.march_outputs import GroundOutputs, RecordedOutputs, RunOutputs

@@ -8,7 +8,7 @@ from snapjump.composition import Simulation
 from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.model import Model, TimeLimit
-from snapjump.number.functions import cos, sin
+from snapjump.number.trigonometry import cos, sin
 from snapjump.scenes.frame_body import compression, frame_model
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.rounding import LostToRoundingError

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
 from snapjump.declare.outputs import INTEGER, WORD, Outputs, output
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.model import Model
 from snapjump.engine.status import NAMES, OK, REASONS
 from snapjump.results import Result
@@ -41,7 +41,7 @@ def side_by_side(models: Sequence[Model], chosen: Any = (0,), rows: int = 1) -> 
 
 @dataclass(frozen=True)
 class RunOutputs(Outputs):
-    """What every single simulation reports. ``begun``: when, by ``time.perf_counter``."""
+    """Outputs of every single simulation. ``begun``: when, by ``time.perf_counter``."""
 
     simulation: Simulation
     begun: float
@@ -71,7 +71,7 @@ class RunOutputs(Outputs):
 class MarchOutputs(Outputs):
     """R marches of one composition, read off what they ended with.
 
-    ``model``: all models side by side; ``outcome`` (R, ROWS): the rows of
+    ``model``: all models side by side; ``outcome`` (R, COLUMNS): the rows of
     :mod:`snapjump.engine.clock`; ``march_seconds``: of a core in the kernels, of all together.
     """
 

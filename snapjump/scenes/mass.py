@@ -7,16 +7,16 @@ from typing import Any
 import numpy as np
 
 from snapjump.composition import Simulation
-from snapjump.contact.base import Approach, force_if_acting
+from snapjump.contact.base import ContactState, force_if_active
 from snapjump.damping.none import NoDamping
 from snapjump.discretization.parts.loose_nodes import LooseNodes
 from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.model import Model
 from snapjump.engine.recorder.trajectory import make_recorder
-from snapjump.engine.termination.timed import TimedEnding
+from snapjump.engine.termination.timed import TimedTermination
 from snapjump.frame.parts.no_frame import NoFrame
-from snapjump.number.functions import cos, sin
+from snapjump.number.trigonometry import cos, sin
 from snapjump.results import Result
 from snapjump.scenes.march_outputs import GroundOutputs, RecordedOutputs, side_by_side
 from snapjump.scenes.runner import March, Progress
@@ -43,8 +43,8 @@ def beginning(
     model: Model, mass_bar: float, state: tuple[float, float], velocity: tuple[float, float]
 ) -> tuple[float, float]:
     """Acceleration (L/T^2) of the mass at its first moment."""
-    approach = Approach(velocity[1], 0.0, state[1], velocity[1], 0.0)
-    normal = float(force_if_acting(model.contact, state[1], approach)[1]) / mass_bar
+    resting = ContactState(velocity[1], 0.0, state[1], velocity[1], 0.0)
+    normal = float(force_if_active(model.contact, state[1], resting)[1]) / mass_bar
     ratio = model.friction.ratio(velocity[0])
     return model.load.pull() - float(ratio) * normal, normal - model.load.gravity()
 
@@ -76,7 +76,7 @@ def march_mass(
         velocities=np.array([velocity]),
         accelerations=np.array([beginning(model, mass_bar, state, velocity)]),
         simulation=simulation,
-        ending=TimedEnding(duration),
+        termination=TimedTermination(duration),
         recorder=make_recorder(2, duration, scene.sample_interval_s / scales.time_s),
     )
     outcome = march.run(progress)

@@ -8,14 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
-from snapjump.engine.clock import ROWS, TIME
-from snapjump.engine.march import Limits, Queue, find_starts, march
+from snapjump.engine.clock import TIME
+from snapjump.engine.march import find_starts, march
 from snapjump.engine.model import Model, numbers_of
+from snapjump.engine.outcome import COLUMNS
+from snapjump.engine.queue import Queue
 from snapjump.engine.recorder.none import NoRecorder
-from snapjump.engine.work import Work, make_work
+from snapjump.engine.step import Method
+from snapjump.engine.work import Sizes, make_memory, sizes_of
 from snapjump.frame.base import NO_MESH
 from snapjump.number.announcement import load
-from snapjump.number.memory import aligned_zeros
 from snapjump.scenes.crew import Worker, run_crew
 
 Array = NDArray[np.float64]
@@ -38,7 +40,7 @@ class March:
     masses: Array
     states: Array
     simulation: Simulation
-    ending: Any
+    termination: Any
     recorder: Any = NoRecorder()
     lanes: int = 1
     threads: int = 1
@@ -57,7 +59,7 @@ class March:
             velocity=zeros if self.velocities is None else self.velocities.copy(),
             acceleration=zeros.copy() if self.accelerations is None else self.accelerations.copy(),
             status=np.zeros(robots),
-            outcome=np.zeros((robots, ROWS)),
+            outcome=np.zeros((robots, COLUMNS)),
             cursor=np.zeros(2, dtype=np.int64),
             counts=np.zeros(2, dtype=np.int64),
             carried=np.zeros(self.lanes, dtype=np.int64),
@@ -68,23 +70,13 @@ class March:
         self.crew = [self._worker(shared) for _ in range(threads)]
         self.memory, self.queue = self.crew[0].memory, self.crew[0].queue
 
-    def make_memory(self, lanes: int, allocate: Any = aligned_zeros) -> Work:
-        """Memory for so many robots side by side, from wherever ``allocate`` takes arrays."""
-        return make_work(
-            len(self.masses),
-            self.models[0].frame.dofs(self.mesh),
-            self.scheme.slots(),
-            ROWS,
-            self.numbers.shape[1],
-            lanes,
-            self.models[0].discretization.node_dofs(),
-            self.mesh,
-            allocate,
-        )
+    def sizes(self, lanes: int) -> Sizes:
+        """Of the memory of so many robots side by side."""
+        return sizes_of(self.models[0], len(self.masses), self.scheme.slots(), lanes, self.mesh)
 
     def _worker(self, shared: Queue) -> Worker:
         """A thread's share of the queue and memory of its own."""
-        memory = self.make_memory(self.lanes)
+        memory = make_memory(self.sizes(self.lanes), self.mesh)
         counts = np.array([-1, 0], dtype=np.int64)
         carried = np.full(self.lanes, -1, dtype=np.int64)
         return Worker(memory, shared._replace(counts=counts, carried=carried), self.recorder)
@@ -103,7 +95,7 @@ class March:
         """Share of the robots that have left the queue and their lanes; of one, its time's."""
         robots = len(self.models)
         if robots == 1:
-            limit = self.ending.time_limit(self.models[0])
+            limit = self.termination.time_limit(self.models[0])
             return float(min(self.memory.clock[TIME, 0] / limit, 1.0))
         under_way = sum(max(0, int(worker.queue.counts[0])) for worker in self.crew)
         return (min(int(self.queue.cursor[1]), robots) - under_way) / robots
@@ -128,7 +120,7 @@ class March:
         run_crew(self.crew, advance, report)
 
     def run(self, progress: Progress | None = None) -> Array:
-        """Simulate all robots; returns the outcome (robots, ROWS).
+        """Simulate all robots; returns the outcome (robots, COLUMNS).
 
         ``progress`` is told the share of the robots that are done, or of one robot's time limit.
         """
@@ -144,15 +136,18 @@ class March:
         run_crew(self.crew, advance, report)
         return self.queue.outcome
 
+    @property
+    def method(self) -> Method:
+        """How its robots are stepped and their marches ended."""
+        limits = (ITERATIONS_PER_STAGE, self.most_iterations)
+        return Method(self.scheme, self.stepping, self.termination, *limits)
+
     def arguments(self, worker: Worker) -> tuple[Any, ...]:
         """What a march of a thread's lanes is called with, less the number of passes."""
         return (
             self.models[0],
             self.masses,
-            self.scheme,
-            self.stepping,
-            self.ending,
-            Limits(ITERATIONS_PER_STAGE, self.most_iterations),
+            self.method,
             worker.recorder,
             worker.memory,
             worker.queue,

@@ -10,11 +10,10 @@ from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.declare.members import members_with
-from snapjump.engine.clock import ROWS
-from snapjump.engine.differentiate_start import differentiate_starts
+from snapjump.engine.differentiate_start import StartSlopes, differentiate_starts
 from snapjump.engine.recorder.sensitivities import FAR, SensitivityRecorder
-from snapjump.engine.shadow import make_shadow
-from snapjump.engine.work import Work, make_work
+from snapjump.engine.tangent import make_tangent_state
+from snapjump.engine.work import make_memory
 from snapjump.number.announcement import load
 from snapjump.number.dual import PARAMETERS
 from snapjump.number.memory import aligned_zeros
@@ -50,20 +49,6 @@ def check_differentiable(
         )
 
 
-def single_memory(march: March) -> Work:
-    """Memory for one robot of a march."""
-    return make_work(
-        len(march.masses),
-        march.models[0].frame.dofs(march.mesh),
-        march.scheme.slots(),
-        ROWS,
-        march.numbers.shape[1],
-        1,
-        march.memory.system.residual.shape[0] // len(march.masses),
-        march.mesh,
-    )
-
-
 def differentiated_starts(march: March, numbers: Array) -> Array:
     """Slopes (R, 3, D, 4) of the starts that a march has found: state, velocity, acceleration.
 
@@ -74,8 +59,9 @@ def differentiated_starts(march: March, numbers: Array) -> Array:
     blocks = count()
 
     def arguments(worker: Worker, first: int, last: int) -> tuple[object, ...]:
-        memory, shadow = singles[id(worker)]
-        fixed = (march.models[0], march.masses, memory, shadow, worker.queue, numbers, starts)
+        memory, tangent = singles[id(worker)]
+        slopes = StartSlopes(numbers, starts)
+        fixed = (march.models[0], march.masses, memory, tangent, worker.queue, slopes)
         return (*fixed, first, last)
 
     def advance(worker: Worker) -> bool:
@@ -87,8 +73,8 @@ def differentiated_starts(march: March, numbers: Array) -> Array:
 
     singles = {}
     for worker in march.crew:
-        memory = single_memory(march)
-        singles[id(worker)] = memory, make_shadow(memory)
+        memory = make_memory(march.sizes(1), march.mesh)
+        singles[id(worker)] = memory, make_tangent_state(memory)
     load(differentiate_starts, *arguments(march.crew[0], 0, 0))
     run_crew(march.crew, advance, lambda: None)
     return starts
@@ -110,10 +96,10 @@ def record_sensitivities(
     flights = aligned_zeros((robots, 4, PARAMETERS))
     grazes = np.full(robots, FAR)
     for worker in march.crew:
-        lanes, points = march.lanes, worker.memory.slip.shape[0]
+        lanes, points = march.lanes, worker.memory.sliding_velocity.shape[0]
         worker.recorder = SensitivityRecorder(
             memory=worker.memory,
-            shadow=make_shadow(worker.memory),
+            tangent=make_tangent_state(worker.memory),
             numbers=given,
             starts=starts,
             flights=flights,

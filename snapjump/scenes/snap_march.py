@@ -8,7 +8,7 @@ from snapjump.contact.base import ContactOptions
 from snapjump.engine.clamp.smooth_start import SmoothStart
 from snapjump.engine.load.none import NoLoad
 from snapjump.engine.model import Model
-from snapjump.engine.termination.timed import TimedEnding
+from snapjump.engine.termination.timed import TimedTermination
 from snapjump.frame.fixed import FixedFrame
 from snapjump.scenes.jump_march import no_recorder
 from snapjump.scenes.runner import March
@@ -26,9 +26,9 @@ def snap_march(
     ``recorder`` makes a recorder for so many coordinates; ``contact``: another law than none.
     """
     robot, scene, scales = simulation.robot, simulation.sim, simulation.robot.scales
-    epsilon, lag = simulation.design.epsilon, simulation.design.delta_alpha
+    epsilon, delta_alpha = simulation.design.epsilon, simulation.design.delta_alpha
     arch = StaticArch(robot, simulation.discretization, epsilon)
-    state = arch.flat(lag)
+    state = arch.flat(delta_alpha)
     state[1 :: arch.node_dofs] += height
     model = Model(
         discretization=simulation.discretization.beam(robot),
@@ -37,7 +37,7 @@ def snap_march(
             start=0.0,
             end=robot.rotation_end_rad,
             rate=robot.rotation_rate_rad_s * scales.time_s,
-            delta_alpha=lag,
+            delta_alpha=delta_alpha,
             rise_time=scene.rise_time_s / scales.time_s,
         ),
         contact=(contact or simulation.contact).law(scales),
@@ -50,6 +50,6 @@ def snap_march(
         masses=simulation.discretization.masses(),
         states=state[None, :],
         simulation=simulation,
-        ending=TimedEnding(scene.duration_s / scales.time_s),
+        termination=TimedTermination(scene.duration_s / scales.time_s),
         recorder=recorder(len(state)),
     )

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.clamp.smooth_start import SmoothStart
 from snapjump.engine.recorder.trajectory import make_recorder
 from snapjump.engine.status import NAMES
@@ -95,6 +95,14 @@ def lowest(swing: Swing, crossed: int) -> int:
     """The sample where the midpoint first comes to rest below: the end of the snap."""
     rising = np.flatnonzero(np.diff(swing.height[crossed:]) > 0.0)
     return crossed + int(rising[0]) if len(rising) else len(swing.height) - 1
+
+
+def sinking(swing: Swing, crossed: int, count: int) -> list[int]:
+    """So many samples, from rest to the midpoint's lowest place, between which it sinks by equal
+    steps."""
+    height = swing.height[: lowest(swing, crossed) + 1]
+    levels = np.linspace(height[0], height[-1], count)
+    return [int(np.flatnonzero(height <= level)[0]) for level in levels]
 
 
 def outcome(swing: Swing) -> dict[str, Any]:

@@ -4,11 +4,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
-from snapjump.contact.base import Approach, force_if_acting
-from snapjump.discretization.base import TURN_INERTIA
+from snapjump.discretization.base import ROTARY_INERTIA
+from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.model import Model
-from snapjump.frame.base import STILL
+from snapjump.engine.points import (
+    Touch,
+    friction_force,
+    normal_force,
+    point_at,
+    point_count,
+    share_of,
+)
+from snapjump.frame.base import STILL, Mesh
 from snapjump.scenes.runner import March
 
 Array = NDArray[np.float64]
@@ -20,7 +28,7 @@ def samples_of(march: March) -> tuple[Array, Array, Array, Array]:
     count = int(recorder.filled[0])
     times, states = recorder.times[:count], recorder.states[:count]
     velocities, works = recorder.velocities[:count], recorder.works[:count]
-    # The lane's clock has been reset if the march is over; the recorder's has not.
+    # The last step has no sample where it ended too soon after the one before.
     if recorder.clock[0] > times[-1]:
         times = np.append(times, recorder.clock[0])
         states = np.vstack([states, march.memory.start[:, 0]])
@@ -51,8 +59,6 @@ def trajectory_arrays(simulation: Simulation, model: Model, march: March) -> dic
         arrays |= frame_arrays(march, states, velocities)
     if model.contact.exists():
         arrays |= contact_arrays(march, states, velocities)
-        if dofs:
-            arrays |= frame_contact_arrays(march, states, velocities)
     arrays |= energy_arrays(march, times, states, velocities, works)
     return arrays
 
@@ -81,90 +87,60 @@ def frame_arrays(march: March, states: Array, velocities: Array) -> dict[str, Ar
     }
 
 
-def frame_contact_arrays(march: March, states: Array, velocities: Array) -> dict[str, Array]:
-    """Gaps and forces at the frame's corners; a node of an elastic frame counts to the nearest."""
-    model, mesh = march.models[0], march.mesh
-    frame, scales = model.frame, march.simulation.robot.scales
-    count = frame.contact_points(mesh)
-    points = np.array(
-        [
-            [frame.contact_point(mesh, k, q, v) for k in range(count)]
-            for q, v in zip(states, velocities, strict=True)
-        ]
-    )
-    weights = np.array([frame.point_share(mesh, k, model.ground) for k in range(count)])
-    first = points[0, :, :2]
-    corners = np.array([frame.corner_point(mesh, k, states[0], states[0])[:2] for k in range(4)])
-    nearest = np.argmin(np.linalg.norm(first[:, None] - corners, axis=2), axis=1)
-    belongs = (nearest[:, None] == np.arange(4)) * weights[:, None]
-    gaps = [points[:, nearest == k, 1].min(axis=1) for k in range(4)]
-    arrays = {"corner_gap_m": np.column_stack(gaps) * scales.length_m}
-    if model.contact.is_impulsive():
-        return arrays
-    slides, speeds = points[:, :, 2], points[:, :, 3]
-    normal, drag = point_forces(model, points[:, :, 1], slides, speeds, 1.0)
-    return {
-        **arrays,
-        "corner_normal_N": normal @ belongs * scales.force_N,
-        "corner_friction_N": drag @ belongs * scales.force_N,
-    }
-
-
-def point_forces(
-    model: Model, gaps: Array, slides: Array, speeds: Array, weight: float
-) -> tuple[Array, Array]:
-    """Normal and friction force (EI/L^2) at points of any shape.
-
-    slides, speeds: the points' velocities along and across the ground (L/T).
-    """
-    normal = np.zeros_like(gaps)
-    drag = np.zeros_like(gaps)
-    for index in zip(*np.nonzero(gaps < model.contact.reach()), strict=True):
-        gap, speed = float(gaps[index]), float(speeds[index])
-        _, force, _ = force_if_acting(model.contact, gap, Approach(speed, 0.0, gap, speed, 0.0))
-        normal[index] = weight * force
-        if model.friction.exists():
-            ratio = model.friction.ratio(float(slides[index]))
-            drag[index] = -ratio * normal[index]
-    return normal, drag
-
-
 def contact_arrays(march: March, states: Array, velocities: Array) -> dict[str, Array]:
-    """Gaps, normal forces and friction (along +x) at the beam's nodes; slave nodes have none.
+    """Gaps, normal forces and friction (along +x) at the beam's nodes and at the frame's corners.
 
-    The forces of a constraint are none of the state, and are left out.
+    Slave nodes have no forces; a node of an elastic frame counts to the nearest corner. The forces
+    of a constraint are none of the state, and are left out.
     """
-    model, scales = march.models[0], march.simulation.robot.scales
-    dofs = model.frame.dofs(march.mesh)
-    stride = model.discretization.node_dofs()
-    gaps = states[:, dofs + 1 :: stride]
-    arrays = {"node_gap_m": gaps * scales.length_m}
-    if model.contact.is_impulsive():
+    model, mesh, masses = march.models[0], march.mesh, march.masses
+    scales, frame, nodes = march.simulation.robot.scales, model.frame, len(masses)
+    gaps = np.empty((len(states), point_count(model, masses, mesh)))
+    normal, friction = np.zeros_like(gaps), np.zeros_like(gaps)
+    still = Motion(0.0, 0.0, 0.0, 0.0)
+    for row, (state, velocity) in enumerate(zip(states, velocities, strict=True)):
+        for k in range(gaps.shape[1]):
+            point = point_at(model, masses, mesh, k, state, velocity)
+            gaps[row, k] = point.gap
+            if point.gap < model.contact.reach():
+                touch = Touch(point, point, 0.0, share_of(model, masses, mesh, k))
+                normal[row, k] = touch.share * normal_force(model, still, touch)
+                friction[row, k] = -touch.share * friction_force(model, still, touch)
+    belongs = np.zeros((gaps.shape[1] - nodes, 0))
+    arrays = {"node_gap_m": gaps[:, :nodes] * scales.length_m}
+    if frame.dofs(mesh):
+        belongs = nearest_corners(model, mesh, states[0])
+        lowest = [gaps[:, nodes:][:, of].min(axis=1) for of in belongs.T]
+        arrays["corner_gap_m"] = np.column_stack(lowest) * scales.length_m
+    if model.contact.is_constraint():
         return arrays
-    held = np.where(march.masses > 0.0, gaps, np.inf)
-    slides, speeds = velocities[:, dofs::stride], velocities[:, dofs + 1 :: stride]
-    normal, drag = point_forces(model, held, slides, speeds, model.ground.node_share)
-    return {
-        **arrays,
-        "node_normal_N": normal * scales.force_N,
-        "node_friction_N": drag * scales.force_N,
-    }
+    for name, forces in (("normal", normal), ("friction", friction)):
+        arrays[f"node_{name}_N"] = forces[:, :nodes] * scales.force_N
+        if frame.dofs(mesh):
+            arrays[f"corner_{name}_N"] = forces[:, nodes:] @ belongs * scales.force_N
+    return arrays
+
+
+def nearest_corners(model: Model, mesh: Mesh, state: Array) -> NDArray[np.bool_]:
+    """Which of the frame's four corners each of its points counts to, (points, 4)."""
+    frame = model.frame
+    points = range(frame.contact_points(mesh))
+    places = np.array([frame.contact_point(mesh, k, state, state)[:2] for k in points])
+    corners = np.array([frame.corner_point(mesh, k, state, state)[:2] for k in range(4)])
+    distances = np.linalg.norm(places[:, None] - corners, axis=2)
+    return np.argmin(distances, axis=1)[:, None] == np.arange(4)
 
 
 def stored_contact_energy(march: March, state: Array) -> float:
     """Energy in the barrier (EI/L)."""
-    model, mesh = march.models[0], march.mesh
-    reach = model.contact.reach()
-    heights = state[model.frame.dofs(mesh) + 1 :: model.discretization.node_dofs()]
-    points = [
-        (model.ground.node_share, gap)
-        for mass, gap in zip(march.masses, heights, strict=True)
-        if mass > 0.0
-    ]
-    for k in range(model.frame.contact_points(mesh)):
-        gap = model.frame.contact_point(mesh, k, state, state)[1]
-        points.append((model.frame.point_share(mesh, k, model.ground), gap))
-    return float(sum(w * model.contact.energy(float(g)) for w, g in points if g < reach))
+    model, mesh, masses = march.models[0], march.mesh, march.masses
+    total = 0.0
+    for k in range(point_count(model, masses, mesh)):
+        gap = float(point_at(model, masses, mesh, k, state, state).gap)
+        share = share_of(model, masses, mesh, k)
+        if share > 0.0 and gap < model.contact.reach():
+            total += share * model.contact.energy(gap)
+    return total
 
 
 def energy_arrays(
@@ -177,7 +153,7 @@ def energy_arrays(
     model, mesh, masses = march.models[0], march.mesh, march.masses
     dofs = model.frame.dofs(mesh)
     stride = model.discretization.node_dofs()
-    weights = np.outer(masses, [1.0, 1.0, TURN_INERTIA][:stride]).ravel()
+    weights = np.outer(masses, [1.0, 1.0, ROTARY_INERTIA][:stride]).ravel()
     kinetic = 0.5 * (velocities[:, dofs:] ** 2) @ weights
     fall = model.load.gravity()
     tug = model.load.pull()

@@ -3,15 +3,15 @@
 import math
 
 from snapjump.composition import Simulation
-from snapjump.declare.fields import Need, number
+from snapjump.declare.fields import number
 from snapjump.declare.outputs import output
 from snapjump.results import Result
 from snapjump.scenes.mass import MassOutputs, march_mass, mass_model
-from snapjump.sim.base import HELD, ONE_AT_A_TIME, Progress, SceneOptions, check_samples
+from snapjump.sim.base import NEEDS_A_GROUND, Progress, SceneOptions, check_samples
 
 
 class BounceOutputs(MassOutputs):
-    """Of a bounce."""
+    """Outputs of a bounce."""
 
     @output("m/s")
     def rebound_speed_m_s(self) -> float:
@@ -30,7 +30,7 @@ class Bounce(SceneOptions):
 
     chooses = {"frame": "fixed", "friction": "none", "damping": "none"}
     outputs = BounceOutputs
-    needs = (Need("contact", "pushes"), HELD, ONE_AT_A_TIME)
+    needs = NEEDS_A_GROUND
 
     mass_kg: float = number(7.6e-7, above=0.0, unit="kg")
     speed_m_s: float = number(10.0, least=0.0, unit="m/s")

@@ -13,24 +13,16 @@ from snapjump.declare.fields import number
 from snapjump.declare.outputs import INTEGER, output
 from snapjump.engine.clamp.base import ClampAngles
 from snapjump.engine.clamp.constant_rate import ConstantRate
-from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.load.tip import TipLoad
 from snapjump.engine.model import Model, numbers_of
-from snapjump.engine.work import make_work
+from snapjump.engine.work import make_memory, sizes_of
 from snapjump.frame.base import NO_MESH, STILL
 from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.friction.none import NoFriction
 from snapjump.results import Result
 from snapjump.scenes.march_outputs import RunOutputs
-from snapjump.sim.base import (
-    AT_REST,
-    HELD,
-    NO_GROUND,
-    ONE_AT_A_TIME,
-    Progress,
-    SceneOptions,
-)
+from snapjump.sim.base import AT_REST, NEEDS_NO_GROUND, Progress, SceneOptions
 
 LOAD_STEP = 0.25  # EI/L^2 and EI/L
 
@@ -52,7 +44,7 @@ def bend_cantilever(
         TipLoad(0.0, 0.0, 0.0),
     )
     dofs = rod.node_dofs()
-    memory = make_work(elements + 1, 0, 2, ROWS, len(numbers_of(model)), 1, dofs)
+    memory = make_memory(sizes_of(model, elements + 1))
     memory.state[0::dofs, 0] = np.linspace(0.0, 1.0, elements + 1)
     masses = np.zeros(elements + 1)
     steps = max(1, int(np.ceil(max(abs(force_x), abs(force_y), abs(moment)) / LOAD_STEP)))
@@ -72,7 +64,7 @@ def bend_cantilever(
 
 @dataclass(frozen=True)
 class CantileverOutputs(RunOutputs):
-    """Of a bent cantilever; see :func:`bend_cantilever`."""
+    """Outputs of a bent cantilever; see :func:`bend_cantilever`."""
 
     nodes: np.ndarray
     energy: float
@@ -110,12 +102,11 @@ class Cantilever(SceneOptions):
 
     chooses = AT_REST
     outputs = CantileverOutputs
-    needs = (*NO_GROUND, HELD, ONE_AT_A_TIME)
+    needs = NEEDS_NO_GROUND
 
     load_bar: float = number(1.0, least=-20.0, most=20.0, unit="EI/L^2")
 
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
-        """Deflection, tip angle and energy of the bent cantilever."""
         begun = time.perf_counter()
         elements = simulation.discretization.moving_elements
         rod = simulation.discretization.beam(simulation.robot)

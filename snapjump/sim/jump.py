@@ -70,6 +70,6 @@ class Jump(SceneOptions):
 
 
 def trajectory_recorder(simulation: Simulation, coordinates: int) -> TrajectoryRecorder:
-    """What keeps the states of a jump."""
+    """The recorder of a jump's states."""
     scene, time_s = simulation.sim, simulation.robot.scales.time_s
     return make_recorder(coordinates, scene.time_limit_s / time_s, scene.sample_interval_s / time_s)

@@ -1,16 +1,16 @@
 """``sim=slide``: verification: one mass slides on the ground until friction stops it."""
 
 from snapjump.composition import Simulation
-from snapjump.declare.fields import Need, number
+from snapjump.declare.fields import number
 from snapjump.declare.outputs import output
 from snapjump.results import Result
 from snapjump.scenes.mass import MassOutputs, march_mass, mass_model
-from snapjump.sim.base import HELD, ONE_AT_A_TIME, Progress, SceneOptions, check_samples
+from snapjump.sim.base import NEEDS_A_GROUND, Progress, SceneOptions, check_samples
 from snapjump.statics.resting_gap import resting_gap
 
 
 class SlideOutputs(MassOutputs):
-    """Of a mass that slides."""
+    """Outputs of a mass that slides."""
 
     @output("m")
     def distance_m(self) -> float:
@@ -37,7 +37,7 @@ class Slide(SceneOptions):
     chooses = {"frame": "fixed", "friction": "implicit", "damping": "none"}
     tells = ("environment.slope_rad", "sim.mass_kg", "sim.speed_m_s", "sim.duration_s")
     outputs = SlideOutputs
-    needs = (Need("contact", "pushes"), HELD, ONE_AT_A_TIME)
+    needs = NEEDS_A_GROUND
 
     mass_kg: float = number(4.0e-3, above=0.0, unit="kg")
     speed_m_s: float = number(0.1, least=0.0, unit="m/s")

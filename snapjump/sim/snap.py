@@ -17,15 +17,7 @@ from snapjump.results import Result
 from snapjump.scenes.march_outputs import RecordedOutputs, side_by_side
 from snapjump.scenes.snap_march import snap_march
 from snapjump.scenes.trajectory import trajectory_arrays
-from snapjump.sim.base import (
-    HELD,
-    NO_GROUND,
-    ONE_AT_A_TIME,
-    WITHOUT_GROUND,
-    Progress,
-    SceneOptions,
-    check_samples,
-)
+from snapjump.sim.base import NEEDS_NO_GROUND, WITHOUT_GROUND, Progress, SceneOptions, check_samples
 
 Array = NDArray[np.float64]
 
@@ -50,7 +42,7 @@ class SnapOutputs(RecordedOutputs):
         return int(np.argmax(self.height < 0.0))
 
     def at_crossing(self, values: Array) -> float:
-        """What values (S) are as the midpoint crosses the line."""
+        """The value, of samples (S), as the midpoint crosses the line."""
         k, height = self.crossed, self.height
         if k == 0:
             return math.nan
@@ -86,10 +78,7 @@ class SnapOutputs(RecordedOutputs):
     @output("rad")
     def theta_max_rad(self) -> float:
         """Largest absolute tangent angle at the midpoint."""
-        x, y = self.arrays["node_x_m"], self.arrays["node_y_m"]
-        last = y.shape[1] - 1
-        before, after = (last + 1) // 2 - 1, last // 2 + 1
-        tangent = np.arctan2(y[:, after] - y[:, before], x[:, after] - x[:, before])
+        tangent = middle_angle(self.arrays["node_x_m"], self.arrays["node_y_m"])
         return float(np.abs(tangent).max())
 
     @output("m")
@@ -99,9 +88,17 @@ class SnapOutputs(RecordedOutputs):
 
 
 def middle(values: Array) -> Array:
-    """Of values (S, N + 1) at nodes those at the midpoint (S)."""
+    """Values at the midpoint (S) from values (S, N + 1) at nodes."""
     last = values.shape[1] - 1
     return np.asarray(0.5 * (values[:, last // 2] + values[:, (last + 1) // 2]))
+
+
+def middle_angle(x: Array, y: Array) -> Array:
+    """Tangent angle (S) at the midpoint of nodes (S, N + 1): over the two elements that meet there,
+    or over the middle one of an odd number."""
+    last = y.shape[1] - 1
+    before, after = (last + 1) // 2 - 1, last // 2 + 1
+    return np.asarray(np.arctan2(y[:, after] - y[:, before], x[:, after] - x[:, before]))
 
 
 class Snap(SceneOptions):
@@ -114,7 +111,7 @@ class Snap(SceneOptions):
     tells = ("design.epsilon", "design.delta_alpha")
     chooses = WITHOUT_GROUND
     outputs = SnapOutputs
-    needs = (*NO_GROUND, HELD, ONE_AT_A_TIME)
+    needs = NEEDS_NO_GROUND
 
     duration_s: float = number(0.06, above=0.0, unit="s")
     rise_time_s: float = number(1.0e-3, above=0.0, unit="s")

@@ -1,9 +1,9 @@
 """Slow loading: branches of equilibria, their stability, and the snap between them."""
 
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
-from itertools import islice
+from itertools import chain, islice
 from typing import Any
 
 import numpy as np
@@ -14,14 +14,7 @@ from snapjump.declare.fields import integer
 from snapjump.declare.outputs import output
 from snapjump.results import Result
 from snapjump.scenes.march_outputs import RunOutputs
-from snapjump.sim.base import (
-    AT_REST,
-    HELD,
-    NO_GROUND,
-    ONE_AT_A_TIME,
-    Progress,
-    SceneOptions,
-)
+from snapjump.sim.base import AT_REST, NEEDS_NO_GROUND, Progress, SceneOptions
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch, Point
 from snapjump.statics.critical import Snap, find_snap, start_point
@@ -32,7 +25,7 @@ LENGTH = 6.0  # of a branch, in the norm of its free coordinates and angle
 
 @dataclass(frozen=True)
 class StaticOutputs(RunOutputs):
-    """Of the equilibria before and after a slow snap."""
+    """Outputs of the equilibria before and after a slow snap."""
 
     snap: Snap
 
@@ -82,48 +75,22 @@ class StaticOutputs(RunOutputs):
         return self.snap.after.midpoint
 
 
-def _row(arch: StaticArch, branch: Branch, point: Point) -> tuple[float, float, float, float]:
-    equilibrium = arch.equilibrium(point.state, point.left, point.left - branch.delta_alpha)
-    return (
-        point.left,
-        equilibrium.midpoint,
-        equilibrium.energy,
-        float(point.negative_eigenvalues),
-    )
+COLUMNS = ("alpha_rad", "midpoint_bar", "energy_bar", "negative_pivots")
 
 
-def _collect(
-    arch: StaticArch, branch: Branch, points: Iterator[Point], farthest: float
-) -> dict[str, Array]:
+def _points(arch: StaticArch, branch: Branch, points: Iterable[Point], farthest: float) -> Array:
+    """Rows of COLUMNS along a branch, as long as its angle is in [0, farthest]."""
     rows = []
     for point in points:
         if not 0.0 <= point.left <= farthest:
             break
-        rows.append(_row(arch, branch, point))
-    table = np.array(rows).reshape(-1, 4)
-    names = ("alpha_rad", "midpoint_bar", "energy_bar", "negative_pivots")
-    return dict(zip(names, table.T, strict=True))
+        found = arch.equilibrium(point.state, point.left, point.left - branch.delta_alpha)
+        rows.append((point.left, found.midpoint, found.energy, float(point.negative_eigenvalues)))
+    return np.array(rows).reshape(-1, len(COLUMNS))
 
 
-def _table(
-    arch: StaticArch, branch: Branch, upward: bool, steps: int, farthest: float
-) -> dict[str, Any]:
-    """The branch that begins at flat clamps, buckled up or down, towards larger angles."""
-    first = start_point(branch, upward)
-    start = arch.equilibrium(first.state, 0.0, -branch.delta_alpha)
-    walk = branch.follow(first, LENGTH / steps)
-    collected = _collect(arch, branch, islice(walk, steps), farthest)
-    row = _row(arch, branch, first)
-    table: dict[str, Any] = {
-        name: np.concatenate([[value], collected[name]])
-        for name, value in zip(collected, row, strict=True)
-    }
-    table["start"] = start
-    return table
-
-
-def _asymmetric(arch: StaticArch, snap: Any, steps: int) -> dict[str, Array]:
-    """The branch of leaning arches that meets the symmetric one at the pitchfork.
+def _asymmetric(arch: StaticArch, snap: Any, steps: int) -> Array:
+    """Points of the branch of leaning arches that meets the symmetric one at the pitchfork.
 
     It is entered along the critical mode: the tangent's null vector there.
     """
@@ -132,8 +99,7 @@ def _asymmetric(arch: StaticArch, snap: Any, steps: int) -> dict[str, Array]:
     arch.residual(state, snap.alpha_rad, snap.alpha_rad)
     mode = np.append(arch.critical_mode(), 0.0)
     seed = Point(state, snap.alpha_rad, 0.0, 0.0, 0, mode)
-    walk = branch.follow(seed, LENGTH / steps)
-    return _collect(arch, branch, islice(walk, steps), np.inf)
+    return _points(arch, branch, islice(branch.follow(seed, LENGTH / steps), steps), np.inf)
 
 
 class Static(SceneOptions):
@@ -145,35 +111,33 @@ class Static(SceneOptions):
     tells = ("design.epsilon", "design.delta_alpha")
     chooses = AT_REST
     outputs = StaticOutputs
-    needs = (*NO_GROUND, HELD, ONE_AT_A_TIME)
+    needs = NEEDS_NO_GROUND
 
     steps: int = integer(120, least=10, most=100_000)
 
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
-        """Critical angle and snapped state to 1e-8, and the branches around them."""
         begun = time.perf_counter()
-        robot, discretization = simulation.robot, simulation.discretization
-        epsilon, lag = simulation.design.epsilon, simulation.design.delta_alpha
-        snap = find_snap(robot, discretization, epsilon, lag)
+        robot, discretization, steps = simulation.robot, simulation.discretization, self.steps
+        epsilon, delta_alpha = simulation.design.epsilon, simulation.design.delta_alpha
+        snap = find_snap(robot, discretization, epsilon, delta_alpha)
         arch = StaticArch(robot, discretization, epsilon)
-        branch = Branch(arch, lag)
-        tables = []
-        for upward in (True, False):
-            tables.append(
-                _table(arch, branch, upward, simulation.sim.steps, robot.rotation_end_rad)
-            )
+        branch = Branch(arch, delta_alpha)
+        tables, starts = [], []
+        for upward in (True, False):  # from flat clamps, towards larger angles
+            starts.append(start_point(branch, upward))
+            walk = chain(starts[-1:], islice(branch.follow(starts[-1], LENGTH / steps), steps))
+            tables.append(_points(arch, branch, walk, robot.rotation_end_rad))
             if progress is not None:
                 progress(0.5 * len(tables), "branches")
-        if lag == 0.0:
-            tables.append(_asymmetric(arch, snap, simulation.sim.steps))
-        shapes = [tables[0]["start"], snap.before, snap.after]
+        if delta_alpha == 0.0:
+            tables.append(_asymmetric(arch, snap, steps))
+        flat = arch.equilibrium(starts[0].state, 0.0, -delta_alpha)
+        shapes = [flat, snap.before, snap.after]
         arrays: dict[str, NDArray[Any]] = {
-            f"branch_{key}": np.concatenate([t[key] for t in tables])
-            for key in ("alpha_rad", "midpoint_bar", "energy_bar", "negative_pivots")
+            f"branch_{name}": column
+            for name, column in zip(COLUMNS, np.vstack(tables).T, strict=True)
         }
-        arrays["branch_number"] = np.repeat(
-            np.arange(len(tables)), [len(t["alpha_rad"]) for t in tables]
-        )
+        arrays["branch_number"] = np.repeat(np.arange(len(tables)), [len(t) for t in tables])
         arrays["shapes_x_bar"] = np.array([s.x for s in shapes])
         arrays["shapes_y_bar"] = np.array([s.y for s in shapes])
         arrays["shapes_label"] = np.array(["flat clamps", "at the snap", "snapped"])

@@ -10,12 +10,11 @@ from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
 from snapjump.engine.clamp.base import ClampAngles
 from snapjump.engine.clamp.constant_rate import ConstantRate
-from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.load.none import NoLoad
 from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.newton import ROUNDING
-from snapjump.engine.work import make_work
+from snapjump.engine.work import make_memory, sizes_of
 from snapjump.frame.base import NO_MESH, STILL
 from snapjump.frame.fixed import FixedFrame
 from snapjump.friction.none import NoFriction
@@ -33,7 +32,7 @@ SHORTEST_TURN_RAD = 1e-4
 
 @dataclass(frozen=True)
 class Equilibrium:
-    """A settled shape: nodes x, y (in L, from the middle of the mounts), clamp angles (rad),
+    """An equilibrium: nodes x, y (in L, from the middle of the mounts), clamp angles (rad),
     elastic energy (EI/L), the number of negative pivots (0: stable), the state vector, and how well
     it is known (L): the last correction of Newton's method."""
 
@@ -61,7 +60,7 @@ class Equilibrium:
 class StaticArch:
     """The beam in a fixed frame. Raises ArithmeticError where Newton's method fails.
 
-    ``negative_pivots`` and ``accuracy`` (L) are those of the state that was settled last;
+    ``negative_pivots`` and ``accuracy`` (L) are those of the equilibrium that was solved for last;
     ``rounding`` (EI/L^2) is what rounding may leave of any residual.
     """
 
@@ -77,9 +76,7 @@ class StaticArch:
         self.rounding = ROUNDING * self.rod.axial_stiffness()
         self.negative_pivots, self.accuracy = 0, 0.0
         model = self._model(0.0, 0.0)
-        self.memory = make_work(
-            len(self.masses), 0, 2, ROWS, len(numbers_of(model)), 1, self.node_dofs
-        )
+        self.memory = make_memory(sizes_of(model, len(self.masses)))
 
     def _model(self, left: float, right: float) -> Model:
         clamp = ConstantRate(left, 10.0, 1.0, left - right)
@@ -111,7 +108,7 @@ class StaticArch:
         self.memory.state[:, 0] = state
         return equilibrate(model, numbers_of(model), self.masses, self.memory, iterate)
 
-    def settle(self, state: Array, left: float, right: float) -> Array:
+    def solve_equilibrium(self, state: Array, left: float, right: float) -> Array:
         """The equilibrium state near ``state`` at the given clamp angles (rad)."""
         negative, accuracy, failed = self._run(state, left, right, True)
         if failed:
@@ -119,14 +116,14 @@ class StaticArch:
         self.negative_pivots, self.accuracy = int(negative), float(accuracy)
         return self.memory.state[:, 0].copy()
 
-    def flat(self, lag: float = 0.0, upward: bool = True) -> Array:
-        """The equilibrium between a flat left clamp and a right one turned by -lag (rad)."""
-        state = self.settle(self.guess(upward), 0.0, 0.0)
-        return self.turn(state, (0.0, 0.0), (0.0, -lag))
+    def flat(self, delta_alpha: float = 0.0, upward: bool = True) -> Array:
+        """The equilibrium between a flat left clamp and a right one at -delta_alpha (rad)."""
+        state = self.solve_equilibrium(self.guess(upward), 0.0, 0.0)
+        return self.turn(state, (0.0, 0.0), (0.0, -delta_alpha))
 
     def turn(self, state: Array, begin: Angles, end: Angles) -> Array:
-        """The equilibrium that ``state``, settled at clamp angles ``begin`` (left, right; rad),
-        becomes while the clamps turn to ``end``: in steps that are halved where Newton fails."""
+        """What an equilibrium at clamp angles ``begin`` (left, right; rad) becomes while the clamps
+        turn to ``end``: in steps that are halved where Newton fails."""
         length = max(abs(end[0] - begin[0]), abs(end[1] - begin[1]))
         longest = LONGEST_TURN_RAD / max(length, LONGEST_TURN_RAD)  # shares of the way
         past, back, done, step = state, 0.0, 0.0, longest
@@ -135,24 +132,24 @@ class StaticArch:
             guess = state if back == 0.0 else state + (state - past) * ((ahead - done) / back)
             left, right = (b + ahead * (e - b) for b, e in zip(begin, end, strict=True))
             try:
-                settled = self.settle(guess, left, right)
+                found = self.solve_equilibrium(guess, left, right)
             except ArithmeticError:
                 step *= 0.5
                 if step * length < SHORTEST_TURN_RAD:
                     raise
                 continue
-            past, state, back, done = state, settled, ahead - done, ahead
+            past, state, back, done = state, found, ahead - done, ahead
             step = min(1.5 * step, longest)
         return state
 
     def residual(self, state: Array, left: float, right: float) -> Array:
         """Gradient of the energy with respect to the free coordinates."""
         self._run(state, left, right, False)
-        return self.memory.system.residual[self.free, 0].copy()
+        return self.memory.residual[self.free, 0].copy()
 
     def tangent_band(self) -> Array:
-        """Tangent (lower band, (free, 6)) of the last state that was settled or evaluated."""
-        return np.ascontiguousarray(self.memory.system.band[self.free, :, 0])
+        """Tangent (lower band, (free, 6)) of the last state that was solved for or evaluated."""
+        return np.ascontiguousarray(self.memory.band[self.free, :, 0])
 
     def stability(self) -> tuple[float, float, int]:
         """Smallest eigenvalue of the last tangent, what rounding makes of it, and the number of
@@ -166,7 +163,7 @@ class StaticArch:
         return vector
 
     def equilibrium(self, state: Array, left: float, right: float) -> Equilibrium:
-        """Describe a settled state."""
+        """Describe a state in equilibrium."""
         angles = ClampAngles(left, right, 0.0, 0.0)
         tangents = self.frame.end_tangents(NO_MESH, NoLoad(), angles, state, STILL)
         energy = float(self.rod.internal_energy(state, tangents))

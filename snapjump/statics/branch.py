@@ -61,7 +61,7 @@ class Branch:
         return (0.5 * (nodes + mirror * nodes[::-1])).ravel()
 
     def _described(self, state: Array, left: float, towards: Array) -> Point:
-        """The point of a settled state, with the branch's tangent on the side of ``towards``."""
+        """The point of an equilibrium, with the branch's tangent on the side of ``towards``."""
         slope = self._slope(state, left)
         self._residual(state, left)
         free, turn = solve_bordered(
@@ -75,8 +75,8 @@ class Branch:
         return Point(state, left, *self.arch.stability(), direction)
 
     def point(self, state: Array, left: float, towards: Array | None = None) -> Point:
-        """The settled point of the branch at a given angle; by default facing larger angles."""
-        state = self.arch.settle(state, left, left - self.delta_alpha)
+        """The point of the branch at a given angle; by default facing larger angles."""
+        state = self.arch.solve_equilibrium(state, left, left - self.delta_alpha)
         if towards is None:
             towards = np.append(np.zeros(self.arch.size - 2 * self.arch.node_dofs), 1.0)
         return self._described(state, left, towards)

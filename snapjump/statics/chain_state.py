@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.number.dispatch import compiled
-from snapjump.number.functions import arctan, sqrt
+from snapjump.number.functions import sqrt
+from snapjump.number.trigonometry import arctan
 
 Array = NDArray[np.float64]
 
@@ -31,5 +32,5 @@ def chain_state(discretization: Any, x: Array, y: Array) -> Array:
     state[0::dofs] = x
     state[1::dofs] = y
     if dofs == 3:
-        state[5:-3:3] = discretization.turn_length() * chord_angles(x, y)
+        state[5:-3:3] = discretization.rotation_length() * chord_angles(x, y)
     return state

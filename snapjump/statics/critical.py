@@ -77,7 +77,7 @@ def refine(branch: Branch, stable: Point, unstable: Point) -> Point:
 
 
 def angle_error(branch: Branch, stable: Point, unstable: Point, critical: Point) -> float:
-    """What rounding of the smallest eigenvalue makes of the critical angle (rad)."""
+    """Error of the critical angle (rad) by rounding of the smallest eigenvalue."""
     length = arclength(branch, stable, unstable)
     slope = (unstable.eigenvalue - stable.eigenvalue) / length
     along = max(critical.eigenvalue_rounding, abs(critical.eigenvalue)) / abs(slope)

@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.number.dispatch import compiled
-from snapjump.number.functions import arctan, sin, sqrt
+from snapjump.number.functions import sqrt
+from snapjump.number.trigonometry import arctan, sin
 
 Array = NDArray[np.float64]
 HALVINGS = 60

@@ -1,4 +1,4 @@
-"""Where the arch whose clamps turn alike loses its stability, there and back, and how."""
+"""Landmarks of the symmetric arch: where it loses its stability, there and back, and how."""
 
 from dataclasses import dataclass
 

@@ -1,8 +1,8 @@
-"""How far a weight at rest stands above the ground."""
+"""Gap at which a weight rests on the ground."""
 
 from typing import Any
 
-from snapjump.contact.base import at_rest, force_if_acting
+from snapjump.contact.base import at_rest, force_if_active
 from snapjump.number.dispatch import compiled
 
 HALVINGS = 60
@@ -21,12 +21,12 @@ def resting_gap(contact: Any, weight: float, points: float) -> float:
     if not contact.keeps_open():
         depth = 1e-9
         low = high - depth
-        while points * force_if_acting(contact, low, at_rest(low))[1] < weight:
+        while points * force_if_active(contact, low, at_rest(low))[1] < weight:
             depth *= 2.0
             low = high - depth
     for _ in range(HALVINGS):
         gap = 0.5 * (low + high)
-        if points * force_if_acting(contact, gap, at_rest(gap))[1] > weight:
+        if points * force_if_active(contact, gap, at_rest(gap))[1] > weight:
             low = gap
         else:
             high = gap

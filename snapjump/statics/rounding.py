@@ -1,4 +1,4 @@
-"""What rounding alone makes of a critical angle, and from where on that is too much."""
+"""Rounding errors of critical angles, and the largest that is accepted."""
 
 from typing import Any
 

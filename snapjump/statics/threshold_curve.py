@@ -14,7 +14,7 @@ from numpy.polynomial import Chebyshev
 from numpy.typing import ArrayLike, NDArray
 
 from snapjump.checks import ParameterError
-from snapjump.number.functions import cos
+from snapjump.number.trigonometry import cos
 from snapjump.robot.robot import Robot
 from snapjump.statics.rounding import LostToRoundingError
 from snapjump.statics.threshold import symmetric_threshold

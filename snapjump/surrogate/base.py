@@ -18,7 +18,7 @@ OUTPUTS = 2
 
 
 class Inputs(NamedTuple):
-    """How many columns designs have, and which is mass_bar (None: it does not vary)."""
+    """The number of columns of designs, and which is mass_bar (None: it does not vary)."""
 
     columns: int = 4
     mass: int | None = 2
@@ -101,7 +101,7 @@ class Surrogate(nn.Module, ABC):
         self.outputs.fit(rows.apexes)
 
     def loss(self, rows: Rows) -> Tensor:
-        """What descent makes smaller: by default the mean absolute error in standard deviations."""
+        """The loss of descent: by default the mean absolute error in standard deviations."""
         error = self(rows.designs) - rows.apexes
         return (error / self.outputs.deviation).abs().mean()
 

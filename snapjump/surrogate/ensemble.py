@@ -25,39 +25,39 @@ class EnsembleOptions(SurrogateOptions):
 
 
 class Layers(nn.Module):
-    """A linear layer of every member, (M, N, inputs) -> (M, N, outputs), begun as torch's are."""
+    """A linear layer of every network, (M, N, inputs) -> (M, N, outputs), begun as torch's are."""
 
-    def __init__(self, members: int, inputs: int, outputs: int):
+    def __init__(self, networks: int, inputs: int, outputs: int):
         super().__init__()
         bound = inputs**-0.5
-        self.weight = nn.Parameter(torch.empty(members, inputs, outputs).uniform_(-bound, bound))
-        self.bias = nn.Parameter(torch.empty(members, 1, outputs).uniform_(-bound, bound))
+        self.weight = nn.Parameter(torch.empty(networks, inputs, outputs).uniform_(-bound, bound))
+        self.bias = nn.Parameter(torch.empty(networks, 1, outputs).uniform_(-bound, bound))
 
     def forward(self, values: Tensor) -> Tensor:
         return torch.baddbmm(self.bias, values, self.weight)
 
 
 class Ensemble(MassScaled):
-    """Members see the same batches, side by side; each has its own loss.
+    """The networks see the same batches, side by side; each has its own loss.
 
     Intervals are conformal (Lei et al., arXiv 1604.04173): half widths are ``scale`` times the
-    members' spread plus ``least``, of the size that holds 90 % of the validation set. ``least``
-    keeps them honest where the members agree by chance.
+    networks' spread plus ``least``, of the size that holds 90 % of the validation set. ``least``
+    keeps them honest where the networks agree by chance.
     """
 
     scale: Tensor
     least: Tensor
 
-    def __init__(self, members: int, width: int, blocks: int, inputs: Inputs = FOUR):
+    def __init__(self, networks: int, width: int, blocks: int, inputs: Inputs = FOUR):
         super().__init__(inputs)
-        self.members = members
-        self.body = residual(partial(Layers, members), inputs.columns, width, blocks, OUTPUTS)
+        self.networks = networks
+        self.body = residual(partial(Layers, networks), inputs.columns, width, blocks, OUTPUTS)
         self.register_buffer("scale", torch.ones(OUTPUTS))
         self.register_buffer("least", torch.zeros(OUTPUTS))
 
     def each(self, designs: Tensor) -> Tensor:
-        """Apexes (M, N, 2) of every member."""
-        scaled = self.scaled(designs).expand(self.members, -1, -1)
+        """Apexes (M, N, 2) of every network."""
+        scaled = self.scaled(designs).expand(self.networks, -1, -1)
         return self.apexes(self.body(scaled), designs)
 
     def forward(self, designs: Tensor) -> Tensor:

@@ -5,13 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from snapjump.inverse.base import (
-    ForwardModel,
-    InverseOptions,
-    Problem,
-    Solution,
-    predicted_solutions,
-)
+from snapjump.inverse import base
+from snapjump.inverse.base import ForwardModel, InverseOptions, Problem, Solution
 from snapjump.inverse.gauss_newton import descend
 from snapjump.targets.region import AchievableRegion
 
@@ -56,5 +51,5 @@ def out_of_reach(problem: Problem, forward: ForwardModel) -> Solution | None:
     # The grid's own error is taken out by a descent from where it is nearest.
     start = np.array([region.nearest(problem.target)[0]])
     controls, _ = descend(problem, forward, start, ITERATIONS)
-    (nearest,) = predicted_solutions(problem, forward, controls)
+    (nearest,) = base.predicted_solutions(problem, forward, controls)
     return None if nearest.miss_bar(problem.target) <= BOUNDARY_BAR else nearest

@@ -10,13 +10,8 @@ from snapjump.composition import Simulation, with_tier
 from snapjump.inverse.base import Array, ForwardModel, InverseOptions, Problem
 from snapjump.inverse.physics import PhysicsOptions
 from snapjump.robot.environment import Environment
+from snapjump.targets import request
 from snapjump.targets.answer import Answer, answer
-from snapjump.targets.request import (
-    checked_target,
-    checkpoint_path,
-    trained_forward,
-    usable_forward,
-)
 from snapjump.targets.simulator import JumpSimulator
 from snapjump.tiers import TIERS
 
@@ -61,11 +56,11 @@ def design_for(
     Raises ParameterError for bad input.
     """
     check_choice("accuracy", accuracy, tuple(TIERS))
-    place = checked_target(target)
+    place = request.checked_target(target)
     base = with_tier(accuracy, environment=environment or Environment())
     way = method or PhysicsOptions()
-    trained = trained_forward(checkpoint_path(checkpoint))
-    forward, warning = usable_forward(base, trained, way)
+    trained = request.trained_forward(request.checkpoint_path(checkpoint))
+    forward, warning = request.usable_forward(base, trained, way)
     if warning:
         warnings.warn(warning, stacklevel=2)
     return answer(problem_of(base, place, trained, forward, seed), way)

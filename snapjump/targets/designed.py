@@ -1,4 +1,4 @@
-"""All that is known of a designed jump, and the flat numbers of its ``result.json``."""
+"""A designed jump: the answer, its simulation, and the flat numbers of its ``result.json``."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -87,13 +87,13 @@ class Designed:
 
 
 def point(name: str, place: Array | None) -> dict[str, Any]:
-    """Both coordinates of an apex."""
+    """Coordinates of an apex by their keys."""
     x, y = (None, None) if place is None else place.tolist()
     return {f"{name}_x_bar": x, f"{name}_y_bar": y}
 
 
 def controls(prefix: str, solution: Solution) -> dict[str, Any]:
-    """Both controls of a solution."""
+    """Controls of a solution by their keys."""
     delta_alpha, epsilon = solution.controls.tolist()
     return {f"{prefix}epsilon": epsilon, f"{prefix}delta_alpha_rad": delta_alpha}
 

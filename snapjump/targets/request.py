@@ -1,4 +1,4 @@
-"""What a user asks for: a target, a method, tolerances, a forward model; each checked."""
+"""Checks of a request: target, checkpoint, and whether the forward model may be asked."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -33,7 +33,7 @@ def checked_target(value: Any) -> Array:
 
 
 def checkpoint_path(value: Any) -> Path:
-    """Where a forward model lies, null: the one that comes along. Raises ParameterError."""
+    """The file of a forward model, null: the one that comes along. Raises ParameterError."""
     if value is None:
         return SHIPPED
     check_text("checkpoint", value, "null, or a file that task=train left")

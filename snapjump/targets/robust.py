@@ -30,13 +30,12 @@ class Tolerance(Part):
 
     @property
     def deviations(self) -> Array:
-        """All four (4,)."""
         return np.array(astuple(self))
 
 
 @dataclass(frozen=True)
 class Scatter:
-    """Where the robots of one design come down to: ``apexes`` (S, 2) in L.
+    """The distribution of the apexes (S, 2), in L, of robots of one design.
 
     ``mean``, ``deviation`` (2,): of them; ``expected_miss_bar``: mean distance from the target;
     ``radius90_bar``: of the circle about the target that holds 90 % of them.
@@ -68,11 +67,9 @@ def compare(
     begun = time.perf_counter()
     robust = robust_solution(problem, forward, tolerance, solutions)
     seconds = time.perf_counter() - begun
-    scatters = [
-        scatter(problem, forward, tolerance, solution.controls)
-        for solution in (robust, solutions[0])
-    ]
-    return Comparison(seconds, robust, scatters[0], solutions[0], scatters[1])
+    pair = robust, solutions[0]
+    ours, plain = (scatter(problem, forward, tolerance, one.controls) for one in pair)
+    return Comparison(seconds, robust, ours, solutions[0], plain)
 
 
 def sobol_points(count: int, seed: int) -> Array:
@@ -99,7 +96,7 @@ def scatter(
     """The distribution of a design's apex, from samples that no design was chosen by."""
     points = sobol_points(REPORTED, problem.seed + 1)
     apexes = forward.predict(built(problem, forward, tolerance, controls, points))
-    misses = np.hypot(*(apexes - problem.target).T)
+    misses = problem.misses(apexes)
     return Scatter(
         apexes,
         apexes.mean(axis=0),
@@ -121,21 +118,16 @@ def robust_solution(
     def expected_miss(share: Array) -> float:
         controls = problem.unscaled(share)
         apexes = forward.predict(built(problem, forward, tolerance, controls, points))
-        return float(np.hypot(*(apexes - problem.target).T).mean())
+        return float(problem.misses(apexes).mean())
 
     found = []
     for solution in solutions[:MOST_STARTS]:
         start = problem.scaled(solution.controls)
         inwards = np.diag(np.where(start > 0.5, -FIRST_STEP, FIRST_STEP))
-        options = {
-            "initial_simplex": np.vstack([start, start + inwards]),
-            "xatol": 1e-4,
-            "fatol": 1e-5,
-        }
-        bounds = [(0.0, 1.0)] * 2
-        found.append(
-            minimize(expected_miss, start, method="Nelder-Mead", bounds=bounds, options=options)
-        )
+        simplex = np.vstack([start, start + inwards])
+        how = {"initial_simplex": simplex, "xatol": 1e-4, "fatol": 1e-5}
+        box = [(0.0, 1.0)] * 2
+        found.append(minimize(expected_miss, start, method="Nelder-Mead", bounds=box, options=how))
     best = min(found, key=lambda result: float(result.fun))
     controls = problem.unscaled(best.x)
     return Solution(controls, forward.predict(problem.designs(controls[None, :]))[0], False)

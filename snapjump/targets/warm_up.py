@@ -1,4 +1,4 @@
-"""Whatever happens once: kernels compiled and loaded, networks asked for the first time."""
+"""Warm-up: kernels compiled and loaded, networks asked for the first time."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ from snapjump.targets.simulator import JumpSimulator
 
 
 def warm_up(base: Simulation, forward: ForwardModel, method: InverseOptions) -> None:
-    """Do it before a search is timed; a method that asks the forward model alone needs no jumps."""
+    """Warm up for a search; a method that asks the forward model alone needs no jumps."""
     middle = np.mean(forward.ranges, axis=1)[None, :]
     simulator = JumpSimulator(base)
     low, high = np.array(forward.ranges[:2]).T

@@ -1,1 +1,1 @@
-"""Where runs are recorded: a family. MLflow is imported only when a record is written."""
+"""Trackers, which record runs: a family. MLflow is imported only when a record is written."""

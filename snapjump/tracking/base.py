@@ -32,7 +32,7 @@ Curves = Mapping[str, Sequence[tuple[int, float]]]
 
 @dataclass(frozen=True)
 class Record:
-    """All of one job that is recorded, at once and at its end. Times are in ms since 1970."""
+    """The record of one job, written at once at its end. Times are in ms since 1970."""
 
     name: str
     state: State
@@ -48,7 +48,7 @@ class Record:
 
 
 class Tracker(Part):
-    """Where records go: here nowhere. Only ``check`` may be called before there is a record."""
+    """A tracker that records nothing. Only ``check`` may be called before there is a record."""
 
     group = "tracking"
 

@@ -19,7 +19,6 @@ class Server(MlflowStore):
         return self.uri.rstrip("/")
 
     def check(self) -> None:
-        """Someone must listen at the address."""
         try:
             parts = urlsplit(self.place)
             port = parts.port or {"http": 80, "https": 443}[parts.scheme]

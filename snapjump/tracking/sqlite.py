@@ -18,7 +18,6 @@ class Sqlite(MlflowStore):
 
     @cached_property
     def file(self) -> Path:
-        """The database."""
         return Path(self.path).absolute()
 
     @property

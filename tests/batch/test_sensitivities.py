@@ -9,7 +9,7 @@ from robots import BASELINE as FINE
 from snapjump.batch import simulate_designs
 from snapjump.batch.sensitivities import NEAREST, Slopes, apex_sensitivities
 from snapjump.checks import ParameterError
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.status import OK
 from snapjump.friction.implicit import ImplicitFriction
@@ -83,7 +83,7 @@ def test_gravity_moves_the_ballistic_flight_too():
     slopes = np.array([0.3, -0.2, 1.5, 0.7, 0.9])  # of x, y, vx, vy and gravity
 
     def at(way):
-        outcome = np.zeros((1, c.ROWS))
+        outcome = np.zeros((1, c.COLUMNS))
         outcome[0, c.STATUS] = OK
         values = np.array([0.1, 0.6, 2.0, 5.0, 3.0]) + way * slopes
         outcome[0, [c.COM_X, c.COM_Y, c.COM_VX, c.COM_VY]] = values[:4]

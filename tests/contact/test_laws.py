@@ -7,7 +7,7 @@ import pytest
 from families import FAMILIES
 from numba import njit
 
-from snapjump.contact.base import Approach, at_rest, derived_slope, force_if_acting
+from snapjump.contact.base import ContactState, at_rest, derived_slope, force_if_active
 from snapjump.contact.hunt_crossley import damping_number
 from snapjump.contact.signorini import SKIN
 from snapjump.number.dispatch import PROGRAM
@@ -25,9 +25,9 @@ STEP = 1e-30
 program = njit(**{**PROGRAM, "cache": False})
 
 
-def push(law, gap, approach):
+def push(law, gap, state):
     """Force and slope."""
-    return law.force(gap, approach), law.slope(gap, approach)
+    return law.force(gap, state), law.slope(gap, state)
 
 
 def law_and_gaps(name):
@@ -45,7 +45,7 @@ def test_stiffness_is_the_force_s_total_derivative(name):
 
     def force(moved, gap, speed):
         now = speed + rate * (moved - gap)
-        return push(law, moved, Approach(now, rate, gap - speed / rate, speed, 0.3))
+        return push(law, moved, ContactState(now, rate, gap - speed / rate, speed, 0.3))
 
     for gap, speed in itertools.product(gaps, (0.0, -0.7, 0.4)):
         _, stiffness = force(np.complex128(gap), gap, speed)
@@ -54,8 +54,8 @@ def test_stiffness_is_the_force_s_total_derivative(name):
 
 
 @program
-def derived_and_own(law, gap, approach):
-    return derived_slope(law, gap, approach), law.slope(gap, approach)
+def derived_and_own(law, gap, state):
+    return derived_slope(law, gap, state), law.slope(gap, state)
 
 
 @laws
@@ -63,10 +63,10 @@ def test_a_slope_of_its_own_is_the_derived_one(name):
     """Compiled, by dual numbers, and in plain Python, by a complex step."""
     law, gaps = law_and_gaps(name)
     for gap, speed in itertools.product(gaps, (0.0, -0.7, 0.4)):
-        approach = Approach(speed, 400.0, gap - speed / 400.0, speed, 0.3)
-        derived, own = derived_and_own(law, gap, approach)
+        state = ContactState(speed, 400.0, gap - speed / 400.0, speed, 0.3)
+        derived, own = derived_and_own(law, gap, state)
         assert derived == pytest.approx(own, rel=1e-12, abs=1e-12)
-        assert derived_slope(law, gap, approach) == pytest.approx(own, rel=1e-9, abs=1e-9)
+        assert derived_slope(law, gap, state) == pytest.approx(own, rel=1e-9, abs=1e-9)
 
 
 @laws
@@ -86,23 +86,23 @@ def test_no_law_pulls_and_none_gives_energy(name):
     law, gaps = law_and_gaps(name)
     for gap in gaps:
         for speed in (-2000.0, -3.0, 0.0, 3.0, 2000.0):
-            approach = Approach(speed, 400.0, gap + 1e-9, speed, 0.3)
-            active, force, stiffness = force_if_acting(law, gap, approach)
+            state = ContactState(speed, 400.0, gap + 1e-9, speed, 0.3)
+            active, force, stiffness = force_if_active(law, gap, state)
             assert force >= 0.0
             assert np.isfinite([force, stiffness]).all()
             # An impact law takes energy at the end of a step, by the change of the speed in it.
             if active and name != "signorini":
-                assert law.loss(gap, approach) >= -1e-12 * force * abs(speed)
+                assert law.loss(gap, state) >= -1e-12 * force * abs(speed)
 
 
 @laws
 def test_nothing_acts_out_of_reach(name):
     law, _ = law_and_gaps(name)
     gap = law.reach() + 1e-9
-    active, force, stiffness = force_if_acting(law, gap, at_rest(gap))
+    active, force, stiffness = force_if_active(law, gap, at_rest(gap))
     assert not active and force == stiffness == 0.0
     assert VARIANTS[name].ground(SCALES, None).clearance >= law.reach()
-    assert not law.active(0.1, Approach(-1.0, 400.0, 0.1025, -1.0, 0.0))
+    assert not law.active(0.1, ContactState(-1.0, 400.0, 0.1025, -1.0, 0.0))
 
 
 def test_energy_taken_by_damping_is_force_times_speed():
@@ -110,7 +110,7 @@ def test_energy_taken_by_damping_is_force_times_speed():
     gap = 0.5 * law.reach()
     elastic, stiffness = push(law, gap, at_rest(gap))
     speed = -0.2
-    lost = law.loss(gap, Approach(speed, 0.0, gap, speed, 0.0))
+    lost = law.loss(gap, ContactState(speed, 0.0, gap, speed, 0.0))
     assert lost == pytest.approx(law.relaxation_time * stiffness * speed**2, rel=1e-9)
 
 
@@ -134,7 +134,7 @@ def test_signorini_s_target():
         """The gap at which the force vanishes."""
         inertia = 1.0
         gap = -0.1
-        force, stiffness = push(law, gap, Approach(speed, rate, begun, speed, inertia))
+        force, stiffness = push(law, gap, ContactState(speed, rate, begun, speed, inertia))
         return gap + force / stiffness
 
     assert target(0.3, -1.0) == pytest.approx(SKIN)  # far away

@@ -12,12 +12,11 @@ from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.declare.members import member_class
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clamp.constant_rate import ConstantRate
-from snapjump.engine.clock import ROWS
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.model import Model, numbers_of, with_numbers
 from snapjump.engine.newton import solve_linearised
 from snapjump.engine.view import view_work
-from snapjump.engine.work import make_work
+from snapjump.engine.work import make_memory, sizes_of
 from snapjump.frame.rigid import RigidFrame
 from snapjump.friction.implicit import ImplicitFriction
 from snapjump.robot.robot import Robot
@@ -64,12 +63,12 @@ def test_lanes_and_scalars_agree_to_the_last_bit(name):
     states[:, 5::3] += 2.0 * np.pi / ELEMENTS * np.arange(WIDTH)[:, None]
 
     def solved(chosen: Any) -> Any:
-        memory = make_work(ELEMENTS + 1, 3, 2, ROWS, len(numbers), len(chosen), 3)
+        memory = make_memory(sizes_of(model, ELEMENTS + 1, lanes=len(chosen)))
         memory.numbers[...] = numbers[:, None]
         memory.state[...] = chosen.T
-        memory.origin[...] = 0.999 * chosen.T
+        memory.position_predictor[...] = 0.999 * chosen.T
         solve(model, options.masses(), memory, (0,) * len(chosen))
-        parts = (memory.system.residual, memory.system.frame_residual, memory.clock[:3])
+        parts = (memory.residual, memory.frame_residual, memory.clock[:3])
         return np.concatenate(parts).T
 
     together = solved(states)

@@ -3,11 +3,12 @@
 from typing import Any
 
 import numpy as np
+from duals import view_duals
 from numba import njit
 from plain_python import complex_step
 
 from snapjump.discretization.parts.edge import half_angle_tangent, make_edge
-from snapjump.number.dual import slopes_of, value_of, view_duals
+from snapjump.number.dual import slopes_of, value_of
 from snapjump.number.lane import view_numbers
 from snapjump.number.memory import aligned_zeros
 

@@ -1,51 +1,105 @@
-"""Tests are in the rooms that they test; the theory page names every member and its files."""
+"""The page on architecture is true: rooms, floors and walks; and the house keeps its rules."""
 
+import ast
 import re
+import tomllib
+from pathlib import Path
 
 import pytest
-from command_line import ROOT
-from families import of_all_families
-from pages import text_of
 
-TESTS = ROOT / "tests"
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = (ROOT / "docs" / "architecture.md").read_text()
+LIBRARY = ROOT / "snapjump"
+ROOMS = {folder.name for folder in LIBRARY.iterdir() if (folder / "__init__.py").exists()}
+CONTRACT = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["importlinter"]
+LAYERS = [re.split(r" [|:] ", layer) for layer in CONTRACT["contracts"][0]["layers"]]
+WALKS = re.findall(r"\n`([\w.]+)`\n\n((?:\d\. .*\n)+)", PAGE)
 # Folders of tests that are no folder of the library.
 OF_NO_ROOM = {"docs", "experiments", "experiments/paper", "physics"}
+MOST_ARGUMENTS, MOST_LINES, MOST_STATIONS = 8, 250, 9
 
-THEORY = ROOT / "docs" / "theory.md"
-TEXT = text_of(THEORY)
-POINTERS = re.findall(r"\]\(([^)#\s]+)\)", TEXT)
-QUOTED = re.findall(r"`((?:tests|snapjump|experiments)/[^`]+)`", TEXT)
-# What has equations: a file of theirs that the page has to point at.
-EQUATIONS = ("contact", "damping", "discretization", "friction", "integrator", "stepping")
+
+def section(title: str) -> str:
+    return PAGE.split(f"\n## {title}\n")[1].split("\n## ")[0]
+
+
+def picture() -> list[list[str]]:
+    """Rooms of the picture, floor by floor."""
+    drawn = section("Floors").split("```")[1]
+    floors = [[word for word in line.split() if word in ROOMS] for line in drawn.splitlines()]
+    return [floor for floor in floors if floor]
+
+
+def test_every_room_has_its_paragraph_and_its_place_in_the_picture():
+    told = re.findall(r"^\| `(\w+)` \|", section("Floors"), re.M)
+    assert sorted(told) == sorted(ROOMS)
+    assert sorted(room for floor in picture() for room in floor) == sorted(ROOMS)
+
+
+def test_the_picture_has_the_floors_that_imports_are_held_to():
+    height = {room: k for k, layer in enumerate(LAYERS) for room in layer}
+    drawn = {room: k for k, floor in enumerate(picture()) for room in floor}
+    for one in ROOMS:
+        for other in ROOMS:
+            if drawn[one] < drawn[other]:
+                assert height[one] <= height[other], f"{one} is drawn above {other}"
+
+
+@pytest.mark.parametrize(("number", "stations"), WALKS)
+def test_a_walk_goes_by_what_is_there(number, stations):
+    lines = stations.splitlines()
+    assert len(lines) <= MOST_STATIONS
+    assert re.fullmatch(r"\d\. `.*` `flight`: the apex", lines[-1])
+    field = number.rsplit(".", 1)[1]
+    declared = 0
+    for line in lines:
+        path, name = re.findall(r"`([^`]+)`", line)[:2]
+        tree = ast.parse((ROOT / path).read_text())
+        found = [n for n in ast.walk(tree) if name == getattr(n, "name", getattr(n, "id", None))]
+        assert found, f"{path} has no {name}"
+        declared += any(
+            isinstance(n, ast.AnnAssign) and getattr(n.target, "id", "") == field
+            for cls in found
+            if isinstance(cls, ast.ClassDef)
+            for n in cls.body
+        )
+    assert declared >= 1, f"{number} is declared at none of its stations"
+
+
+def test_three_numbers_walk():
+    assert [number for number, _ in WALKS] == [
+        "contact.stiffness_N_m",
+        "design.epsilon",
+        "stepping.tolerance",
+    ]
 
 
 def test_every_folder_of_tests_is_a_room_of_the_library():
-    folders = {file.parent.relative_to(TESTS).as_posix() for file in TESTS.rglob("test_*.py")}
+    tests = ROOT / "tests"
+    folders = {file.parent.relative_to(tests).as_posix() for file in tests.rglob("test_*.py")}
     assert OF_NO_ROOM < folders
-    assert not {name for name in folders - OF_NO_ROOM if not (ROOT / "snapjump" / name).is_dir()}
+    assert not {name for name in folders - OF_NO_ROOM if not (LIBRARY / name).is_dir()}
 
 
-@of_all_families
-def test_every_member_is_named(family, name):
-    assert f"`{name}`" in TEXT, family
+SOURCES = [
+    p for d in ("snapjump", "experiments", "tests") for p in sorted((ROOT / d).rglob("*.py"))
+]
 
 
-def test_pointers_exist():
-    assert len(POINTERS) > 80
-    missing = [place for place in POINTERS if not (THEORY.parent / place).exists()]
-    missing += [place for place in QUOTED if not (ROOT / place).exists()]
-    assert not missing
+def test_no_function_takes_too_many_arguments():
+    too_many = []
+    for path in SOURCES:
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.FunctionDef):
+                a = node.args
+                names = [x.arg for x in (*a.posonlyargs, *a.args, *a.kwonlyargs)]
+                if len([n for n in names if n not in ("self", "cls")]) > MOST_ARGUMENTS:
+                    too_many.append(f"{path.relative_to(ROOT)}: {node.name}")
+    assert not too_many
 
 
-@pytest.mark.parametrize("family", EQUATIONS)
-def test_every_file_of_equations_is_pointed_at(family):
-    files = {path.resolve() for path in (ROOT / "snapjump" / family).glob("*.py")}
-    pointed = {(THEORY.parent / place).resolve() for place in POINTERS}
-    left_out = {path.name for path in files - pointed} - {"__init__.py", "base.py", "none.py"}
-    assert not left_out
-
-
-def test_equations_are_closed():
-    without_code = re.sub(r"`[^`]*`", "", TEXT)
-    assert without_code.count("$$") % 2 == 0
-    assert without_code.replace("$$", "").count("$") % 2 == 0
+def test_a_long_file_says_why():
+    for path in SOURCES:
+        text = path.read_text()
+        if text.count("\n") > MOST_LINES:
+            assert f"more than {MOST_LINES} lines" in ast.get_docstring(ast.parse(text)), path

@@ -125,8 +125,8 @@ def test_workers_of_a_sweep_have_it_and_a_cell_is_known_by_it(example: Path) -> 
 @pytest.mark.parametrize(
     ("edit", "words"),
     [
-        (("def force", "def push"), "Law has no method force(self, gap, approach)"),
-        (("gap: Any, approach: Any", "gap: Any"), "Law.force takes gap: gap, approach"),
+        (("def force", "def push"), "Law has no method force(self, gap, state)"),
+        (("gap: Any, state: Any", "gap: Any"), "Law.force takes gap: gap, state"),
         (("def law(", "def make("), "a member with the methods law, which Cone lacks"),
         (("class Cone(ContactOptions)", "class Cone"), "one class of options of contact"),
         (("from math import pi, tan", "from math import pie"), "ImportError"),

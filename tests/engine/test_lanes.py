@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from robots import DESIGNS, small_march
 
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.status import OK
 from snapjump.scenes import runner
 

@@ -5,9 +5,9 @@ import pytest
 from numba.core.runtime import _nrt_python, rtsys
 from robots import DESIGNS, number_of, small_march
 
-from snapjump.engine import clock as c
+from snapjump.engine import clock
 from snapjump.engine import march as loop
-from snapjump.engine.march import Limits
+from snapjump.engine import outcome as c
 from snapjump.engine.status import (
     ITERATION_LIMIT,
     NAMES,
@@ -29,10 +29,13 @@ def starts():
 
 
 def go_on(march, passes, of_a_stage=25.0, of_a_march=2e6, **stepping):
-    parts = (march.models[0], march.masses, march.scheme, march.stepping._replace(**stepping))
-    limits, lanes = Limits(of_a_stage, of_a_march), (0,) * march.lanes
-    rest = (march.ending, limits, march.recorder, march.memory, march.queue, lanes)
-    return loop.march(*parts, *rest, passes)
+    method = march.method._replace(
+        stepping=march.stepping._replace(**stepping),
+        most_in_stage=of_a_stage,
+        most_in_march=of_a_march,
+    )
+    memory, lanes = (march.recorder, march.memory, march.queue), (0,) * march.lanes
+    return loop.march(march.models[0], march.masses, method, *memory, lanes, passes)
 
 
 def allocations(march, passes):
@@ -56,7 +59,7 @@ def test_nothing_is_allocated_in_the_loop(starts, lanes):
         if not enabled:
             _nrt_python.memsys_disable_stats()
     assert few == many
-    assert march.memory.clock[c.STEPS].sum() > 0
+    assert march.memory.clock[clock.STEPS].sum() > 0
 
 
 def test_slices_of_passes_are_one_march(starts):

@@ -22,6 +22,7 @@ from snapjump.discretization.geometrically_exact import GeometricallyExact
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clamp.constant_rate import ConstantRate
+from snapjump.engine.gaps import gap_safe_share
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.powers import powers
 from snapjump.frame.base import NO_MESH
@@ -85,7 +86,7 @@ class Case:
         if self.dofs == 3:
             directions = turn + np.linspace(0.4, -0.4, self.nodes)[1:-1]
             directions = directions + rng.uniform(-0.1, 0.1, inner)
-            turned = np.column_stack([turned, self.beam.turn_length() * directions])
+            turned = np.column_stack([turned, self.beam.rotation_length() * directions])
         return np.concatenate([[0.05, height, turn], turned.ravel()])
 
     def in_the_barrier(self, turn: float) -> Any:
@@ -99,7 +100,7 @@ class Case:
 
     def on_the_frame(self, motion: Motion, state: Any, **arrays: Any) -> Any:
         """The residual of the frame's coordinates."""
-        return self.assembled(motion, state, **arrays).system.frame_residual
+        return self.assembled(motion, state, **arrays).frame_residual
 
     def check_tangent(self, free: Any, origin: Any = None) -> Any:
         """Against complex steps, in motion; the memory after the assembly."""
@@ -107,10 +108,10 @@ class Case:
         origin = self.state(free, angles) if origin is None else origin
 
         def residual(z: Any) -> Any:
-            work = self.assembled(MOVING, self.state(z, angles), origin=origin)
+            work = self.assembled(MOVING, self.state(z, angles), position_predictor=origin)
             return self.free_part(residual_of(work, DOFS))
 
-        work = self.assembled(MOVING, self.state(free, angles), origin=origin)
+        work = self.assembled(MOVING, self.state(free, angles), position_predictor=origin)
         keep = np.r_[0:3, 3 + self.dofs : 3 + self.dofs * (self.nodes - 1)]
         matrix, expected = dense(work, DOFS)[np.ix_(keep, keep)], complex_step(residual, free)
         # Rows of the frame and of the nodes have scales of their own.
@@ -169,7 +170,7 @@ def test_tangent_of_friction_at_the_corners(slip):
     origin[0] -= slip / MOVING.rate_factor
     origin[2] -= 0.1 / MOVING.rate_factor
     case.check_tangent(free, origin)
-    square = case.assembled(MOVING, case.state(free), origin=origin).system.square
+    square = case.assembled(MOVING, case.state(free), position_predictor=origin).corner_block
     assert abs(square[0, 1] - square[1, 0]) > 0.01 * np.abs(square).max()
 
 
@@ -179,7 +180,8 @@ def test_friction_opposes_sliding_at_the_feet():
     origin = state.copy()
     origin[0] -= 1.0  # the frame slides along +x
     with_friction, without, clear = (
-        case.on_the_frame(MOVING, state, origin=origin) for case in (rough, smooth, away)
+        case.on_the_frame(MOVING, state, position_predictor=origin)
+        for case in (rough, smooth, away)
     )
     drag, normal = with_friction - without, clear[1] - without[1]
     # Sliding beyond the threshold: mu N against the motion, at the feet below the centre.
@@ -195,12 +197,14 @@ def test_lagged_friction_takes_force_and_velocity_of_the_step_s_beginning(height
     begun, now = (rough.state(rough.arch(height=h, turn=0.0)) for h in (0.26, height))
     velocity = np.zeros((2, len(now)))
     velocity[0, 0] = 2.0
-    arrays = {"start": begun, "velocity": velocity, "origin": now}
-    lagged, without = (case.assembled(MOVING, now, **arrays).system for case in (rough, smooth))
-    at_start, clear = (case.on_the_frame(MOVING, begun, origin=begun) for case in (smooth, Case()))
+    arrays = {"start": begun, "velocity": velocity, "position_predictor": now}
+    lagged, without = (case.assembled(MOVING, now, **arrays) for case in (rough, smooth))
+    at_start, clear = (
+        case.on_the_frame(MOVING, begun, position_predictor=begun) for case in (smooth, Case())
+    )
     drag = lagged.frame_residual - without.frame_residual
     assert drag[0] == pytest.approx(0.4 * (clear[1] - at_start[1]), rel=1e-12)
-    assert np.array_equal(lagged.square, without.square)
+    assert np.array_equal(lagged.corner_block, without.corner_block)
 
 
 @clamps
@@ -209,13 +213,15 @@ def test_internal_forces_have_no_resultant(clamp, damping):
     case = Case(clamp, MOVING.time, damping=damping)
     state, origin = case.state(case.arch()), case.state(case.arch(turn=0.11, seed=1))
     drift = (state - origin) * MOVING.rate_factor  # as fast as now: no acceleration
-    force = residual_of(case.assembled(MOVING, state, origin=origin, drift=drift), DOFS)
+    force = residual_of(
+        case.assembled(MOVING, state, position_predictor=origin, velocity_predictor=drift), DOFS
+    )
     nodes, places = force[3:].reshape(-1, case.dofs), state[3:].reshape(-1, case.dofs)
     scale = np.abs(force).max()
     resultant = force[:2] + nodes[:, :2].sum(axis=0)
     moment = force[2] + state[0] * force[1] - state[1] * force[0]
     moment += np.sum(places[:, 0] * nodes[:, 1] - places[:, 1] * nodes[:, 0])
-    moment += case.beam.turn_length() * nodes[:, 2:].sum()
+    moment += case.beam.rotation_length() * nodes[:, 2:].sum()
     assert scale > 1.0
     assert np.abs(resultant).max() < 1e-11 * scale * len(nodes)
     assert abs(moment) < 1e-11 * scale * len(nodes)
@@ -247,8 +253,8 @@ def test_inertia_and_weight_of_the_frame():
     state = heavy.state(heavy.arch())
     drift = np.zeros_like(state)
     drift[:3] = [-0.1, 0.2, 0.3]
-    moving = heavy.on_the_frame(MOVING, state, origin=state, drift=drift)
-    gained = moving - light.on_the_frame(MOVING, state, origin=state)
+    moving = heavy.on_the_frame(MOVING, state, position_predictor=state, velocity_predictor=drift)
+    gained = moving - light.on_the_frame(MOVING, state, position_predictor=state)
     expected = -50.0 * drift[:3] * [FRAME.mass, FRAME.mass, FRAME.inertia]
     expected[1] += 20.0 * FRAME.mass
     np.testing.assert_allclose(gained, expected, rtol=1e-10)
@@ -268,12 +274,13 @@ def test_ends_are_where_the_frame_holds_them(clamp):
         expected = mount - side * case.offset * np.array([np.cos(direction), np.sin(direction)])
         np.testing.assert_allclose(node[:2], expected, atol=1e-14)
         if case.dofs == 3:
-            assert node[2] == pytest.approx(case.beam.turn_length() * direction)
+            assert node[2] == pytest.approx(case.beam.rotation_length() * direction)
 
 
 @pytest.mark.parametrize("turn", [-3.0, -0.2, 0.0, 1.5])
 def test_a_step_leaves_every_corner_its_share_of_gap(turn):
     rng = np.random.default_rng(3)
+    model = Case(contact=BARRIER).model
     limited = 0
     for _ in range(200):
         state = np.array([0.0, 0.5 + rng.uniform(), turn])
@@ -281,7 +288,7 @@ def test_a_step_leaves_every_corner_its_share_of_gap(turn):
         if min(gaps) <= 0.0:
             continue
         drop = rng.normal(0.0, 1.0, 3)
-        share = FRAME.limit_step(NO_MESH, state, drop, 0.15)
+        share = gap_safe_share(model, np.zeros(0), NO_MESH, state, drop, drop)
         assert 0.0 < share <= 1.0
         limited += share < 1.0
         after = state - share * drop

@@ -19,7 +19,8 @@ from snapjump.engine.clock import LAST_STEP, STABLE_STEP, STAGE, STEP, TIME
 from snapjump.engine.explicit import evaluate_forces
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.newton import newton_iteration
-from snapjump.engine.stage import begin_stage, commit_step, keep_stage, reach_end, stage_motion
+from snapjump.engine.stage import begin_stage, keep_stage, stage_motion
+from snapjump.engine.step import commit_step, reach_end
 
 MEMBERS = FAMILIES["integrator"]
 VARIANTS = {
@@ -162,7 +163,7 @@ class Pull(NamedTuple):
 
     pull: Any
 
-    def force(self, gap, approach):
+    def force(self, gap, state):
         return -self.pull(gap)
 
 

@@ -5,18 +5,20 @@ from typing import Any
 import numpy as np
 import pytest
 from numba import njit
-from plain_python import dense, plain_work
+from plain_python import dense, plain_work, sizes
 
-from snapjump.engine.clock import ROWS
 from snapjump.engine.view import view_work
-from snapjump.engine.work import make_work
+from snapjump.engine.work import make_memory
 from snapjump.linear_solver.banded import (
     begin_elimination,
     eliminate_node,
     solve_frame,
     substitute_back,
 )
-from snapjump.linear_solver.banded_turning import eliminate_turning_node, substitute_back_turning
+from snapjump.linear_solver.banded_rotations import (
+    eliminate_rotating_node,
+    substitute_back_rotating,
+)
 from snapjump.number.dispatch import routine
 
 NODES = 12
@@ -26,30 +28,29 @@ dofs_of_nodes = pytest.mark.parametrize("per_node", [2, 3])
 
 
 @routine
-def solve(work: Any, bordered: Any, turning: Any) -> Any:
+def solve(work: Any, bordered: Any, rotations: Any) -> Any:
     """Number of pivots that are not positive; the solution replaces the residual."""
-    system = work.system
-    zero = 0.0 * system.square[0, 0]
+    zero = 0.0 * work.corner_block[0, 0]
     done = begin_elimination(zero)
     for node in range(NODES):
-        if turning:
-            done = eliminate_turning_node(system, node, bordered, done)
+        if rotations:
+            done = eliminate_rotating_node(work, node, bordered, done)
         else:
-            done = eliminate_node(system, node, bordered, done)
+            done = eliminate_node(work, node, bordered, done)
     negative = done.negative
     if bordered:
-        negative = negative + solve_frame(system, done)
-    if turning:
-        substitute_back_turning(system, bordered, zero)
+        negative = negative + solve_frame(work, done)
+    if rotations:
+        substitute_back_rotating(work, bordered, zero)
     else:
-        substitute_back(system, bordered, zero)
+        substitute_back(work, bordered, zero)
     return negative
 
 
 @njit(cache=True, error_model="numpy")
-def solve_compiled(memory: Any, lanes: Any, bordered: bool, turning: bool) -> None:
+def solve_compiled(memory: Any, lanes: Any, bordered: bool, rotations: bool) -> None:
     work = view_work(memory, lanes)
-    work.clock[0] = solve(work, bordered, turning)
+    work.clock[0] = solve(work, bordered, rotations)
 
 
 def fill(work: Any, seed: int, shift: float, unsymmetric: bool = False) -> tuple[Any, Any]:
@@ -59,26 +60,25 @@ def fill(work: Any, seed: int, shift: float, unsymmetric: bool = False) -> tuple
     Returns the dense matrix and right-hand side. Eigenvalues rise with ``shift``.
     """
     rng = np.random.default_rng(seed)
-    system = work.system
-    system.band[...] = rng.normal(size=system.band.shape)
-    size = len(system.residual)
+    work.band[...] = rng.normal(size=work.band.shape)
+    size = len(work.residual)
     dofs = size // NODES
-    system.band[1::dofs, 5] = 0.0
+    work.band[1::dofs, 5] = 0.0
     if dofs == 3:
-        system.band[2::dofs, 4:] = 0.0
+        work.band[2::dofs, 4:] = 0.0
     for k in range(1, 6):
-        system.band[size - k :, k] = 0.0
-    system.band[:, 0] += shift
-    system.border[:6] = rng.normal(size=(6, 3))
-    system.border[-6:] = rng.normal(size=(6, 3))
+        work.band[size - k :, k] = 0.0
+    work.band[:, 0] += shift
+    work.border[:6] = rng.normal(size=(6, 3))
+    work.border[-6:] = rng.normal(size=(6, 3))
     square = rng.normal(size=(3, 3))
     square = square + square.T + 4.0 * shift * np.eye(3)
     if unsymmetric:
         square[0, 1:] += [2.0, -1.0]
-    system.square[...] = square
-    system.residual[...] = rng.normal(size=size)
-    system.frame_residual[...] = rng.normal(size=3)
-    return dense(work, 3), np.concatenate([system.frame_residual, system.residual])
+    work.corner_block[...] = square
+    work.residual[...] = rng.normal(size=size)
+    work.frame_residual[...] = rng.normal(size=3)
+    return dense(work, 3), np.concatenate([work.frame_residual, work.residual])
 
 
 @dofs_of_nodes
@@ -89,7 +89,7 @@ def test_bordered_solution(seed, unsymmetric, per_node):
     matrix, right = fill(work, seed, 8.0, unsymmetric)
     expected = np.linalg.solve(matrix, right)
     negative = solve(work, True, per_node == 3)
-    actual = np.concatenate([work.system.frame_residual, work.system.residual])
+    actual = np.concatenate([work.frame_residual, work.residual])
     np.testing.assert_allclose(actual, expected, rtol=0.0, atol=1e-13 * np.abs(expected).max())
     assert negative == 0.0
 
@@ -101,7 +101,7 @@ def test_solution_without_a_frame(seed, per_node):
     matrix, right = fill(work, seed, 8.0)
     expected = np.linalg.solve(matrix[3:, 3:], right[3:])
     assert solve(work, False, per_node == 3) == 0.0
-    np.testing.assert_allclose(work.system.residual, expected, rtol=1e-10, atol=1e-13)
+    np.testing.assert_allclose(work.residual, expected, rtol=1e-10, atol=1e-13)
 
 
 @dofs_of_nodes
@@ -121,26 +121,26 @@ def test_pivots_count_negative_eigenvalues(bordered, per_node):
 @dofs_of_nodes
 @pytest.mark.parametrize("bordered", [False, True])
 def test_lanes_and_scalars_solve_alike(bordered, per_node):
-    turning = per_node == 3
+    rotations = per_node == 3
     plain = [plain_work(NODES, 3, per_node=per_node) for _ in range(WIDTH)]
-    lanes = make_work(NODES, 3, 2, ROWS, 1, WIDTH, per_node)
-    singles = [make_work(NODES, 3, 2, ROWS, 1, 1, per_node) for _ in range(WIDTH)]
+    lanes = make_memory(sizes(NODES, 3, per_node, WIDTH))
+    singles = [make_memory(sizes(NODES, 3, per_node)) for _ in range(WIDTH)]
     for lane, work in enumerate(plain):
         fill(work, lane, 4.0, True)
-        for name in ("residual", "band", "border", "frame_residual", "square"):
-            values = getattr(work.system, name)
-            getattr(lanes.system, name)[..., lane] = values
-            getattr(singles[lane].system, name)[..., 0] = values
-    solve_compiled(lanes, (0,) * WIDTH, bordered, turning)
+        for name in ("residual", "band", "border", "frame_residual", "corner_block"):
+            values = getattr(work, name)
+            getattr(lanes, name)[..., lane] = values
+            getattr(singles[lane], name)[..., 0] = values
+    solve_compiled(lanes, (0,) * WIDTH, bordered, rotations)
     for lane, work in enumerate(plain):
-        negative = solve(work, bordered, turning)
+        negative = solve(work, bordered, rotations)
         single = singles[lane]
-        solve_compiled(single, (0,), bordered, turning)
+        solve_compiled(single, (0,), bordered, rotations)
         assert lanes.clock[0, lane] == single.clock[0, 0] == negative
         for name in ("residual", "frame_residual"):
-            scalar = getattr(single.system, name)[..., 0]
-            assert np.array_equal(getattr(lanes.system, name)[..., lane], scalar)
-            expected = getattr(work.system, name)
+            scalar = getattr(single, name)[..., 0]
+            assert np.array_equal(getattr(lanes, name)[..., lane], scalar)
+            expected = getattr(work, name)
             np.testing.assert_allclose(
                 scalar, expected, rtol=0.0, atol=1e-10 * np.abs(expected).max()
             )

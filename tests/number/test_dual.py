@@ -4,24 +4,15 @@ import math
 
 import numpy as np
 import pytest
+from duals import view_duals
 from numba import njit
 
-from snapjump.number.dual import DOUBLES, constant, dual, slope_at, slopes_of, value_of, view_duals
+from snapjump.number.dual import DOUBLES, constant, dual, slope_at, slopes_of, value_of
 from snapjump.number.exponentials import exp, log
-from snapjump.number.functions import (
-    absolute,
-    arctan,
-    cos,
-    fma,
-    maximum,
-    minimum,
-    nearest,
-    sin,
-    sqrt,
-    where,
-)
+from snapjump.number.functions import absolute, fma, maximum, minimum, nearest, sqrt, where
 from snapjump.number.memory import aligned_zeros
 from snapjump.number.nowhere import nowhere
+from snapjump.number.trigonometry import arctan, cos, sin
 
 FUNCTIONS = {
     "sum": lambda x, y: x + y + 2.0 + 1,

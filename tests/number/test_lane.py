@@ -9,21 +9,10 @@ import pytest
 from numba import njit
 
 from snapjump.number.exponentials import exp, log
-from snapjump.number.functions import (
-    absolute,
-    any_true,
-    arctan,
-    cos,
-    fma,
-    maximum,
-    minimum,
-    negate,
-    sin,
-    sqrt,
-    where,
-)
+from snapjump.number.functions import absolute, any_true, fma, maximum, minimum, negate, sqrt, where
 from snapjump.number.lane import view_numbers
 from snapjump.number.memory import aligned_zeros
+from snapjump.number.trigonometry import arctan, cos, sin
 
 OPERATIONS = (
     "add sub mul div neg iadd isub imul idiv int_add number_sub number_div power_sum "

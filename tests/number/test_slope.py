@@ -2,15 +2,16 @@
 
 import numpy as np
 import pytest
+from duals import view_duals
 from numba import njit
 
 from snapjump.number.dispatch import PROGRAM
-from snapjump.number.dual import view_duals
 from snapjump.number.exponentials import exp, log
-from snapjump.number.functions import absolute, arctan, cos, fma, maximum, minimum, sin, sqrt, where
+from snapjump.number.functions import absolute, fma, maximum, minimum, sqrt, where
 from snapjump.number.lane import view_numbers
 from snapjump.number.memory import aligned_zeros
 from snapjump.number.slope import slope_in, sloped, value_in
+from snapjump.number.trigonometry import arctan, cos, sin
 
 program = njit(**{**PROGRAM, "cache": False})
 STEP = 1e-30

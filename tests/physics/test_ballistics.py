@@ -5,11 +5,11 @@ import pytest
 from physical import single_mass
 from references import outputs_of as reference
 
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.recorder.trajectory import make_recorder
 from snapjump.engine.status import NO_JUMP, OK
-from snapjump.engine.termination.timed import TimedEnding
+from snapjump.engine.termination.timed import TimedTermination
 from snapjump.scenes.flight import flight
 from snapjump.scenes.mass import mass_model
 from snapjump.scenes.runner import March
@@ -20,7 +20,7 @@ EULER = pytest.param("implicit_euler", marks=pytest.mark.compiles)
 
 def test_apex():
     exact = reference("B1_ballistic")
-    outcome = np.zeros(c.ROWS)
+    outcome = np.zeros(c.COLUMNS)
     outcome[c.STATUS] = OK
     outcome[c.COM_Y], outcome[c.COM_VX], outcome[c.COM_VY] = START, VX, VY
     found = flight(2.0, Gravity(G), outcome)
@@ -33,7 +33,7 @@ def test_liftoff():
     """Thrown at t = 0.5 from (0.2, 0.1) at (VX, VY), seen 0.03 later; and one still on the ground,
     of the same flights."""
     later = 0.03
-    outcome = np.zeros((2, c.ROWS))
+    outcome = np.zeros((2, c.COLUMNS))
     outcome[:, c.STATUS] = OK, NO_JUMP
     outcome[:, c.LAST_CONTACT] = 0.5
     outcome[:, c.TIME] = 0.5 + later
@@ -66,7 +66,7 @@ def test_free_fall(integrator, step_s, accuracy):
         models=[model], masses=np.array([4e-3 / scales.mass_kg]),
         states=np.array([[0.0, START / scales.length_m]]),
         velocities=np.array([[VX, VY]]) / scales.velocity_m_s, simulation=simulation,
-        ending=TimedEnding(duration), recorder=make_recorder(2, duration, duration),
+        termination=TimedTermination(duration), recorder=make_recorder(2, duration, duration),
     )  # fmt: skip
     march.queue.acceleration[0, 1] = -G / scales.acceleration_m_s2
     march.run()

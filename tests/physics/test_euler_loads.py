@@ -17,10 +17,9 @@ from scipy.linalg import eig_banded
 from scipy.optimize import brentq
 
 from snapjump.discretization.der import DiscreteElasticRod
-from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import numbers_of
-from snapjump.engine.work import make_work
+from snapjump.engine.work import make_memory, sizes_of
 
 # Softer than a real beam, so that rounding of the elements' lengths does not spoil the load.
 SOFT = 1e4
@@ -72,16 +71,15 @@ def cantilever(elements: int) -> float:
     length = 1.0 / elements
     rod = DiscreteElasticRod.Beam(length, SOFT, 0.5 * length, 0.0)
     masses = np.zeros(elements + 1)
-    numbers = len(numbers_of(bare_models.cantilever(rod)))
-    memory = make_work(elements + 1, 0, 2, ROWS, numbers, 1)
+    memory = make_memory(sizes_of(bare_models.cantilever(rod), elements + 1))
 
     def eigenvalue(load: float) -> float:
         pushed = bare_models.cantilever(rod, -load)
         memory.state[:] = 0.0
         memory.state[0::2, 0] = np.linspace(0.0, 1.0 - load / SOFT, elements + 1)
         equilibrate(pushed, numbers_of(pushed), masses, memory, False)
-        assert np.abs(memory.system.residual[2:, 0]).max() < 1e-8
-        return smallest(memory.system.band[2:, :, 0])
+        assert np.abs(memory.residual[2:, 0]).max() < 1e-8
+        return smallest(memory.band[2:, :, 0])
 
     return vanishing(eigenvalue, 1.0, 4.0, 1600)
 

@@ -14,7 +14,7 @@ EPSILONS = [1e-4, 1e-3, 1e-2, 0.03, 0.05, 0.1, 0.2, 0.3, 0.4]
 def settled(epsilon: float, elements: int, clamp: str = "half_element") -> np.ndarray:
     """Height of the middle, energy, curvature in the middle."""
     beam = arch(epsilon, elements, SLENDERNESS.get(epsilon, 1e-4), clamp)
-    flat = beam.equilibrium(beam.settle(beam.guess(), 0.0, 0.0), 0.0, 0.0)
+    flat = beam.equilibrium(beam.solve_equilibrium(beam.guess(), 0.0, 0.0), 0.0, 0.0)
     assert flat.negative_pivots == 0
     middle = len(flat.x) // 2
     before, after = (
@@ -47,7 +47,7 @@ NAMES = ("ymid0", "E0", "alpha_asym", "E_asym", "ymid_asym")
 
 def figures(epsilon: float, elements: int, clamp: str) -> np.ndarray:
     beam = arch(epsilon, elements, clamp=clamp)
-    flat = beam.equilibrium(beam.settle(beam.guess(), 0.0, 0.0), 0.0, 0.0)
+    flat = beam.equilibrium(beam.solve_equilibrium(beam.guess(), 0.0, 0.0), 0.0, 0.0)
     found = snap(epsilon, elements, clamp=clamp)
     before = found.before
     return np.array([flat.midpoint, flat.energy, found.alpha_rad, before.energy, before.midpoint])

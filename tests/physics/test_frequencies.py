@@ -10,14 +10,13 @@ from physical import DISCRETIZATIONS, arch, beam, discretized, slender, snap
 from references import outputs_of as reference
 from scipy.linalg import eigh
 
-from snapjump.discretization.base import TURN_INERTIA
+from snapjump.discretization.base import ROTARY_INERTIA
 from snapjump.engine.clamp.smooth_start import SmoothStart
-from snapjump.engine.clock import ROWS
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import numbers_of
 from snapjump.engine.recorder.trajectory import make_recorder
-from snapjump.engine.termination.timed import TimedEnding
-from snapjump.engine.work import make_work
+from snapjump.engine.termination.timed import TimedTermination
+from snapjump.engine.work import make_memory, sizes_of
 from snapjump.frame.fixed import FixedFrame
 from snapjump.scenes.runner import March
 from snapjump.stepping.fixed import FixedStep
@@ -36,7 +35,7 @@ def frequencies(tangent: np.ndarray, masses: np.ndarray, count: int) -> np.ndarr
 
 def inertias(masses: np.ndarray, dofs: int) -> np.ndarray:
     """The lumped inertia of every coordinate, shape (nodes, dofs)."""
-    return np.outer(masses, [1.0, 1.0, TURN_INERTIA][:dofs])
+    return np.outer(masses, [1.0, 1.0, ROTARY_INERTIA][:dofs])
 
 
 def split(tangent: np.ndarray, masses: np.ndarray, count: int) -> tuple[np.ndarray, float]:
@@ -63,12 +62,12 @@ def cantilever_tangent(elements: int, name: str, ratio: float) -> tuple[np.ndarr
     rod = discretized(name, elements).beam(slender(ratio))
     dofs = rod.node_dofs()
     model = cantilever(rod)
-    memory = make_work(elements + 1, 0, 2, ROWS, len(numbers_of(model)), 1, dofs)
+    memory = make_memory(sizes_of(model, elements + 1))
     memory.state[0::dofs, 0] = np.linspace(0.0, 1.0, elements + 1)
     equilibrate(model, numbers_of(model), np.zeros(elements + 1), memory, False)
     masses = np.full(elements, length)
     masses[-1] *= 0.5
-    return whole(memory.system.band[dofs:, :, 0]), masses
+    return whole(memory.band[dofs:, :, 0]), masses
 
 
 @discretizations
@@ -113,9 +112,9 @@ def test_arches(name):
         if vanishing.any():
             alpha = snap(row["eps"], ELEMENTS, ratio=ratio, name=name).alpha_rad
         beam = arch(row["eps"], ELEMENTS, ratio, name=name)
-        state = beam.settle(beam.guess(row.get("state", "up") == "up"), 0.0, 0.0)
+        state = beam.solve_equilibrium(beam.guess(row.get("state", "up") == "up"), 0.0, 0.0)
         for share in np.linspace(0.0, 1.0, steps)[1:]:
-            state = beam.settle(state, share * alpha, share * alpha)
+            state = beam.solve_equilibrium(state, share * alpha, share * alpha)
         beam.residual(state, alpha, alpha)
         inertia = inertias(beam.masses[1:-1], beam.node_dofs).ravel()
         found = frequencies(whole(beam.tangent_band()), inertia, 4)
@@ -153,7 +152,7 @@ def marched(straight, integrator, mode, place, speed, step, steps) -> tuple[floa
         masses=straight.beam.masses,
         states=state[None, :],
         simulation=beam(1e-5, integrator=integrator),
-        ending=TimedEnding(step * steps),
+        termination=TimedTermination(step * steps),
         recorder=make_recorder(len(state), step * steps, step * steps),
         velocities=velocity[None, :],
     )

@@ -1,4 +1,4 @@
-"""The jump: start, flight, books, gaps, monotony, pinned baseline; mirrors, momentum, scaling."""
+"""The jump: start, flight, books, gaps, monotony, the pinned baseline; mirrors and similarity."""
 
 from dataclasses import replace
 

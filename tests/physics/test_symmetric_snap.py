@@ -87,14 +87,14 @@ def test_shallow_arch_turned_against_itself():
 
     def critical(elements: int) -> float:
         beam = arch(epsilon, elements)
-        state = beam.settle(beam.guess(), 0.0, 0.0)
+        state = beam.solve_equilibrium(beam.guess(), 0.0, 0.0)
         root = np.sqrt(epsilon)
         for mu in (0.5, 1.0, 1.5, 1.8, 1.9, 1.95, 1.98, 2.0, 2.02):
-            state = beam.settle(state, mu * root, -mu * root)
+            state = beam.solve_equilibrium(state, mu * root, -mu * root)
         eigenvalues = []
         angles = (2.05, 2.1, 2.15)
         for mu in angles:
-            state = beam.settle(state, mu * root, -mu * root)
+            state = beam.solve_equilibrium(state, mu * root, -mu * root)
             assert abs(beam.equilibrium(state, mu * root, -mu * root).midpoint) < 1e-9
             eigenvalues.append(beam.stability()[0])
         curve = np.polynomial.Polynomial.fit(angles, eigenvalues, 2)

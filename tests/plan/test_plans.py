@@ -1,4 +1,4 @@
-"""Plans: the box is kept, stretches are those of the whole, seeds are heeded; axes of inputs."""
+"""Plans: the box is kept, stretches are those of the whole, seeds are heeded; all axes."""
 
 import tracemalloc
 import warnings

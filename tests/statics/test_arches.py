@@ -34,7 +34,7 @@ def test_a_state_that_rounding_shakes_is_an_equilibrium(clamp):
     arch = StaticArch(Robot(thickness_m=2e-6), DiscreteElasticRod(160, clamp), 0.1)
     for seed in range(6):
         noise = np.random.default_rng(seed).uniform(-1e-15, 1e-15, arch.size)
-        state = arch.settle(arch.guess() * (1.0 + noise), 0.0, 0.0)
+        state = arch.solve_equilibrium(arch.guess() * (1.0 + noise), 0.0, 0.0)
         state = arch.turn(state, (0.0, 0.0), (0.4, 0.4))
         assert np.abs(arch.residual(state, 0.4, 0.4)).max() <= arch.rounding
         assert arch.accuracy < 1e-8
@@ -44,7 +44,7 @@ def test_a_state_that_is_none_is_none():
     """Rounding is no excuse for an arch that has no equilibrium nearby."""
     arch = StaticArch(Robot(thickness_m=2e-6), DiscreteElasticRod(160), 0.1)
     with pytest.raises(ArithmeticError, match="no equilibrium found at clamp angles 1.5, 1.5 rad"):
-        arch.settle(arch.guess(), 1.5, 1.5)
+        arch.solve_equilibrium(arch.guess(), 1.5, 1.5)
 
 
 def test_an_angle_that_rounding_spoils_is_refused_by_name():

@@ -15,7 +15,7 @@ from robots import number_of
 from snapjump.batch.simulate import marches
 from snapjump.composition import Simulation
 from snapjump.engine import clock as c
-from snapjump.engine.stage import smallest_gap
+from snapjump.engine.gaps import smallest_gap
 from snapjump.scenes import runner
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.runner import MOST_ITERATIONS, March

@@ -15,8 +15,8 @@ from pytest import MonkeyPatch
 from robots import DESIGNS, small_march, small_robot
 
 from snapjump.backend.cuda import CudaBackend
-from snapjump.engine.clock import STATUS
 from snapjump.engine.cuda.plan import Plan
+from snapjump.engine.outcome import STATUS
 from snapjump.scenes.card_march import CardMarch
 
 ROBOTS = (DESIGNS[1], DESIGNS[3])
@@ -31,7 +31,7 @@ def on_card(designs: Any, threads: int, robots_a_chunk: int, duration: float = 2
         masses=alone.masses,
         states=np.array([small_robot(design)[1] for design in designs]),
         simulation=replace(alone.simulation, backend=CudaBackend()),
-        ending=alone.ending,
+        termination=alone.termination,
     )
     march.plan = march.card.plan = Plan(1, threads, robots_a_chunk)
     return march

@@ -7,8 +7,8 @@ import numpy as np
 
 from snapjump.discretization.base import HALF_BANDWIDTH
 from snapjump.engine.assemble import Motion, assemble
-from snapjump.engine.clock import ROWS
-from snapjump.engine.work import Work, make_work
+from snapjump.engine.view import PlainWork
+from snapjump.engine.work import Sizes, make_memory
 from snapjump.frame.base import NO_MESH
 
 STEP = 1e-30
@@ -24,6 +24,16 @@ def complex_step(function: Callable[[Any], Any], x: Any) -> Any:
     return np.array(columns).T
 
 
+def sizes(
+    nodes: int, dofs: int, per_node: int = 2, lanes: int = 1, chain: int = 0, stages: int = 2
+) -> Sizes:
+    """Of a beam's nodes and a frame's coordinates, ``chain`` of an elastic frame."""
+    points = nodes + max(4, chain // 2)
+    padded = (per_node * nodes + 10, max(dofs, 3) + 10, chain + 10)
+    width = 6 if chain else 3
+    return Sizes(lanes, dofs + per_node * nodes, stages, points, 1, width, *padded)
+
+
 def plain_work(
     nodes: int,
     dofs: int,
@@ -31,25 +41,16 @@ def plain_work(
     dtype: type = float,
     per_node: int = 2,
     mesh: Any = NO_MESH,
-) -> Work:
+) -> PlainWork:
     """The memory of one robot without the axis of lanes."""
-    memory = make_work(nodes, dofs, stages, ROWS, 1, 1, per_node, mesh)
-
-    def plain(array: Any) -> Any:
-        return np.zeros(array.shape[:-1], dtype)
-
-    system = memory.system
-    padded = [plain(system.padded_residual), plain(system.padded_band), plain(system.padded_border)]
-    inner = [array[HALF_BANDWIDTH : HALF_BANDWIDTH + per_node * nodes] for array in padded]
-    parts = [plain(array) for array in memory[:-2]]
-    others = [plain(array) for array in system[7:]]
-    frame = others[2][HALF_BANDWIDTH : HALF_BANDWIDTH + max(dofs, 3)]
-    return Work(*parts, mesh, type(system)(*inner, *padded, frame, *others))
+    chain = dofs if len(mesh) else 0
+    extents = sizes(nodes, dofs, per_node, chain=chain, stages=stages)
+    return PlainWork(make_memory(extents, mesh, lambda shape: np.zeros(shape, dtype)))
 
 
 def assembled(
     model: Any, motion: Motion, masses: Any, state: Any, mesh: Any = NO_MESH, **arrays: Any
-) -> tuple[Any, Work]:
+) -> tuple[Any, PlainWork]:
     """The figures and the memory after an assembly; ``arrays`` are further parts of the memory."""
     state = np.asarray(state)
     work = plain_work(
@@ -65,20 +66,20 @@ def assembled(
     return assemble(model, motion, masses, work), work
 
 
-def residual_of(work: Work, dofs: int) -> Any:
+def residual_of(work: PlainWork, dofs: int) -> Any:
     """Residual of the frame and of all nodes, slaves (zero there) included."""
-    return np.concatenate([work.system.frame_residual[:dofs], work.system.residual])
+    return np.concatenate([work.frame_residual[:dofs], work.residual])
 
 
-def dense(work: Work, dofs: int) -> Any:
+def dense(work: PlainWork, dofs: int) -> Any:
     """The whole tangent matrix of frame and nodes."""
-    band, border = work.system.band, work.system.border
+    band, border = work.band, work.border
     size = len(band)
     full = np.zeros((dofs + size, dofs + size))
     for j in range(size):
         for k in range(min(HALF_BANDWIDTH + 1, size - j)):
             full[dofs + j, dofs + j + k] = full[dofs + j + k, dofs + j] = band[j, k]
-    full[:dofs, :dofs] = work.system.square[:dofs, :dofs]
+    full[:dofs, :dofs] = work.corner_block[:dofs, :dofs]
     full[dofs:, :dofs] = border[:, :dofs]
     full[:dofs, dofs:] = border[:, :dofs].T
     return full

@@ -14,7 +14,7 @@ from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.model import Model, TimeLimit
-from snapjump.engine.termination.flight import FlightEnding
+from snapjump.engine.termination.flight import FlightTermination
 from snapjump.scenes.frame_body import frame_model
 from snapjump.scenes.resting import resting_guess
 from snapjump.scenes.runner import March
@@ -109,7 +109,7 @@ def small_march(
         masses=simulation.discretization.masses(),
         states=np.array([guess for _, guess in robots]),
         simulation=simulation,
-        ending=FlightEnding(),
+        termination=FlightTermination(),
         lanes=lanes,
         threads=threads,
     )

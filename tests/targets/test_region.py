@@ -6,12 +6,10 @@ import numpy as np
 import pytest
 from made_up_maps import HEIGHT, SLOPE, MadeUpModel, MadeUpSimulator, folded, problem, straight
 
-from snapjump.inverse.base import Solution
 from snapjump.inverse.finite_difference import FiniteDifferenceOptions
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
 from snapjump.targets.answer import BOUNDARY_BAR, answer
-from snapjump.targets.manufacturing import one_percent_costs_bar
-from snapjump.targets.region import AchievableRegion
+from snapjump.targets.region import AchievableRegion, SimulatedRegion, filled_outline
 
 RANDOM = np.random.default_rng(3)
 LOW, HIGH = 0.1 * HEIGHT, 0.3 * HEIGHT  # of y at m_bar = 1
@@ -114,22 +112,27 @@ def test_without_a_forward_model_the_miss_decides():
     assert not answer(replace(given, target=target + 20.0), method).reachable
 
 
-CONTROLS = np.array([0.1, 0.2])
-Y = HEIGHT * 0.2
-X = SLOPE * 0.1 * Y
-# x is in proportion to delta_alpha, both to epsilon and to 1 / mass_bar; tanh(3 mu) at 0.3.
-MU = 0.01 * X * 0.9 * (1.0 / np.tanh(0.9) - np.tanh(0.9))
-EXPECTED = [0.01 * X, 0.01 * np.hypot(X, Y), 0.01 * np.hypot(X, Y), MU]
-SOLUTION = Solution(CONTROLS, np.array([X, Y]), False)
+def test_an_apex_that_is_missing_leaves_a_hole_at_the_edge():
+    x, y = np.meshgrid(np.linspace(0.0, 4.0, 5), np.linspace(0.0, 4.0, 5), indexing="ij")
+    apexes = np.stack([x, y], axis=-1)
+    assert filled_outline(apexes).area == pytest.approx(16.0)
+    apexes[0, 0] = np.nan
+    assert filled_outline(apexes).area == pytest.approx(15.5)  # without that triangle's half
+    apexes[2, 2] = np.nan
+    assert filled_outline(apexes).area == pytest.approx(15.5), "holes are filled"
 
 
-def test_against_the_closed_form():
-    given = problem([X, Y])
-    # Differences over two percent are off by the square of one.
-    assert one_percent_costs_bar(given, SOLUTION) == pytest.approx(EXPECTED, rel=2e-4)
-    assert given.simulator.simulations == 8
+def rectangle(width: float, low: float, high: float) -> SimulatedRegion:
+    x, y = np.meshgrid(np.linspace(0.0, width, 5), np.linspace(low, high, 5), indexing="ij")
+    apexes = np.stack([x, y], axis=-1)
+    return SimulatedRegion(1.0, 0.3, apexes, apexes)
 
 
-def test_what_does_not_jump_has_no_cost():
-    given = problem([X, Y], simulator=MadeUpSimulator(shift=(np.nan, 0.0)))
-    assert np.isnan(one_percent_costs_bar(given, SOLUTION)).all()
+def test_a_simulated_region_that_is_a_rectangle():
+    found = rectangle(3.0, 2.0, 6.0)
+    assert found.outline.area == found.learned.area == pytest.approx(12.0)
+    assert found.extent == (3.0, 4.0) and found.largest_x == 3.0
+    assert (found.least_y, found.largest_y) == (2.0, 6.0)
+    assert found.width_bar(4.0) == pytest.approx(3.0) and found.width_bar(7.0) == 0.0
+    assert found.cone_share == pytest.approx(3.0 / (2 * 0.3 * 2.0))
+    assert found.held(rectangle(1.5, 0.0, 8.0)) == pytest.approx(0.5)

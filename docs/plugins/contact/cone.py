@@ -23,7 +23,7 @@ class Cone(ContactOptions):
         def energy(self, gap: Any) -> Any:
             return -self.stiffness * gap * gap * gap / 3.0
 
-        def force(self, gap: Any, approach: Any) -> Any:
+        def force(self, gap: Any, state: Any) -> Any:
             return self.stiffness * gap * gap
 
     def law(self, scales: Scales) -> Law:

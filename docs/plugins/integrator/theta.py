@@ -36,22 +36,23 @@ class Theta(IntegratorOptions):
             rate = 1.0 / (self.theta * step)
             return Rates(rate, rate)
 
-        def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
-            weights[0] = (1.0 - self.theta) * step
+        def stage_coefficients(self, stage: Any, step: Any, ratio: Any, coefficients: Any) -> None:
+            coefficients[0] = (1.0 - self.theta) * step
 
         def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
-            origin = fma(work.weights[0], work.velocity[0, i], work.start[i])
-            drift = fma(work.weights[0], work.acceleration[0, i], work.velocity[0, i])
+            position = fma(work.coefficients[0], work.velocity[0, i], work.start[i])
+            velocity = fma(work.coefficients[0], work.acceleration[0, i], work.velocity[0, i])
             share = 1.0 / rates.rate_factor
-            return origin, drift, origin + share * (drift + share * work.acceleration[0, i])
+            guess = velocity + share * work.acceleration[0, i]
+            return position, velocity, position + share * guess
 
         def store_stage(
             self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
         ) -> Any:
             rate, total = rates.rate_factor, 0.0 * step
             for i in range(work.state.shape[0]):
-                v = (work.state[i] - work.origin[i]) * rate
-                a = (v - work.drift[i]) * rate
+                v = (work.state[i] - work.position_predictor[i]) * rate
+                a = (v - work.velocity_predictor[i]) * rate
                 slow = (self.theta - 0.5) * (v - work.velocity[0, i])
                 error = fma(step / 12.0, a - work.acceleration[0, i], slow)
                 work.velocity[1, i] = v

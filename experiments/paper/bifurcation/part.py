@@ -1,153 +1,200 @@
 """The arch whose clamps turn alike: branches of equilibria, the snap, and the way back."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from experiments.paper import exact
-from experiments.paper.base import Found, Part, unfinished
-from experiments.paper.bifurcation.compute import (
-    angle_rows,
-    branch_rows,
-    compared_rows,
-    shape_rows,
-)
-from experiments.paper.bifurcation.figure import draw_angles, draw_branches, draw_loop
-from experiments.paper.bifurcation.judge import (
-    LADDER,
-    RIGID,
-    STRETCHES,
-    comparison,
-    fold_statement,
-    growth_statement,
-    loop_width,
-    orders,
-    overall,
-    snap_statement,
-)
-from experiments.paper.settings import groups_at
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
+import numpy as np
 
-TITLE = "The critical angle, and the loop"
+from experiments.arches import exact
+from experiments.arches.branches import branch_rows, shape_rows
+from experiments.arches.landmarks import (
+    LADDER,
+    MISMATCH_RAD,
+    NAMES,
+    STRETCHES,
+    all_rows,
+    comparison,
+    landmark_rows,
+    overall,
+)
+from experiments.arches.landmarks import largest_difference as off
+from experiments.arches.swings import PAPER_ELEMENTS, snap_groups, snap_of
+from experiments.compositions import changed, composed, groups_at
+from experiments.paper.base import Found, Part, Statement, weakest
+from experiments.paper.bifurcation import words
+from experiments.paper.bifurcation.figure import draw_angles, draw_branches, draw_loop
+from experiments.paper.limits import LIMITS, judged
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
+from snapjump.scenes.swing import follow, outcome
+
 SHOWN = 0.2  # epsilon of the shapes, the paper's baseline
 GRID = (0.01, *(round(0.02 * k, 2) for k in range(1, 16)))  # epsilon
 TIERS = (*LADDER, "paper")
-KINDS = {
-    "branches": branch_rows,
-    "shapes": shape_rows,
-    "angles": angle_rows,
-    "compared": compared_rows,
-}
+NODES = f"paper, {PAPER_ELEMENTS + 1} nodes"  # of the paper's study of the snap
+STEPS_S = (1e-3, 1e-5)  # the paper's of that study, and that of its jumps
+
+
+def angle_rows(inputs: Mapping[str, Any]) -> list[Row]:
+    """The landmarks at each pre-compression."""
+    return landmark_rows(composed(inputs["groups"]), inputs["epsilons"])
+
+
+def compared_rows(inputs: Mapping[str, Any]) -> list[Row]:
+    """The same with all that there are exact numbers for."""
+    return all_rows(composed(inputs["groups"]), inputs["epsilons"])
+
+
+def step_rows(inputs: Mapping[str, Any]) -> list[Row]:
+    """The snap of mismatched clamps at the paper's settings, with each step."""
+    groups = inputs["groups"]
+    stepped = {s: changed(groups, {"stepping": {"step_s": s}}) for s in inputs["steps_s"]}
+    return [
+        {"step_s": s, **outcome(follow(snap_of(one, inputs["epsilon"], MISMATCH_RAD)))}
+        for s, one in stepped.items()
+    ]
 
 
 class Bifurcation(Part):
     """Branches at three pre-compressions; critical angles; all beside the exact elastica."""
 
     name = "bifurcation"
-    sources = ("experiments.paper.bifurcation.compute",)
+    title = words.TITLE
+    kinds = {
+        "branches": branch_rows,
+        "shapes": shape_rows,
+        "angles": angle_rows,
+        "compared": compared_rows,
+        "steps": step_rows,
+    }
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
-        """Branches and shapes at `standard`; landmarks at each tier's mesh."""
-        groups = groups_at(groups, "standard")
-        cells = [
-            Cell(f"branches {e:g}", {"kind": "branches", "groups": groups, "epsilon": e})
-            for e in exact.COMPARED
-        ]
-        cells.append(Cell("shapes", {"kind": "shapes", "groups": groups, "epsilon": SHOWN}))
-        cells.append(Cell("angles", {"kind": "angles", "groups": groups, "epsilons": GRID}))
-        return cells + [
-            Cell(
-                tier,
-                {"kind": "compared", "groups": groups_at(groups, tier), "epsilons": exact.COMPARED},
-            )
-            for tier in TIERS
+        """Branches and shapes at `standard`; landmarks at each tier's mesh, and the paper's."""
+        standard, nodes = groups_at(groups, "standard"), snap_groups(groups, "paper")
+        at = {tier: groups_at(groups, tier) for tier in TIERS} | {NODES: nodes}
+
+        def cell(name: str, kind: str, made: Any = standard, **values: Any) -> Cell:
+            return Cell(name, {"kind": kind, "groups": made, **values})
+
+        return [
+            *(cell(f"branches {e:g}", "branches", epsilon=e) for e in exact.COMPARED),
+            cell("shapes", "shapes", epsilon=SHOWN),
+            cell("angles", "angles", epsilons=GRID),
+            *(cell(name, "compared", made, epsilons=exact.COMPARED) for name, made in at.items()),
+            cell("steps", "steps", nodes, epsilon=exact.COMPARED[0], steps_s=STEPS_S),
         ]
 
-    def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
-        """The rows of one of the four kinds of cells."""
-        return KINDS[inputs["kind"]](inputs)
-
-    def conclude(self, done: Mapping[str, Done]) -> Found:
-        """Three statements, from all cells."""
-        missing = unfinished(TITLE, done)
-        if missing is not None:
-            return missing
+    def judge(self, done: Mapping[str, Done]) -> Found:
+        """Four statements."""
         rows = {name: one.rows for name, one in done.items()}
         tiers = {tier: rows[tier] for tier in TIERS}
         marks, angles = rows["standard"], rows["angles"]
         branches = {e: rows[f"branches {e:g}"] for e in exact.COMPARED}
         shown = next(row for row in marks if row["epsilon"] == SHOWN)
+        errors = [(t, own[0]["elements"], overall(own, STRETCHES)[0]) for t, own in tiers.items()]
+        angle = partial(draw_angles, angles, [gap_percent(r) for r in angles], errors[:-1])
+        loop = partial(draw_loop, rows["shapes"], branches[SHOWN], shown)
         figures = {
-            "bifurcation_loop": Figure(
-                f"Shapes before, at and after the snap (ε = {SHOWN:g}); height of the middle "
-                "against the clamp angle, forwards and back; and close by the first instability. "
-                "Solid: stable; dashed: symmetric and unstable; dotted: leaning and unstable; "
-                "circles: exact",
-                partial(draw_loop, rows["shapes"], branches[SHOWN], shown),
-            ),
-            "bifurcation": Figure(
-                "Height of the middle and elastic energy of all equilibria on these branches, "
-                "and exact ones",
-                partial(draw_branches, branches, marks),
-            ),
-            "bifurcation_angles": Figure(
-                "Critical angle against pre-compression; how much later the symmetric fold comes; "
-                "the largest difference from the exact elastica, of angles, energies and heights, "
-                "against the mesh",
-                partial(draw_angles, angles, tiers),
-            ),
+            "bifurcation_loop": Figure(words.loop(SHOWN), loop),
+            "bifurcation": Figure(words.BRANCHES, partial(draw_branches, branches, marks)),
+            "bifurcation_angles": Figure(words.ANGLES, partial(angle, errors[-1])),
         }
-        table = Table(
-            "Largest differences from the exact elastica at ε = 0.1, 0.2 and 0.3", comparison(tiers)
-        )
+        compared = Table(words.COMPARED, comparison({**tiers, NODES: rows[NODES]}))
         return Found(
-            Section(TITLE, paragraphs(tiers), figures, {"bifurcation_exact": table}),
+            Section(words.TITLE, words.told(tiers), figures, {"bifurcation_exact": compared}),
             [
                 snap_statement(tiers),
                 growth_statement(angles, tiers),
                 fold_statement(angles, tiers),
+                nodes_statement(rows[NODES], rows["steps"]),
             ],
             summary(tiers),
         )
 
 
-def paragraphs(tiers: Mapping[str, list[Row]]) -> list[str]:
-    """What is shown, what is found, and how exact it is."""
-    observed = orders(tiers)
-    told = {
-        tier: (overall(tiers[tier], STRETCHES), overall(tiers[tier], RIGID))
-        for tier in ("standard", "reference", "paper")
-    }
-    return [
-        "Both clamps turn alike and slowly. The arch that is buckled up follows its branch until "
-        "this loses its stability, snaps to the branch that is buckled down, and stays there when "
-        "the clamps turn back, beyond the flat ones, until that branch loses its stability at the "
-        "mirrored angle: a loop. Each branch is walked by continuation, also where it is unstable, "
-        "and a point is called stable if its tangent stiffness has no negative eigenvalue.",
-        "The symmetric branch does not end in its fold: shortly before, at a subcritical "
-        "pitchfork, a branch of leaning shapes leaves it, which is unstable all the way to the "
-        "mirrored pitchfork of the other side. A symmetric arch beyond the pitchfork tips over "
-        "at the least disturbance.",
-        f"Beside the exact elastica of a beam that stretches as the paper's does, `standard` is "
-        f"off by at most {told['standard'][0][0]:.2g} % ({told['standard'][0][1]}) and "
-        f"`reference` by {told['reference'][0][0]:.2g} %, converging with order "
-        f"{observed.min():.2f} to {observed.max():.2f}. Beside an inextensible beam, whose "
-        f"heights and energies are known at more points, it is {told['standard'][1][0]:.2g} % and "
-        f"{told['reference'][1][0]:.2g} %, the beam's own stretching included. The paper's clamps "
-        f"of two fixed nodes are off by up to {told['paper'][0][0]:.2g} % "
-        f"({told['paper'][0][1]}) and {told['paper'][1][0]:.2g} % ({told['paper'][1][1]}): each "
-        "holds a whole element straight, an error of first order in the mesh.",
-    ]
+def snaps(row: Row) -> bool:
+    """Whether the arch gets to a stable state of less energy on the other side, and stays there
+    when its clamps turn back to where it snapped."""
+    least = LIMITS["bifurcation.snap.loop"].confirmed / 100.0
+    return bool(
+        row["midpoint_after_bar"] < 0.0 < row["midpoint_before_bar"]
+        and row["negative_pivots_after"] == 0
+        and row["energy_after_bar"] < row["energy_before_bar"]
+        and loop_width(row) > least * row["alpha_critical_rad"]
+    )
 
 
-def summary(tiers: Mapping[str, list[Row]]) -> dict[str, float]:
+def loop_width(row: Row) -> float:
+    """Between the snaps there and back (rad)."""
+    return float(row["alpha_critical_rad"] - row["alpha_back_rad"])
+
+
+def gap_percent(row: Row) -> float:
+    """How much later the fold comes than the first instability (% of the angle)."""
+    return float(100.0 * (row["alpha_fold_rad"] / row["alpha_critical_rad"] - 1.0))
+
+
+def snap_statement(tiers: Mapping[str, Sequence[Row]]) -> Statement:
+    """Instability at a critical angle, the snap to the other side, and the hysteresis."""
+    rows = tiers["standard"]
+    errors = {tier: off(found, "alpha_critical_rad") for tier, found in tiers.items()}
+    held = sum(snaps(row) for row in rows)
+    came = weakest(
+        judged("bifurcation.snap.arches", held / len(rows)),
+        judged("bifurcation.snap.angle", errors["standard"]),
+    )
+    widths = [loop_width(row) for row in rows]
+    return words.snap(tiers, held, widths, errors).judged("bifurcation.snap", came)
+
+
+def growth_statement(angles: Sequence[Row], tiers: Mapping[str, Sequence[Row]]) -> Statement:
+    """The critical angle against the pre-compression."""
+    epsilon, alpha = (column(angles, key) for key in ("epsilon", "alpha_critical_rad"))
+    falls = np.diff(alpha) <= 0.0
+    inside = epsilon[1:] >= min(row["epsilon"] for row in tiers["standard"])
+    came = weakest(
+        judged("bifurcation.growth", falls.sum()),
+        judged("bifurcation.growth.range", falls[inside].sum()),
+    )
+    said = words.growth(tiers, epsilon, alpha, int((~falls).sum()))
+    return said.judged("bifurcation.growth", came)
+
+
+def fold_statement(angles: Sequence[Row], tiers: Mapping[str, Sequence[Row]]) -> Statement:
+    """Whether the symmetric fold is the first instability."""
+    rows = tiers["standard"]
+    times = LIMITS["bifurcation.fold.error"].confirmed
+    gaps, on_paper = ([gap_percent(row) for row in one] for one in (angles, tiers["paper"]))
+    beyond = sum(gap >= times * off(rows, "alpha_critical_rad") for gap in gaps)
+    came = judged("bifurcation.fold", 1.0 - beyond / len(gaps))
+    return words.fold(tiers, angles, beyond, gaps, on_paper).judged("bifurcation.fold", came)
+
+
+def nodes_statement(rows: Sequence[Row], steps: Sequence[Row]) -> Statement:
+    """Whether the static study has converged; ``rows``: landmarks on the paper's mesh for it, of
+    which the fold is not stable and not seen there; ``steps``: snaps with its step, and with a
+    hundredth of that."""
+    static = [(off(rows, key), NAMES[key][0]) for key in NAMES if "fold" not in key]
+    late, tilted = (
+        100.0 * (coarse / fine - 1.0)
+        for coarse, fine in (column(steps, key) for key in ("alpha_snap_rad", "theta_max_rad"))
+    )
+    came = weakest(
+        judged("bifurcation.nodes", *(error for error, _ in static)),
+        judged("bifurcation.nodes.step", abs(late)),
+    )
+    said = words.nodes(max(static), off(rows, "alpha_critical_rad"), steps, late, tilted)
+    return said.judged("bifurcation.nodes", came)
+
+
+def summary(tiers: Mapping[str, Sequence[Row]]) -> dict[str, float]:
     """Flat numbers: angles and loops at standard, and the differences from the exact ones."""
-    numbers = {}
+    found = {}
     for row in tiers["standard"]:
         place = f"eps_{row['epsilon']:g}".replace(".", "_")
-        numbers[f"alpha_critical_{place}_rad"] = row["alpha_critical_rad"]
-        numbers[f"alpha_fold_{place}_rad"] = row["alpha_fold_rad"]
-        numbers[f"loop_width_{place}_rad"] = loop_width(row)
+        found[f"alpha_critical_{place}_rad"] = row["alpha_critical_rad"]
+        found[f"alpha_fold_{place}_rad"] = row["alpha_fold_rad"]
+        found[f"loop_width_{place}_rad"] = loop_width(row)
     for tier, rows in tiers.items():
-        numbers[f"statics_{tier}_largest_difference_percent"] = overall(rows, STRETCHES)[0]
-    return numbers
+        found[f"statics_{tier}_largest_difference_percent"] = overall(rows, STRETCHES)[0]
+    return found

@@ -4,16 +4,15 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from experiments.paper.causes.compute import PAPER, REFERENCE
-from experiments.paper.causes.judge import Shift
+from experiments.errors import Shift
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import picture
 
 WIDTH, ROW, MARGIN = 13.0, 0.5, 1.75  # inches
 SMALLEST, LARGEST = 3e-3, 60.0  # percent that is drawn
 SIDES = {
-    PAPER: ("exchanged in the paper's settings", palette.FORCE, "s", 0.15),
-    REFERENCE: ("exchanged in the converged settings", palette.BEAM, "o", -0.15),
+    "paper": ("exchanged in the paper's settings", palette.FORCE, "s", 0.15),
+    "reference": ("exchanged in the converged settings", palette.BEAM, "o", -0.15),
 }
 
 

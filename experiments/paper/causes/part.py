@@ -1,64 +1,123 @@
-"""Which of the paper's choices moves the apex by how much."""
+"""Which of the paper's choices moves the apex by how much, and whether its settings converge."""
 
 from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from experiments.paper.base import Found, Part, failed, incomplete, unfinished
-from experiments.paper.causes.compute import (
-    DAMPING,
-    DESIGNS,
+import numpy as np
+
+from experiments.compositions import Groups, changed, composed, groups_at
+from experiments.designs import spread_designs
+from experiments.errors import Shift, shift
+from experiments.exchanges import (
+    ELASTIC,
+    ELEMENTS,
     ENDS,
-    EULER,
     FRAME,
-    LONG_STEPS_S,
     PAPER,
     REFERENCE,
-    RIGID,
     START,
-    STARTS,
-    STEPS_S,
-    STIFFNESSES,
+    Changes,
     choices,
-    exchange,
-    frame,
-    many,
-    planned,
-    rows_of,
-    step,
+    program,
+    variants,
 )
+from experiments.paper.base import Found, Part, failed, incomplete, weakest
+from experiments.paper.causes import words
 from experiments.paper.causes.figure import draw_causes
-from experiments.paper.causes.judge import (
-    Shift,
-    frame_statement,
-    shift,
-    stability_statement,
-    step_statement,
-)
-from experiments.paper.jumps import numbers
+from experiments.paper.cells import LANES, jump_rows
+from experiments.paper.limits import judged
 from experiments.paper.settings import BASELINE
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.batch import variants as robots
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
+from snapjump.scenes.jump_march import jump_march
+from snapjump.scenes.jump_start import jump_model
+
+DESIGNS, MANY, LONG = 32, 256, 64
+STEPS_S = (1e-5, 3e-6, 1e-6, 3e-7)  # the paper's, and ever finer; the last is the limit
+LONG_STEPS_S = (3e-5, 1e-4, 3e-4, 1e-3)
+STIFFNESSES = (1e3, 1e4, 1e5)  # of the frame, over the beam's
+RIGID, STARTS = "rigid frame, standard", "start in the elastic frame"
+# The paper's numbers of the contact, and others that are nearer to a hard ground with dry friction.
+HARDER: dict[str, Changes] = {
+    "K_c ten times as large": {"contact": {"stiffness_N_m": 1e5}},
+    "half of d̃": {"contact": {"distance_m": 0.25e-3}},
+    "a tenth of ε_v": {"friction": {"velocity_threshold_m_s": 1e-5}},
+}
+
+
+# Names of cells: with one choice exchanged at an end; a frame so many times stiffer than the beam;
+# the paper's settings but the step; and jumps that are looked through for failures and gaps.
+exchange = "{}, exchanged: {}".format
+frame = "frame of {:g} EI, standard".format
+step = "step {:g} s".format
+many = "many jumps, step {:g} s".format
+
+
+def start_row(simulation: Any) -> Row:
+    """The equilibrium that the motion starts from: the clear span between the beam's ends (L)."""
+    model = jump_model(simulation)
+    march = jump_march([simulation], [model])
+    march.find_starts()
+    nodes = march.queue.state[0, model.frame.dofs(march.mesh) :]
+    x, y = nodes[:: model.discretization.node_dofs()], nodes[1 :: model.discretization.node_dofs()]
+    span = float(((x[-1] - x[0]) ** 2 + (y[-1] - y[0]) ** 2) ** 0.5)
+    return {"clear_span_bar": span, "epsilon_left": 1.0 - span}
 
 
 class Causes(Part):
     """The same designs from both ends, with one choice exchanged at a time."""
 
     name = "causes"
-    sources = ("experiments.paper.causes.compute",)
+    title = words.TITLE
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
-        """Ends, exchanges, frames, steps, and many jumps."""
-        return planned(groups, seed)
+        """Ends, exchanges, frames, harder contact, steps, and many jumps."""
+        at = {end: groups_at(groups, end) for end in ENDS}
+        standard = groups_at(groups, "standard")
+        # In an elastic frame, whose clamps turn with its legs, the arch loses its stability
+        # earlier; a start near the rigid frame's critical angle can lie beyond that.
+        flat = changed(standard, {"sim": {"start_fraction": 0.0}})
+        programs = {program(one) for one in at.values()}
+
+        def cell(name: str, made: Groups, count: int = DESIGNS) -> Cell:
+            lanes = LANES if program(made) in programs else 1
+            return Cell(
+                name, {"groups": made, "designs": spread_designs(count, seed), "lanes": lanes}
+            )
+
+        def stepped(step_s: float) -> Groups:
+            return changed(at[PAPER], {"stepping": {"step_s": step_s}})
+
+        def stiff(ratio: float) -> Groups:
+            stiffer = {"frame": {"bending_ratio": ratio, "stretching_ratio": ratio}}
+            return changed(changed(flat, ELASTIC), stiffer)
+
+        start = {"groups": changed(standard, ELASTIC), "designs": [BASELINE], "kind": "starts"}
+        return [
+            *(cell(end, at[end]) for end in ENDS),
+            *(cell(exchange(*key), made) for key, made in variants(at).items()),
+            cell(RIGID, flat),
+            *(cell(frame(ratio), stiff(ratio)) for ratio in STIFFNESSES),
+            Cell(STARTS, start),
+            *(cell(title, changed(flat, changes)) for title, changes in HARDER.items()),
+            *(cell(step(s), stepped(s)) for s in STEPS_S[1:]),
+            cell(many(STEPS_S[0]), at[PAPER], MANY),
+            *(cell(many(s), stepped(s), LONG) for s in LONG_STEPS_S),
+        ]
 
     def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
-        """A row for each design."""
-        return rows_of(inputs)
+        """A row for each design: its jump, or, where that is asked for, its start.
 
-    def conclude(self, done: Mapping[str, Done]) -> Found:
-        """Three statements, and the table of choices."""
-        missing = unfinished(TITLE, done)
-        if missing is not None:
-            return missing
+        Results do not depend on ``lanes``; one lane compiles faster, for a program that few jumps
+        are made with."""
+        base = composed(inputs["groups"])
+        if inputs.get("kind") == "starts":
+            return [start_row(one) for one in robots(base, inputs["designs"])]
+        return jump_rows(base, inputs["designs"], inputs["lanes"])
+
+    def judge(self, done: Mapping[str, Done]) -> Found:
+        """Six statements, and the table of choices."""
         rows = {name: one.rows for name, one in done.items()}
         groups = {end: done[end].cell.inputs["groups"] for end in ENDS}
         moved = {
@@ -68,167 +127,105 @@ class Causes(Part):
         }
         apart = shift(rows[PAPER], rows[REFERENCE])
         ladder = {ratio: shift(rows[frame(ratio)], rows[RIGID]) for ratio in STIFFNESSES}
+        harder = {title: shift(rows[title], rows[RIGID]) for title in HARDER}
         soft = rows[frame(STIFFNESSES[0])]
         off = shift(soft, rows[exchange(REFERENCE, FRAME)])
         limit = rows[step(STEPS_S[-1])]
         by_step = {STEPS_S[0]: shift(rows[PAPER], limit)} | {
             s: shift(rows[step(s)], limit) for s in STEPS_S[1:-1]
         }
-        figures = {
-            "causes": Figure(
-                "How far the apex moves when one choice is exchanged: median (mark) to 95 % of "
-                f"{DESIGNS} designs (bar)",
-                partial(draw_causes, moved, apart),
-            )
+        epsilon = BASELINE[1], rows[STARTS][0]["epsilon_left"]
+        counted = {
+            s: (len(failed(jumps)), len(jumps), float(np.nanmin(column(jumps, "min_gap_m"))))
+            for s, jumps in ((s, rows[many(s)]) for s in (STEPS_S[0], *LONG_STEPS_S))
         }
-        statements = [
-            frame_statement(
-                moved[PAPER, FRAME],
-                ladder,
-                (BASELINE[1], rows[STARTS][0]["epsilon_left"]),
-                (len(failed(soft)), len(soft)),
-                f"`standard`, {DESIGNS} designs, against `reference` within {off.x_median:.1g} % "
-                f"in x and {off.y_median:.1g} % in y in the median, {off.x_p95:.1g} and "
-                f"{off.y_p95:.1g} % in 95 % of them; the paper's settings",
-            ),
-            step_statement(
-                by_step,
-                STEPS_S[-1],
-                f"the paper's settings, {DESIGNS} designs; the two smallest steps are "
-                f"{by_step[STEPS_S[-2]].x_median:.2g} % apart in x and "
-                f"{by_step[STEPS_S[-2]].y_median:.2g} % in y",
-            ),
-            stability_statement(
-                rows[many(STEPS_S[0])],
-                {s: rows[many(s)] for s in LONG_STEPS_S},
-                groups[PAPER]["contact"]["distance_m"],
-            ),
-        ]
+        mesh, finer = (moved[end, ELEMENTS] for end in ENDS)
         lost = [incomplete(name, one) for name, one in done.items() if failed(one.rows)]
-        texts = paragraphs(moved, apart)
-        if lost:
-            texts.append(f"Failed jumps count as infinitely far: {'; '.join(lost)}.")
+        flat = {"paper_to_reference": apart, "frame_1000_ei": ladder[STIFFNESSES[0]],
+                "step_1e_5_s": by_step[STEPS_S[0]]}  # fmt: skip
         return Found(
-            Section(TITLE, texts, figures, tables(moved, by_step, rows)),
-            statements,
-            summary(apart, ladder[STIFFNESSES[0]], by_step[STEPS_S[0]]),
+            Section(
+                words.TITLE,
+                words.told(moved, apart, lost),
+                {"causes": Figure(words.figure(DESIGNS), partial(draw_causes, moved, apart))},
+                tables(moved, by_step, counted),
+            ),
+            [
+                words.frame(
+                    DESIGNS, moved[PAPER, FRAME], ladder, off, epsilon, len(failed(soft))
+                ).judged("causes.frame", matters(ladder[STIFFNESSES[0]])),
+                words.step(DESIGNS, by_step, STEPS_S[-1]).judged(
+                    "causes.step", matters(by_step[STEPS_S[0]])
+                ),
+                words.nodes(DESIGNS, mesh, finer, moved[PAPER, START]).judged(
+                    "causes.nodes", matters(mesh)
+                ),
+                words.contact(DESIGNS, harder).judged("causes.contact", matters(*harder.values())),
+                words.smooth(printed_friction(1.0)).judged(
+                    "causes.smooth", judged("causes.smooth", 1.0 - printed_friction(1.0))
+                ),
+                words.stability(counted, groups[PAPER]["contact"]["distance_m"]).judged(
+                    "causes.stability", stable(rows[many(STEPS_S[0])])
+                ),
+            ],
+            {
+                f"{name}_{key}_median_percent": getattr(found, f"{key}_median")
+                for name, found in flat.items()
+                for key in ("x", "y")
+            },
         )
 
 
-def summary(apart: Shift, framed: Shift, stepped: Shift) -> dict[str, float]:
-    """Flat numbers."""
-    named = {"paper_to_reference": apart, "frame_1000_ei": framed, "step_1e_5_s": stepped}
-    return {
-        f"{name}_{key}_median_percent": getattr(found, f"{key}_median")
-        for name, found in named.items()
-        for key in ("x", "y")
-    }
+def printed_friction(speed: float) -> float:
+    """The friction's share of μ N at a speed over ε_v of at most one, as the text prints it."""
+    return speed - speed**2
 
 
-TITLE = "What causes the difference"
-Moved = Mapping[tuple[str, str], Shift]
-# Shifts (%) in the median that are seen in the paper's settings, and not in the converged ones.
-SEEN_PERCENT, UNSEEN_PERCENT = 1.0, 1.0
-
-
-def paragraphs(moved: Moved, apart: Shift) -> list[str]:
-    """What is exchanged, what matters most, and what only seems to."""
-    return [
-        "The paper's settings and the converged ones differ in several choices. Each is exchanged "
-        "alone, once in the paper's settings and once in the converged ones, over the same "
-        "designs spread over the paper's ranges. In the converged settings implicit Euler brings "
-        "its fixed step along; in the paper's settings the step is made ten times shorter. With "
-        "66 elements K per node and per length are the same by definition. Both ends have a rigid "
-        "frame; the paper's own is elastic, which comes on top.",
-        f"The paper's settings are {apart.x_median:.2g} % off in x_c and {apart.y_median:.2g} % in "
-        f"y_c in the median (at most {apart.x_p95:.2g} and {apart.y_p95:.2g} % in 95 % of them). "
-        f"Their y_c is {apart.y_signed:+.2g} % from the converged one in the median. Without "
-        f"material damping the converged y_c moves by "
-        f"{moved[REFERENCE, DAMPING].y_signed:+.2g} %, and with it the paper's by "
-        f"{moved[PAPER, DAMPING].y_signed:+.2g} %; the paper's implicit Euler at 1e-5 s, which "
-        f"damps what oscillates, moves the converged y_c by "
-        f"{moved[REFERENCE, EULER].y_signed:+.2g} %. {most(moved)}",
-        noise(moved),
-    ]
-
-
-def most(moved: Moved) -> str:
-    """What moves x most in the converged settings."""
-    own = {title: one for (end, title), one in moved.items() if end == REFERENCE}
-    first = sorted(own, key=lambda title: -own[title].x_median)[:4]
-    told = ", ".join(f"{title} ({own[title].x_median:.2g} %)" for title in first)
-    return f"In x_c most is moved, put into the converged settings, by {told}."
-
-
-def noise(moved: Moved) -> str:
-    """How much of the shifts in the paper's settings is sensitivity alone."""
-    papers, converged = moved[PAPER, START], moved[REFERENCE, START]
-    titles = dict.fromkeys(title for _, title in moved)
-    seeming = [
-        title
-        for title in titles
-        if title not in (START, FRAME)
-        and moved[PAPER, title].x_median >= SEEN_PERCENT
-        and moved[REFERENCE, title].x_median <= UNSEEN_PERCENT
-    ]
-    largest = max((moved[REFERENCE, title].x_median for title in seeming), default=0.0)
-    told = (
-        f"So do {', '.join(seeming)}: they seem to matter in the paper's settings, and in the "
-        f"converged ones they move x_c by at most {largest:.2g} % in the median."
-        if seeming
-        else "No other choice moves x_c in the paper's settings alone."
-    )
-    return (
-        f"Much of this is noise of a strike that the step does not resolve. A start nearer to the "
-        f"snap is the same jump, and moves the converged x_c by {converged.x_median:.1g} %; with "
-        f"the paper's settings it moves x_c by {papers.x_median:.2g} % in the median and "
-        f"by at most {papers.x_p95:.2g} % in 95 % of the designs. {told}"
+def matters(*found: Shift) -> str:
+    """The verdict on choices that are said not to matter."""
+    return weakest(
+        judged("causes.negligible", *(one.p95 for one in found)),
+        judged("causes.small", *(one.medians for one in found)),
     )
 
 
-def shift_row(found: Shift, prefix: str = "") -> Row:
-    """Columns of a table."""
-    return {
-        f"{prefix}x_median_percent": found.x_median,
-        f"{prefix}x_p95_percent": found.x_p95,
-        f"{prefix}y_signed_median_percent": found.y_signed,
-        f"{prefix}y_p95_percent": found.y_p95,
-    }
+def stable(rows: Sequence[Row]) -> str:
+    """No failures; or few. The gaps do not count: the scheme cannot close them."""
+    return judged("causes.stability", len(failed(rows)) / len(rows))
 
 
 def tables(
     moved: Mapping[tuple[str, str], Shift],
     by_step: Mapping[float, Shift],
-    rows: Mapping[str, Sequence[Row]],
+    counted: Mapping[float, tuple[int, int, float]],
 ) -> dict[str, Table]:
-    """All three."""
-    choices = [
+    """All three; ``counted``: failures, jumps and the smallest gap, by step."""
+
+    def cut(found: Shift, prefix: str = "") -> Row:
+        return {
+            f"{prefix}x_median_percent": found.x_median,
+            f"{prefix}x_p95_percent": found.x_p95,
+            f"{prefix}y_signed_median_percent": found.y_signed,
+            f"{prefix}y_p95_percent": found.y_p95,
+        }
+
+    exchanged = [
         {
             "the paper's choice": title,
-            **shift_row(moved[PAPER, title], "from_paper_"),
-            **shift_row(moved[REFERENCE, title], "from_reference_"),
+            **cut(moved[PAPER, title], "from_paper_"),
+            **cut(moved[REFERENCE, title], "from_reference_"),
         }
         for title in dict.fromkeys(title for _, title in moved)
     ]
-    found = {step_s: rows[many(step_s)] for step_s in (STEPS_S[0], *LONG_STEPS_S)}
     gaps = [
-        {
-            "step_s": step_s,
-            "jumps": len(jumps),
-            "failed": len(failed(jumps)),
-            "smallest_gap_mm": float(1e3 * numbers(jumps, "min_gap_m").min()),
-        }
-        for step_s, jumps in found.items()
+        {"step_s": s, "jumps": count, "failed": lost, "smallest_gap_mm": 1e3 * gap_m}
+        for s, (lost, count, gap_m) in counted.items()
     ]
     return {
-        "causes": Table(
-            "Shift of the apex by one exchanged choice; y's medians with their signs",
-            choices,
-            dict.fromkeys((key for row in choices for key in row if key.endswith("percent")), 2),
-        ),
+        "causes": Table(words.EXCHANGED, exchanged, dict.fromkeys(list(exchanged[0])[1:], 2)),
         "causes_steps": Table(
             f"The paper's settings with other steps, against {STEPS_S[-1]:g} s",
-            [{"step_s": s, **shift_row(one)} for s, one in by_step.items()],
+            [{"step_s": s, **cut(one)} for s, one in by_step.items()],
         ),
         "causes_gaps": Table("The paper's settings with longer steps", gaps),
     }

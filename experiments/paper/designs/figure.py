@@ -8,24 +8,15 @@ from typing import Any
 import numpy as np
 
 from experiments.inverse_benchmark.methods import PAPER
-from experiments.inverse_benchmark.table import column
 from experiments.paper.settings import TIERS
 from snapjump.robot.robot import Robot
-from snapjump.run.studies.base import Row
+from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.robot_drawing import draw_ground
-from snapjump.show.plots.saving import picture
+from snapjump.show.plots.saving import panels
 
-COLOURS = (
-    palette.BEAM,
-    palette.FORCE,
-    palette.CENTRE,
-    palette.PLUM,
-    palette.CLAMP,
-    palette.VIOLET,
-    palette.SKY,
-    palette.QUIET,
-)
+COLOURS = (palette.BEAM, palette.FORCE, palette.CENTRE, palette.PLUM, palette.CLAMP,
+           palette.VIOLET, palette.SKY, palette.QUIET)  # fmt: skip
 MARKERS = {"adam": ("s", palette.QUIET), "gauss_newton": ("o", palette.BEAM),
            "physics": ("^", palette.CENTRE)}  # fmt: skip
 POINTS = 60
@@ -35,9 +26,9 @@ PAST = 0.35  # of the rise's time, that flights are drawn for past their apex
 def draw_flights(groups: Mapping[str, Sequence[Row]], path: Path) -> None:
     """One robot on the left, many on the right."""
     title = "Designed jumps, simulated: the paths of the centre of mass"
-    with picture(path, (14.0, 8.0), title) as figure:
-        for k, (group, rows) in enumerate(groups.items()):
-            axes = figure.add_axes((0.05 + 0.49 * k, 0.08, 0.44, 0.8))
+    boxes = [(0.05 + 0.49 * k, 0.08, 0.44, 0.8) for k in range(len(groups))]
+    with panels(path, (14.0, 8.0), title, *boxes) as sides:
+        for axes, (group, rows) in zip(sides, groups.items(), strict=True):
             axes.set_title(f"{group}, {len(rows)} targets", loc="left")
             named = len({row["mass_bar"] for row in rows}) > 1
             for row, colour in zip(rows, cycle(COLOURS), strict=False):
@@ -56,7 +47,6 @@ def draw_flights(groups: Mapping[str, Sequence[Row]], path: Path) -> None:
             axes.set(xlabel="x / L", ylabel="y / L", xlim=(-0.03 * right, 1.3 * right))
             axes.set_ylim(-0.04 * top, (1.35 if named else 1.12) * top)
             draw_ground(axes, (-0.04 * top, 0.0), *axes.get_xlim())
-            axes.grid(True)
 
 
 def target_of(row: Row) -> tuple[float, float]:
@@ -99,20 +89,18 @@ def flight(row: Row) -> tuple[Any, Any]:
 
 def draw_misses(methods: Mapping[str, Sequence[Row]], path: Path) -> None:
     """Misses of every target by method and tier, on a logarithmic axis."""
-    with picture(path, (12.0, 5.0), "Misses of the designs, judged at three tiers") as figure:
-        for k, tier in enumerate(TIERS):
-            axes = figure.add_axes((0.07 + 0.315 * k, 0.14, 0.275, 0.62))
+    title = "Misses of the designs, judged at three tiers"
+    boxes = [(0.07 + 0.315 * k, 0.14, 0.275, 0.62) for k in range(len(TIERS))]
+    names = [row["robot"] for row in next(iter(methods.values()))]
+    with panels(path, (12.0, 5.0), title, *boxes) as sides:
+        for tier, axes in zip(TIERS, sides, strict=True):
             axes.set_title(f"judged at {tier}", loc="left")
             for name, rows in methods.items():
                 marker, colour = MARKERS[name]
                 axes.plot(column(rows, f"miss_{tier}_mm"), marker, ms=7, mfc="none", mec=colour,
                           mew=1.5, label=name)  # fmt: skip
             axes.axhline(float(str(PAPER[0]["mean_mm"])), color=palette.INK, lw=1.0, ls=":")
-            axes.set_yscale("log")
-            axes.set_ylim(2e-4, 200.0)
-            names = [row["robot"] for row in next(iter(methods.values()))]
+            axes.set(yscale="log", ylim=(2e-4, 200.0))
             axes.set_xticks(range(len(names)), names, rotation=90)
-            axes.grid(True)
-            if k == 0:
-                axes.set_ylabel("miss (mm)")
-                axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.08), ncols=3)
+        sides[0].set_ylabel("miss (mm)")
+        sides[0].legend(loc="lower left", bbox_to_anchor=(0.0, 1.08), ncols=3)

@@ -6,129 +6,161 @@ from typing import Any
 
 import numpy as np
 
-from experiments.inverse_benchmark.methods import LENGTH_MM
-from experiments.inverse_benchmark.table import column
-from experiments.paper.base import Found, Part, unfinished
-from experiments.paper.designs import judge
-from experiments.paper.designs.compute import GROUPS, MANY_ROBOTS, MASS_BAR, METHODS, MU, ONE_ROBOT
+from experiments.compositions import composed, groups_at, simulation_at
+from experiments.inverse_benchmark.cases import Case, case_rows
+from experiments.paper.base import Found, Part, Statement, weakest
+from experiments.paper.cells import shipped_forward, shipped_inputs
+from experiments.paper.designs import words
 from experiments.paper.designs.figure import draw_flights, draw_misses
-from experiments.paper.learned import shipped_inputs
-from experiments.paper.settings import TIERS, groups_at
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
+from experiments.paper.limits import judged
+from experiments.paper.settings import BASELINE, TIERS
+from snapjump.declare.members import member_class
+from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
 
-TITLE = "Inverse designs"
+MASS_BAR, MU = BASELINE[2:]
+
+
+ONE_ROBOT = tuple(
+    Case(f"{row}{column}", MASS_BAR, MU, x, y)
+    for row, y in zip("ABC", (20.0, 16.0, 12.0), strict=True)
+    for column, x in zip("123", (2.0, 3.5, 5.0), strict=True)
+)
+# The fourth and the fifth share their target.
+MANY_ROBOTS = (
+    Case("R1", 0.35, 0.5, 10.0, 40.0),
+    Case("R2", 0.4, 0.3, 4.0, 45.0),
+    Case("R3", 0.5, 0.3, 7.0, 30.0),
+    Case("R4", 0.5, 0.15, 3.0, 22.0),
+    Case("R5", 0.768, 0.45, 3.0, 22.0),
+    Case("R6", 0.9, 0.6, 7.0, 14.0),
+    Case("R7", 1.2, 0.2, 2.0, 13.0),
+    Case("R8", 2.0, 0.3, 1.5, 8.0),
+)
+GROUPS: dict[str, tuple[Case, ...]] = {"one robot": ONE_ROBOT, "many robots": MANY_ROBOTS}
+LEARNED = ("adam", "gauss_newton")  # that ask the forward model alone
+METHODS = (*LEARNED, "physics")
 SHOWN = "gauss_newton"  # whose flights the figure has: a design by the forward model alone
+CONVERGED = ("standard", "reference")
 
 
 class Designs(Part):
     """A cell for each group of targets and each method."""
 
     name = "designs"
-    sources = ("experiments.paper.designs.compute",)
+    title = words.TITLE
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> Sequence[Cell]:
         """Targets by methods."""
         standard = groups_at(groups, "standard")
-        learned = shipped_inputs(standard)
+        shared = {**shipped_inputs(standard), "groups": standard, "seed": seed, "tiers": [*TIERS]}
         return [
             Cell(
                 f"{group}, {method}",
-                {
-                    **learned,
-                    "groups": standard,
-                    "group": group,
-                    "method": method,
-                    "cases": [list(case) for case in cases],
-                    "seed": seed,
-                    "tiers": list(TIERS),
-                },
+                {**shared, "group": group, "method": method, "cases": [list(one) for one in cases]},
             )
             for group, cases in GROUPS.items()
             for method in METHODS
         ]
 
     def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
-        """Designs of one method."""
-        from experiments.paper.designs.compute import design_rows
+        """Designs of one method for the cases of one group."""
+        base, method = composed(inputs["groups"]), member_class("inverse", inputs["method"])()
+        cases = [Case(*values) for values in inputs["cases"]]
+        judges = {tier: simulation_at(inputs["groups"], tier) for tier in inputs["tiers"]}
+        return case_rows(base, shipped_forward(), method, cases, judges, inputs["seed"])
 
-        return design_rows(inputs)
-
-    def conclude(self, done: Mapping[str, Done]) -> Found:
+    def judge(self, done: Mapping[str, Done]) -> Found:
         """Flights, misses, all designs, one statement."""
-        missing = unfinished(TITLE, done)
-        if missing:
-            return missing
         rows = [
             {"group": one.cell.inputs["group"], "method": one.cell.inputs["method"], **row}
             for one in done.values()
             for row in one.rows
         ]
-        shown = {
-            group: [row for row in rows if row["group"] == group and row["method"] == SHOWN]
-            for group in GROUPS
-        }
         misses = {method: [row for row in rows if row["method"] == method] for method in METHODS}
-        lines = [judge.line(method, found) for method, found in misses.items()]
-        return Found(
-            Section(
-                TITLE,
-                paragraphs(misses),
-                {
-                    "designs": Figure(CAPTION, partial(draw_flights, shown)),
-                    "designs_misses": Figure(MISSES, partial(draw_misses, misses)),
-                },
-                {
-                    "designs_methods": Table("Misses in mm at L = 20 mm", lines),
-                    "designs": Table(
-                        f"The designs of the figure, by `{SHOWN}`",
-                        [judge.design_line(row) for row in rows if row["method"] == SHOWN],
-                    ),
-                },
+        shown = {group: [row for row in misses[SHOWN] if row["group"] == group] for group in GROUPS}
+        lines = [line(method, found) for method, found in misses.items()]
+        figures = {
+            "designs": Figure(words.FLIGHTS, partial(draw_flights, shown)),
+            "designs_misses": Figure(words.MISSES, partial(draw_misses, misses)),
+        }
+        tables = {
+            "designs_methods": Table("Misses in mm at L = 20 mm", lines),
+            "designs": Table(
+                f"The designs of the figure, by `{SHOWN}`", [design_line(r) for r in misses[SHOWN]]
             ),
-            [judge.millimetres(misses)],
-            judge.summary(lines),
+        }
+        return Found(
+            Section(words.TITLE, words.told(misses, GROUPS), figures, tables),
+            [millimetres(misses)],
+            {
+                f"designs_{line['method']}_{key}": line[source]
+                for line in lines
+                for key, source in (
+                    ("mean_mm", "mean at standard"),
+                    ("mean_mm_reference", "mean at reference"),
+                    ("max_mm", "max at standard"),
+                    ("seconds", "seconds, median"),
+                )
+            },
         )
 
 
-CAPTION = (
-    "Simulated flights of designs by the forward model (`gauss_newton`), from lift-off to the apex "
-    "and on past it (dashed); crosses: targets. Left: one robot; right: eight, of which R4 and R5 "
-    "share a target"
-)
-MISSES = "Misses of all targets at L = 20 mm, judged at three tiers; line: the paper's mean"
+def line(method: str, rows: Sequence[Row]) -> Row:
+    """A method's misses at all tiers and its costs."""
+    found: Row = {"method": method, "targets": len(rows)}
+    misses = {tier: column(rows, f"miss_{tier}_mm") for tier in TIERS}
+    for tier, one in misses.items():
+        for word, value in (("mean", np.nanmean), ("std", np.nanstd), ("max", np.nanmax)):
+            found[f"{word} at {tier}"] = float(value(one))
+    return found | {
+        "failed": int(sum(np.isnan(one).sum() for one in misses.values())),
+        "seconds, median": float(np.median(column(rows, "seconds"))),
+        "simulations, mean": float(column(rows, "simulations").mean()),
+    }
 
 
-def paragraphs(methods: Mapping[str, Sequence[Row]]) -> list[str]:
-    """What is shown, what is found, what differs and why."""
-    learned = column(methods["gauss_newton"], "miss_standard_mm")
-    physics = methods["physics"]
-    reachable = sum(bool(row["reachable"]) for row in methods["gauss_newton"])
-    own, finer = (column(physics, f"miss_{tier}_mm") for tier in ("standard", "reference"))
-    pair = [row for row in methods["gauss_newton"] if row["robot"] in ("R4", "R5")]
-    controls = " and ".join(
-        f"Δα = {row['delta_alpha_rad']:.3f} rad, ε = {row['epsilon']:.3f} for m̄ = "
-        f"{row['mass_bar']:g}, μ = {row['mu']:g}"
-        for row in pair
+def design_line(row: Row) -> Row:
+    """A design as a line of the long table."""
+
+    def place(name: str) -> str:
+        x, y = row[f"{name}_x_bar"], row[f"{name}_y_bar"]
+        return "none" if x is None or y is None else f"({x:.3f}, {y:.3f})"
+
+    return {
+        "robot": row["robot"],
+        "m̄": row["mass_bar"],
+        "μ": row["mu"],
+        "target (L)": place("target"),
+        "method": row["method"],
+        "Δα (rad)": row["delta_alpha_rad"],
+        "ε": row["epsilon"],
+        "predicted apex (L)": place("predicted"),
+        "simulated apex (L)": place("standard"),
+        "miss (mm)": row["miss_standard_mm"],
+        "at reference (mm)": row["miss_reference_mm"],
+        "time (s)": row["seconds"],
+        "simulations": row["simulations"],
+    }
+
+
+def millimetres(methods: Mapping[str, Sequence[Row]]) -> Statement:
+    """The statement about accuracy. A design that does not jump is a miss of no size: it counts
+    as the largest, and not in the mean."""
+    misses = [column(methods[name], f"miss_{tier}_mm") for name in LEARNED for tier in CONVERGED]
+    came = weakest(
+        judged("designs.millimetres.mean", *(float(np.nanmean(one)) for one in misses)),
+        judged(
+            "designs.millimetres.largest",
+            *(float(np.where(np.isnan(one), np.inf, one).max()) for one in misses),
+        ),
     )
-    far = methods["gauss_newton"][int(np.nanargmax(learned))]
-    share = np.nanmax(learned) / (LENGTH_MM * far["target_y_bar"])
-    return [
-        f"{len(ONE_ROBOT)} targets within the region of one robot (m̄ = {MASS_BAR:g}, μ = {MU:g}), "
-        f"and {len(MANY_ROBOTS)} robots of different masses on different grounds, each with a "
-        f"target within its region; {reachable} of the {len(physics)} are called reachable by the "
-        "forward model. Every target is designed for in three ways: `adam`, the paper's "
-        "gradient descent on the forward model; `gauss_newton`, which asks the same model; and "
-        "`physics`, which corrects by simulations.",
-        f"Half of the designs by `gauss_newton` are within {np.nanmedian(learned):.2g} mm of their "
-        f"targets. The farthest, {far['robot']} with m̄ = {far['mass_bar']:g}, is "
-        f"{np.nanmax(learned):.2g} mm off, {100 * share:.2g} % of its flight's height. Two robots "
-        f"reach the same target ({pair[0]['target_x_bar']:g}, {pair[0]['target_y_bar']:g}) L, "
-        f"on the same parabola, with {controls}.",
-        f"`physics` takes the forward model's error out: {np.nanmean(own):.2g} mm in the mean for "
-        f"{np.mean(column(physics, 'simulations')):.2g} simulations a target. Judged at "
-        f"`reference` it is {np.nanmean(finer):.2g} mm, the error of the tier that it searched at.",
-        "The paper's settings move the apexes themselves, so that designs that are right for "
-        f"converged jumps are off by {np.nanmean(column(physics, 'miss_paper_mm')):.2g} mm in the "
-        "mean there; and they scatter from one design to the next, which limits what a forward "
-        "model can learn from them. The benchmark of inverse design has random targets.",
-    ]
+    lines = {name: line(name, rows) for name, rows in methods.items()}
+    off = {tier: apart(methods, tier) for tier in ("reference", "paper")}
+    return words.millimetres(lines, LEARNED, off).judged("designs.millimetres", came)
+
+
+def apart(methods: Mapping[str, Sequence[Row]], tier: str) -> float:
+    """The largest difference (mm) of a miss at a tier from that at standard."""
+    rows = [row for found in methods.values() for row in found]
+    own, other = (column(rows, f"miss_{one}_mm") for one in ("standard", tier))
+    return float(np.nanmax(np.abs(other - own)))

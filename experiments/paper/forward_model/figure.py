@@ -6,15 +6,16 @@ from typing import Any
 
 import numpy as np
 
-from experiments.inverse_benchmark.table import column
-from experiments.paper.forward_model.compute import PAPER_MAE_BAR, PAPER_MEAN_MM
-from snapjump.run.studies.base import Row
+from experiments.paper.limits import LIMITS
+from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
-from snapjump.show.plots.saving import picture
+from snapjump.show.plots.saving import panels
 
 COLOURS = (palette.QUIET, palette.BEAM, palette.FORCE, palette.CENTRE, palette.CLAMP)
 LINES = ("-", "-", "-", "--", ":")
-LIMITS_MM = (1e-3, 60.0)
+PAPER_MAE_BAR, PAPER_MEAN_MM = (
+    LIMITS[f"forward_model.{key}"].confirmed for key in ("error", "accuracy")
+)
 
 
 def draw_forward_model(
@@ -22,11 +23,11 @@ def draw_forward_model(
 ) -> None:
     """Errors of the predicted apexes of the test set; distributions of the misses of designs."""
     title = "The paper's network on jumps it has not seen, and designs for random targets"
-    with picture(path, (13.0, 5.4), title) as figure:
-        for k, name in enumerate(("x", "y")):
-            axes = figure.add_axes((0.06 + 0.3 * k, 0.12, 0.22, 0.68))
+    boxes = (0.06, 0.12, 0.22, 0.68), (0.36, 0.12, 0.22, 0.68), (0.68, 0.12, 0.3, 0.6)
+    with panels(path, (13.0, 5.4), title, *boxes) as (*pair, last):
+        for name, axes in zip("xy", pair, strict=True):
             _errors(axes, predictions, name)
-        _misses(figure.add_axes((0.68, 0.12, 0.3, 0.6)), methods)
+        _misses(last, methods)
 
 
 def _errors(axes: Any, rows: Sequence[Row], name: str) -> None:
@@ -40,7 +41,6 @@ def _errors(axes: Any, rows: Sequence[Row], name: str) -> None:
         ylabel=f"predicted less simulated {name}$_c$ / L",
         title="dotted: the paper's mean error",
     )
-    axes.grid(True)
 
 
 def _misses(axes: Any, methods: Mapping[str, Sequence[Row]]) -> None:
@@ -53,9 +53,8 @@ def _misses(axes: Any, methods: Mapping[str, Sequence[Row]]) -> None:
     axes.axvline(PAPER_MEAN_MM, color=palette.INK, lw=1.0, ls=":")
     words = {"rotation": 90, "ha": "right", "va": "bottom", "color": palette.QUIET}
     axes.text(0.9 * PAPER_MEAN_MM, 2.0, "the paper's mean", **words)
-    axes.set(xscale="log", xlim=LIMITS_MM, ylim=(0.0, 101.0))
+    axes.set(xscale="log", xlim=(1e-3, 60.0), ylim=(0.0, 101.0))
     axes.set(xlabel="simulated miss (mm, L = 20 mm)", ylabel="share of targets (%)")
-    axes.grid(True)
     axes.legend(
         loc="lower left", bbox_to_anchor=(-0.12, 1.0), ncols=2, fontsize=9, columnspacing=1.2
     )

@@ -1,140 +1,185 @@
-"""The dataset, the forward model and inverse design, as the paper makes them and as we do."""
+"""The dataset, the forward model and inverse design, as the paper makes them and as we do; and how
+long a jump takes to simulate."""
 
 import re
 from collections.abc import Mapping
 from dataclasses import asdict
 from functools import partial
-from typing import Any
+from pathlib import Path
+from typing import Any, NamedTuple
 
+from experiments.compositions import groups_at
+from experiments.designs import spread_designs
 from experiments.inverse_benchmark.study import stretches
 from experiments.inverse_benchmark.table import summary_row
-from experiments.paper.base import Found, Part, unfinished
-from experiments.paper.forward_model.compute import (
-    METHODS,
-    NETWORK,
-    PLAN,
-    SHARD_SIZE,
-    dataset_rows,
-    forward_rows,
-    inverse_rows,
-)
+from experiments.pace import pace_row, pace_rows
+from experiments.paper.base import Found, Part, Statement, weakest
+from experiments.paper.cells import shipped_inputs
+from experiments.paper.forward_model import words
 from experiments.paper.forward_model.figure import draw_forward_model
-from experiments.paper.forward_model.judge import (
-    accuracy_statement,
-    dataset_statement,
-    error_statement,
-    speed_statement,
-)
-from experiments.paper.learned import shipped_inputs
+from experiments.paper.limits import judged
+from experiments.surrogates.from_nothing import dataset_rows, forward_rows, trained
 from snapjump.declare.members import make_member, member_class, member_group
 from snapjump.learning.training import Training
 from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
 
-DATASET, NETWORK_CELL = "dataset", "forward model"
+
+class Method(NamedTuple):
+    """``inverse``: its group; ``network``: the forward model it asks, None for the one that comes
+    with the library; ``problems``: how many random targets it is given (the first of them)."""
+
+    inverse: dict[str, Any]
+    network: str | None
+    problems: int
+
+
+NETWORK = "mlp"  # the paper's: 3 x 372 neurons with ReLU
+DATA_DRIVEN = "adam, the paper's network"
+SEARCHES = ("bayesian", "finite_difference")  # on the simulator
+METHODS = {
+    DATA_DRIVEN: Method({"name": "adam"}, NETWORK, 100),
+    "gauss_newton": Method({"name": "gauss_newton"}, None, 100),
+    "physics": Method({"name": "physics"}, None, 100),
+    **{name: Method({"name": name}, None, 6) for name in SEARCHES},
+}
+PLAN = {"name": "grid"}  # with its defaults the paper's: 15 values of each of the four inputs
+SHARD_SIZE = 4096
+BLOCK = 10  # problems of a cell, which are lost together if it is stopped
+PACED = 16  # designs that are timed
+DATASET, TRAINED, PACE = "dataset", "forward model", "pace"
 SHOWN = ("method", "problems", "mean_mm_standard", "std_mm_standard", "p95_mm_standard",
          "max_mm_standard", "mean_mm_reference", "seconds_median", "simulations_mean")  # fmt: skip
-BLOCK = 10  # problems of a cell, which are lost together if it is stopped
 
 
-TITLE = "Dataset, forward model, inverse design"
-PARAGRAPHS = (
-    "The paper's grid of 15 values of each of the four inputs, its network of three layers of 372 "
-    "neurons, and its search by Adam from the best point of a grid, beside the library's own "
-    "methods. Each target is the apex of a hidden random design in a random environment, so that "
-    "it can be reached.",
-    "More methods, more targets and the time of each: `python run.py task=inverse_benchmark`; more "
-    "forward models: `python run.py task=compare_surrogates`.",
-)
+def inverse_rows(inputs: Mapping[str, Any]) -> list[Row]:
+    """A row for each target (:func:`experiments.inverse_benchmark.compute.solve_block`), by the
+    forward model that comes with the library or by the one trained here."""
+    from experiments.inverse_benchmark.compute import solve_block
+    from snapjump.targets.request import checkpoint_path
+
+    shipped = inputs["surrogate"] is None
+    file = checkpoint_path(None) if shipped else Path(trained(inputs)[0].file)
+    return solve_block({**inputs, "checkpoint": str(file)})
 
 
 class ForwardModels(Part):
     """From nothing: 50,625 jumps, the paper's network on them, and designs for random targets."""
 
     name = "forward_model"
-    sources = ("experiments.paper.forward_model.compute",)
+    title = words.TITLE
+    kinds = {
+        DATASET: dataset_rows,
+        TRAINED: forward_rows,
+        "inverse": inverse_rows,
+        PACE: pace_rows,
+    }
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
-        """The dataset, the network, then each method on its targets, ten at a time."""
-        options = member_class("plan", PLAN["name"])()
-        data = {
-            "groups": groups,
-            "plan": {**PLAN, **asdict(options)},
-            "shard_size": SHARD_SIZE,
-            "seed": seed,
-        }
-        learned = {
-            **data,
-            "training": asdict(Training()),
-            "surrogate": member_group(member_class("surrogate", NETWORK)()),
-        }
-        cells = [Cell(DATASET, data), Cell(NETWORK_CELL, learned)]
+        """The dataset, the network, each method on its targets, ten at a time, and the pace."""
+        plan = {**PLAN, **asdict(member_class("plan", PLAN["name"])())}
+        data = {"groups": groups, "plan": plan, "shard_size": SHARD_SIZE, "seed": seed}
+        surrogate = member_group(member_class("surrogate", NETWORK)())
+        learned = {**data, "training": asdict(Training()), "surrogate": surrogate}
+        cells = [
+            Cell(DATASET, {**data, "kind": DATASET}),
+            Cell(TRAINED, {**learned, "kind": TRAINED}),
+        ]
         for name, method in METHODS.items():
             shipped = {} if method.network else {"surrogate": None, **shipped_inputs(groups)}
-            asked = {**learned, **shipped}
             inverse = member_group(make_member("inverse", method.inverse))
+            asked = {**learned, **shipped, "kind": "inverse", "method": name, "inverse": inverse}
             cells += [
                 Cell(
                     f"{name}: targets {first} to {last - 1}",
-                    {**asked, "method": name, "inverse": inverse, "first": first, "last": last},
+                    {**asked, "first": first, "last": last},
                 )
                 for first, last in stretches(method.problems, BLOCK)
             ]
-        return cells
+        designs = spread_designs(PACED, seed)
+        return cells + [
+            Cell(f"{PACE}, {tier}", {"kind": PACE, "groups": at, "designs": designs})
+            for tier, at in ((tier, groups_at(groups, tier)) for tier in words.PACED)
+        ]
 
-    def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
-        """The rows of one of the three kinds of cells."""
-        if "method" in inputs:
-            return inverse_rows(inputs)
-        return forward_rows(inputs) if "surrogate" in inputs else dataset_rows(inputs)
-
-    def conclude(self, done: Mapping[str, Done]) -> Found:
-        """Four statements."""
-        missing = unfinished(TITLE, done)
-        if missing:
-            return missing
+    def judge(self, done: Mapping[str, Done]) -> Found:
+        """Seven statements."""
         methods: dict[str, list[Row]] = {name: [] for name in METHODS}
         for one in done.values():
             if "method" in one.cell.inputs:
                 methods[one.cell.inputs["method"]] += one.rows
-        made, (learned, *predictions) = done[DATASET].rows, done[NETWORK_CELL].rows
-        judged = {name: summary_row(name, rows) for name, rows in methods.items()}
-        figure = Figure(
-            "How far predicted apexes are off, of jumps that the network has not seen; and the "
-            "simulated misses of designs (number of targets in brackets)",
-            partial(draw_forward_model, predictions, methods),
-        )
+        made, (learned, *predictions) = done[DATASET].rows, done[TRAINED].rows
+        pace = {tier: done[f"{PACE}, {tier}"].rows for tier in words.PACED}
+        found = {name: summary_row(name, rows) for name, rows in methods.items()}
+        measures = {key: value for key, value in learned.items() if key != "kind"}
+        figure = Figure(words.FIGURE, partial(draw_forward_model, predictions, methods))
         tables = {
             "dataset_cost": Table("The dataset", made),
-            "network": Table("The paper's network", [measures(learned)]),
+            "network": Table("The paper's network", [measures]),
             "inverse_methods": Table(
-                "Misses of random reachable targets, in mm at L = 20 mm",
-                [{key: row[key] for key in SHOWN} for row in judged.values()],
+                words.METHODS, [{key: row[key] for key in SHOWN} for row in found.values()]
             ),
+            "pace": Table(words.PACE, [{"tier": t, **pace_row(rows)} for t, rows in pace.items()]),
         }
         return Found(
-            Section(TITLE, PARAGRAPHS, {"forward_model": figure}, tables),
+            Section(words.TITLE, words.PARAGRAPHS, {"forward_model": figure}, tables),
             [
+                real_time_statement(pace),
                 dataset_statement(made[0]),
                 error_statement(learned),
-                accuracy_statement(judged),
-                speed_statement(judged),
+                *inverse_statements(found),
             ],
-            summary={
+            {
                 **{f"dataset_{key}": value for key, value in made[0].items()},
-                **{f"network_{key}": value for key, value in measures(learned).items()},
-                **{
-                    f"mean_mm_{snake_case(name)}": row["mean_mm_standard"]
-                    for name, row in judged.items()
-                },
+                **{f"network_{key}": value for key, value in measures.items()},
+                **{f"mean_mm_{snake_case(k)}": r["mean_mm_standard"] for k, r in found.items()},
             },
         )
-
-
-def measures(row: Row) -> Row:
-    """The numbers of the network's row."""
-    return {key: value for key, value in row.items() if key != "kind"}
 
 
 def snake_case(name: str) -> str:
     """A method's name as a key."""
     return re.sub(r"\W+", "_", name)
+
+
+def real_time_statement(pace: Mapping[str, list[Row]]) -> Statement:
+    """Whether a jump is computed in less time than it takes, at the paper's settings."""
+    rows = {tier: pace_row(found) for tier, found in pace.items()}
+    came = weakest(
+        judged("forward_model.real_time", rows["paper"]["most_of_time_to_apex"]),
+        judged("forward_model.real_time.liftoff", rows["paper"]["most_of_time_to_liftoff"]),
+    )
+    return words.real_time(rows).judged("forward_model.real_time", came)
+
+
+def dataset_statement(row: Row) -> Statement:
+    """What the dataset costs."""
+    share = row["kernel_core_seconds"] / (words.PAPER_HOURS * 3600.0 * words.PAPER_THREADS)
+    came = weakest(
+        judged("forward_model.dataset.time", share),
+        judged("forward_model.dataset.jumps", row["ok"]),
+    )
+    return words.dataset(row, 1.0 / share).judged("forward_model.dataset", came)
+
+
+def error_statement(row: Row) -> Statement:
+    """What the paper's network learns."""
+    key = "forward_model.error"
+    return words.error(row).judged(key, judged(key, row["mae_bar"]))
+
+
+def inverse_statements(rows: Mapping[str, Row]) -> list[Statement]:
+    """How near designs by the forward model come, in which time, and how much faster than search
+    on the simulator."""
+    own = rows[DATA_DRIVEN]
+    mean_mm, seconds = own["mean_mm_standard"], own["seconds_mean"]
+    ratios = {name: rows[name]["seconds_median"] / own["seconds_median"] for name in SEARCHES}
+    shares = [ratio / words.PAPER_RATIOS[name] for name, ratio in ratios.items()]
+    plan = judged("forward_model.plan.time", seconds), judged("forward_model.plan.miss", mean_mm)
+    came = {
+        "accuracy": judged("forward_model.accuracy", mean_mm),
+        "time": judged("forward_model.time", seconds),
+        "plan": weakest(*plan),
+        "speed": judged("forward_model.speed", *shares),
+    }
+    said = words.inverse(rows, own, ratios)
+    return [one.judged(f"forward_model.{key}", came[key]) for key, one in said.items()]

@@ -5,158 +5,159 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from experiments.paper.base import Found, Part, unfinished
-from experiments.paper.imperfections import judge
-from experiments.paper.imperfections.figure import draw_errors, draw_lines
-from experiments.paper.imperfections.judge import (
-    ERROR,
-    HELD,
-    SECANT,
-    Array,
-    Changes,
-    changes_of,
-    largest_elsewhere,
-    tangents_of,
-)
-from experiments.paper.settings import BASELINE, NAMES, TIERS, groups_at
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
-from snapjump.targets.simulator import RESOLVED_STICK_ZONE_M_S
+from experiments.compositions import composed, groups_at
+from experiments.designs import spread_designs
+from experiments.paper.base import Found, Part, section, weakest
+from experiments.paper.cells import apexes_of, jumps
+from experiments.paper.imperfections import figure, words
+from experiments.paper.limits import LIMITS, judged
+from experiments.paper.settings import BASELINE, NAMES, PLAIN, TIERS
+from snapjump.run.studies.base import Cell, Done, Row, column
+from snapjump.targets.manufacturing import ErrorCurves, alone_off
+from snapjump.targets.simulator import JumpSimulator, differentiable
 
-TITLE = "Imperfections"
-# Every percent, and the ten factors of the released program's test.
-FACTORS = np.linspace(0.8, 1.2, 41)
+Array = NDArray[np.float64]
+# Factors of a parameter: every percent, and the ten of the released program's test.
 RELEASED = np.linspace(0.8, 1.2, 10)
-LINES = ("standard", "reference")
-DESIGNS = 64  # a power of two, as Sobol's points ask for
+FACTORS = np.unique(np.round([*np.linspace(0.8, 1.2, 41), *RELEASED], 12))
 ELSEWHERE = (0.8, 1.2)
+DESIGNS = 64  # a power of two, as Sobol's points ask for
+LINES = ("standard", "reference")
+SECANT = 0.02  # error either way, several wrinkles of the map wide
+HELD = (0.01, 0.05, 0.2)  # errors at which straight lines are compared
+MOST = 0.95  # of the other designs, for which the limit has to hold too if there is to be none
+INVERSE = LIMITS["imperfections.robust.design"].within  # of an apex in inverse proportion
+
+
+def slopes(inputs: Mapping[str, Any]) -> list[Row]:
+    """A row for each parameter: exact elasticities of x and y at the test design, of the jump with
+    a stick zone that the steps resolve."""
+    design = np.array([BASELINE])
+    simulator = JumpSimulator(composed(inputs["groups"]))
+    exact = simulator.slopes(design)[0]
+    (apex,) = JumpSimulator(differentiable(simulator.base)).apexes(design)
+    return [
+        {"parameter": name, "x_elasticity": float(x), "y_elasticity": float(y)}
+        for name, (x, y) in zip(NAMES, (exact * design / apex[:, None]).T, strict=True)
+    ]
+
+
+def curves_of(rows: Sequence[Row], factors: Array = FACTORS) -> ErrorCurves:
+    """Of the jumps of :func:`alone_off` about the test design."""
+    return ErrorCurves.of(apexes_of(rows).reshape(len(NAMES), len(factors), 2), factors)
+
+
+def elsewhere(rows: Sequence[Row]) -> dict[str, Array]:
+    """Largest changes (4, N) of x, y and the apex of N designs at either error, for each parameter:
+    infinite where a robot does not jump."""
+    apexes = apexes_of(rows)
+    count = len(rows) // (1 + len(NAMES) * len(ELSEWHERE))
+    right = apexes[:count, None, None]
+    moved = apexes[count:].reshape(count, len(NAMES), len(ELSEWHERE), 2) - right
+    x, y = np.moveaxis(np.abs(moved / right), -1, 0)
+    apex = np.hypot(*np.moveaxis(moved, -1, 0)) / np.hypot(*np.moveaxis(right, -1, 0))
+    changes = {"x": x, "y": y, "apex": apex}
+    return {k: np.nan_to_num(one, nan=np.inf).max(axis=2).T for k, one in changes.items()}
+
+
+def by_parameter(columns: Mapping[str, Array]) -> list[Row]:
+    """A line for each parameter; columns of four numbers."""
+    return [
+        {"parameter": name, **{key: float(values[k]) for key, values in columns.items()}}
+        for k, name in enumerate(PLAIN.values())
+    ]
+
+
+def tables(
+    curves: Mapping[str, ErrorCurves], tangents: Mapping[str, Array], others: Mapping[str, Array]
+) -> dict[str, list[Row]]:
+    """Changes at every tier, elasticities, deviations of straight lines, and other designs."""
+    fine, axes = curves["reference"], [*enumerate("xy")]
+    kinds = {"trend": fine.trends, f"secant of {100 * SECANT:g} %": fine.secants(SECANT)}
+    kinds |= {f"tangent, {tier}": exact for tier, exact in tangents.items()}
+    lines = {"tangent": tangents["reference"], "secant": fine.secants(SECANT)}
+    spread = {"median": 0.5, "95 %": MOST, "largest": 1.0}
+    columns = {
+        "imperfections": {
+            f"{a}, {tier}": 100.0 * one.largest[:, j]
+            for j, a in axes for tier, one in curves.items()
+        },
+        "imperfections_slopes": {
+            f"{a}: {kind}": one[:, j] for j, a in axes for kind, one in kinds.items()
+        },
+        "imperfections_lines": {
+            f"{kind}, {a} at {100 * error:g} %": 100.0 * fine.deviations(one, error)[:, j]
+            for kind, one in lines.items() for j, a in axes for error in HELD
+        },
+        "imperfections_elsewhere": {
+            f"{label}, {name}": 100.0 * np.quantile(values, share, axis=1)
+            for label, values in others.items() for name, share in spread.items()
+        },
+    }  # fmt: skip
+    return {name: by_parameter(one) for name, one in columns.items()}
+
+
+def robust(curves: Mapping[str, ErrorCurves], others: Mapping[str, Array]) -> str:
+    """The verdict: of the test design, and of the worst parameter at other designs."""
+    worst = [others[axis].max(axis=0) for axis in "xy"]
+    return weakest(
+        judged("imperfections.robust.design", float(curves["standard"].largest.max())),
+        judged("imperfections.robust.most", *(float(np.quantile(one, MOST)) for one in worst)),
+        judged("imperfections.robust.half", *(float(np.median(one)) for one in worst)),
+    )
 
 
 class Imperfections(Part):
     """Curves at every tier, exact slopes at two, and other designs."""
 
     name = "imperfections"
-    sources = ("experiments.paper.imperfections.compute",)
+    title = "Imperfections"
+    kinds = {"jumps": jumps, "slopes": slopes}
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> Sequence[Cell]:
         """Six cells."""
-        factors = sorted({round(float(one), 12) for one in (*FACTORS, *RELEASED)})
         at = {tier: groups_at(groups, tier) for tier in TIERS}
-        others = {"designs": DESIGNS, "seed": seed, "factors": list(ELSEWHERE)}
+        curves = {"kind": "jumps", "designs": alone_off(BASELINE, FACTORS).tolist()}
+        nominal = spread_designs(DESIGNS, seed)
+        wrong = [design for one in nominal for design in alone_off(one, ELSEWHERE).tolist()]
+        others = {"kind": "jumps", "groups": at["standard"], "designs": [*nominal, *wrong]}
         return [
-            *(Cell(f"curves, {tier}", {"kind": "curves", "groups": at[tier], "factors": factors})
-              for tier in TIERS),
-            *(Cell(f"slopes, {tier}", {"kind": "slopes", "groups": at[tier]}) for tier in LINES),
-            Cell("elsewhere", {"kind": "elsewhere", "groups": at["standard"], **others}),
-        ]  # fmt: skip
+            *(Cell(f"curves, {tier}", {"groups": at[tier], **curves}) for tier in TIERS),
+            *(Cell(f"slopes, {tier}", {"groups": at[tier], "kind": "slopes"}) for tier in LINES),
+            Cell("elsewhere", others),
+        ]
 
-    def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
-        """The cell's own kind of rows."""
-        from experiments.paper.imperfections.compute import imperfection_rows
-
-        return imperfection_rows(inputs)
-
-    def conclude(self, done: Mapping[str, Done]) -> Found:
+    def judge(self, done: Mapping[str, Done]) -> Found:
         """Errors in the released program's form, straight lines beside them, one statement."""
-        missing = unfinished(TITLE, done)
-        if missing:
-            return missing
-        curves = {tier: changes_of(done[f"curves, {tier}"]) for tier in TIERS}
-        tangents = {tier: tangents_of(done[f"slopes, {tier}"]) for tier in LINES}
-        others = done["elsewhere"].rows
+        curves = {tier: curves_of(done[f"curves, {tier}"].rows) for tier in TIERS}
+        tangents = {
+            tier: np.stack([column(done[f"slopes, {tier}"].rows, f"{a}_elasticity") for a in "xy"],
+                           axis=-1)
+            for tier in LINES
+        }  # fmt: skip
+        others, exact = elsewhere(done["elsewhere"].rows), tangents["reference"]
+        text = words.text(curves, tangents, others, HELD, SECANT)
+        figures = {
+            "imperfections": partial(figure.draw_errors, curves, RELEASED - 1.0),
+            "imperfections_lines": partial(figure.draw_lines, curves, exact, 100 * SECANT),
+        }
+        rows = tables(curves, tangents, others)
+        digits = {"imperfections_slopes": dict.fromkeys(rows["imperfections_slopes"][0], 3)}
+        said = words.robust(curves, others, MOST, INVERSE)
+        summary = {
+            f"{kind[0]}_{name.removesuffix('_rad')}_{axis}_{kind[1]}": float(values[k, j])
+            for kind, values in {
+                ("imperfection", "percent"): 100.0 * curves["standard"].largest,
+                ("elasticity", "trend"): curves["standard"].trends,
+                ("elasticity", "tangent_reference"): exact,
+            }.items()
+            for k, name in enumerate(NAMES)
+            for j, axis in enumerate("xy")
+        }
         return Found(
-            Section(
-                TITLE,
-                paragraphs(curves, tangents, others),
-                {
-                    "imperfections": Figure(CAPTION, partial(draw_errors, curves, RELEASED - 1.0)),
-                    "imperfections_lines": Figure(
-                        WITH_LINES, partial(draw_lines, curves, tangents["reference"])
-                    ),
-                },
-                {
-                    "imperfections": Table(
-                        "Errors of up to 20 % at the test design: largest changes of the apex (%)",
-                        judge.design_rows(curves),
-                    ),
-                    "imperfections_slopes": Table(
-                        "Elasticities at the test design (% of change for 1 % of error): a line "
-                        "fitted to all errors and the secant, at `reference`, and exact tangents",
-                        judge.slope_rows(curves["reference"], tangents),
-                        digits=dict.fromkeys(judge.slope_rows(curves["reference"], tangents)[0], 3),
-                    ),
-                    "imperfections_lines": Table(
-                        "How far straight lines are off at an error either way, at `reference` (% "
-                        "of x or y)",
-                        judge.line_rows(curves["reference"], tangents["reference"]),
-                    ),
-                    "imperfections_elsewhere": Table(
-                        f"Errors of 20 % at {DESIGNS} designs spread over the ranges: largest "
-                        "change (%)",
-                        judge.elsewhere_rows(others),
-                    ),
-                },
-            ),
-            [judge.robust(curves, others)],
-            judge.summary(curves, tangents),
+            section(self.title, text, figures, rows, words.CAPTIONS, digits),
+            [said.judged("imperfections.robust", robust(curves, others))],
+            summary,
         )
-
-
-CAPTION = (
-    "Relative errors of the apex's x and y for errors of each parameter about the test design; "
-    "marks: the ten points of the released program's test; pale dashes: at the paper's settings"
-)
-WITH_LINES = (
-    "The same with their signs, for each parameter: simulated at `standard` (line) and at the "
-    "paper's settings (crosses), the exact tangent at `reference` (dashed), and the secant of "
-    f"errors of {100 * SECANT:g} % either way (dotted)"
-)
-
-
-def paragraphs(
-    curves: Mapping[str, Changes], tangents: Mapping[str, Array], others: Sequence[Row]
-) -> list[str]:
-    """What is shown, what is found, what differs and why."""
-    lag, epsilon, mass_bar, mu = BASELINE
-    curve, exact = curves["reference"], tangents["reference"]
-    near, middle, far = (curve.deviations(exact, error).max(axis=0) for error in HELD)
-    apart = [float(np.abs(one - curve.secants).max()) for one in tangents.values()]
-    here, first = curves["standard"].largest, NAMES.index("delta_alpha_rad")
-    there = [np.median(largest_elsewhere(others, f"{axis}_change", ERROR)[first]) for axis in "xy"]
-    wide = curve.deviations(curve.secants, HELD[-1]).max(axis=0)
-    scatter = [rough(curves[tier]) for tier in ("standard", "paper")]
-    return [
-        f"The test design is Δα = {lag:g} rad, ε = {epsilon:g}, m̄ = {mass_bar:g}, μ = {mu:g}; one "
-        "parameter at a time is off by up to 20 %, and the relative errors of x and y are drawn as "
-        "the released program's test of imperfections has them. The paper's study is this curve; "
-        "what it is taken to state, that the jump is robust in the sense of the table, is our "
-        "reading.",
-        f"The mismatch moves x by at most {100 * here[first, 0]:.2g} % and y by up to "
-        f"{100 * here[first, 1]:.2g} % at this design, but x by {100 * there[0]:.2g} % and y by "
-        f"{100 * there[1]:.2g} % at the median of designs over the paper's ranges: the test design "
-        "lies where the map folds, x being near its largest value for this pre-compression. In "
-        "general the mass and the pre-compression, which are weight and energy, decide about y, "
-        "and the mismatch acts on x above all.",
-        "The tangents are the simulator's exact sensitivities (with a stick zone of friction of "
-        f"{RESOLVED_STICK_ZONE_M_S:g} m/s, which the steps resolve). They are those of discrete "
-        f"steps: elasticities at `reference` agree with the secants of {100 * SECANT:g} % to "
-        f"{apart[1]:.1g}, those at `standard` to {apart[0]:.1g} only, where the steps' own error "
-        "has slopes of its own. Straight lines at `reference` are off by up to "
-        f"{100 * near[0]:.1g} % of x and {100 * near[1]:.1g} % of y at an error of "
-        f"{100 * HELD[0]:g} %, by {100 * middle[0]:.2g} and {100 * middle[1]:.2g} % at "
-        f"{100 * HELD[1]:g} %, and by {100 * far[0]:.2g} and {100 * far[1]:.2g} % at "
-        f"{100 * HELD[2]:g} %; secants by {100 * wide[0]:.2g} and {100 * wide[1]:.2g} % there. "
-        "They tell of errors of a few percent, no more.",
-        "At the paper's settings neighbouring points scatter: second differences of the curves are "
-        f"{100 * scatter[1]:.2g} % of x in the mean, against {100 * scatter[0]:.2g} % at "
-        "`standard`. What moves x there from one point to the next is that scatter, more than the "
-        "error.",
-    ]
-
-
-def rough(curve: Changes) -> float:
-    """Mean size of the second differences of x along the curves, at every percent."""
-    steps = [
-        k for k, error in enumerate(curve.errors) if abs(100 * error - round(100 * error)) < 1e-6
-    ]
-    return float(np.nanmean(np.abs(np.diff(curve.relative[:, steps, 0], 2, axis=1))))

@@ -1,168 +1,345 @@
-"""Every parameter's influence on the apex, one at a time about the baseline."""
+"""``figure=influences``: every parameter's influence on the apex, one at a time."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from experiments.compositions import changed
-from experiments.paper.base import Found, Part, unfinished
-from experiments.paper.influences.compute import (
-    ENERGY_MASSES,
-    MOUNT_HEIGHT,
-    PRESSED_HEIGHTS,
-    SLIDING_MU,
-    SWEEPS,
-    rows_of,
+from experiments.arches.critical import critical_rows
+from experiments.compositions import changed, composed, groups_at
+from experiments.paper.base import Found, Part, Statement, section, verdict, weakest
+from experiments.paper.cells import (
+    LANES,
+    LOADING_S,
+    THREADS,
+    apart,
+    batch_rows,
+    each,
+    energy_row,
+    followed,
+    jumps,
+    sliding_row,
+    varied,
 )
-from experiments.paper.influences.figure import draw_friction, draw_heights, draw_influences
-from experiments.paper.influences.ground import friction_statements, height_statements
-from experiments.paper.influences.judge import (
-    epsilon_statement,
-    mass_statement,
-    mismatch_statements,
-)
-from experiments.paper.jumps import furthest, numbers
-from experiments.paper.settings import TIERS, groups_at
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
+from experiments.paper.influences import figure, words
+from experiments.paper.limits import LIMITS, judged
+from experiments.paper.settings import BASELINE, RANGES, TIERS
+from experiments.trends import Plateau, counter_step, plateau, power, relative_range
+from snapjump.batch import simulate_batch, variant
+from snapjump.composition import Simulation
+from snapjump.run.studies.base import Cell, Done, Row, column
+from snapjump.scenes import strike
 
-STATICS, SLIDING, PRESSED, ENERGIES = "statics", "sliding", "pressed", "energies"
-FOLLOWED = ("standard", "paper")  # tiers at which the energy is followed
-MISMATCH = "delta_alpha_rad"
+Array = NDArray[np.float64]
+Sweeps = Mapping[str, Sequence[Row]]  # by tier
+MOUNT_HEIGHT, MISMATCH = "mount_height_bar", "delta_alpha_rad"
+# The paper's jump of the mounts' height: symmetric and without friction, all else the baseline.
+VERTICAL, UPRIGHT = "vertical", (0.0, *BASELINE[1:3], 0.0)
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """``count`` values of ``place`` from ``first`` to ``last`` of a design; every ``stride``-th of
+    them at reference."""
+
+    place: str
+    first: float
+    last: float
+    count: int
+    stride: int
+    design: tuple[float, ...] = BASELINE
+
+    def inputs(self, tier: str) -> dict[str, Any]:
+        """Of the cell, clean of rounding, so that a coarse sweep has places of the fine one."""
+        places = np.linspace(self.first, self.last, self.count).round(9)
+        values = places[:: self.stride if tier == "reference" else 1].tolist()
+        if self.place == MOUNT_HEIGHT:
+            return {"kind": "heights", "design": self.design, "heights": values}
+        return {"kind": "jumps", "designs": varied(self.place, values, self.design)}
+
+
+SWEEPS = {
+    VERTICAL: Sweep(MOUNT_HEIGHT, 0.01, 0.34, 133, 4, UPRIGHT),
+    MOUNT_HEIGHT: Sweep(MOUNT_HEIGHT, 0.01, 0.34, 133, 4),
+    "epsilon": Sweep("epsilon", 0.1, 0.3, 81, 4),
+    MISMATCH: Sweep(MISMATCH, 0.0, 0.3, 101, 4),
+    "mu": Sweep("mu", 0.0, 1.0, 101, 4),
+    "mass_bar": Sweep("mass_bar", 0.3, 2.0, 86, 5),
+}
 # The paper's settings with a shorter step, where that changes what is seen of its plateau.
 SHORT, SHORT_CHANGES = "paper, short step", {"stepping": {"step_s": 1e-6}}
+# Of these the contact is looked into: friction against which way the beam slides, and how the
+# ground bears the beam before it snaps.
+SLIDING_MU = (0.1, 0.2, 0.25, 0.3, 0.45, 0.6)
+PRESSED_HEIGHTS = (0.03, 0.05, 0.07, 0.15)
+# Of these the energy is followed: the ends of the paper's range, and the baseline.
+ENERGY_MASSES = (0.3, 0.768, 2.0)
+FOLLOWED = ("standard", "paper")  # tiers at which it is
+
+
+def mounted(inputs: Mapping[str, Any]) -> list[Simulation]:
+    """The robot with its clamps at other heights (in L), turning from flat: a beam that reaches
+    below low mounts would start in the ground."""
+    base = variant(composed(inputs["groups"]), inputs["design"])
+    flat, length_m = base.sim.changed(start_fraction=0.0), base.robot.length_m
+    return [
+        replace(base, robot=replace(base.robot, mount_height=height * length_m), sim=flat)
+        for height in inputs["heights"]
+    ]
+
+
+def height_rows(inputs: Mapping[str, Any]) -> list[Row]:
+    """A row for each height of the mounts: the jump."""
+    rows = batch_rows(simulate_batch(mounted(inputs), LANES, threads=THREADS))
+    return [{MOUNT_HEIGHT: h, **row} for h, row in zip(inputs["heights"], rows, strict=True)]
+
+
+def pressed_rows(inputs: Mapping[str, Any]) -> list[Row]:
+    """A row for each height of the mounts: the ground under the beam before it snaps."""
+    pairs = zip(inputs["heights"], mounted(inputs), strict=True)
+    return [{MOUNT_HEIGHT: h, **strike.pressed(followed(robot, LOADING_S))} for h, robot in pairs]
+
+
+@dataclass(frozen=True)
+class Height:
+    """A sweep of the mounts' height beside h1 and h2 (L), by the names of the coordinates.
+
+    off: largest deviation below h1 from the apex at h1 (share); close_from: the lowest h from
+    which on all stay within the limit of "about so" up to h1; back: ways back between h1 and h2;
+    best: how much higher the highest jump is than that at h1 (share), best_height its h;
+    last_jump: the highest h with a jump, NaN without any; rise_beyond: the largest rise (L) of
+    the centre of mass from h2 on.
+    """
+
+    h1: float
+    h2: float
+    off: dict[str, float]
+    close_from: float
+    back: dict[str, float]
+    best: float
+    best_height: float
+    last_jump: float
+    rise_beyond: float
+
+
+def height(rows: Sequence[Row], h1: float, h2: float, names: Sequence[str]) -> Height:
+    """The figures; the centre of mass stands where the lowest of the sweep is, which has not
+    jumped."""
+    h, y = column(rows, MOUNT_HEIGHT), column(rows, "y_bar")
+    apex = {name: column(rows, f"{name[0]}_bar") for name in names}
+    below, between = h <= h1, (h >= h1) & (h <= h2)
+    off = {name: np.abs(one / np.interp(h1, h, one) - 1.0) for name, one in apex.items()}
+    about = LIMITS["influences.below_h1"].within
+    far = np.flatnonzero(below & (np.max([*off.values()], axis=0) > about))
+    rise = y - y.min()
+    higher = h[rise > LIMITS["influences.beyond_h2.rise"].confirmed]
+    return Height(
+        h1,
+        h2,
+        {name: float(one[below].max()) for name, one in off.items()},
+        float(h[far[-1] + 1] if len(far) else h[0]),
+        {name: counter_step(one[between], rising=False) for name, one in apex.items()},
+        float(y.max() / np.interp(h1, h, y) - 1.0),
+        float(h[y.argmax()]),
+        float(higher.max()) if len(higher) else float("nan"),
+        float(rise[h >= h2].max()),
+    )
+
+
+def height_verdicts(found: Height) -> dict[str, str]:
+    """Constant below h1 in all coordinates, or the height at least, about; a decline between h1 and
+    h2; no jump from h2 on; and none higher than that at h1."""
+    limit = LIMITS["influences.below_h1"]
+    return {
+        "below_h1": verdict(
+            max(found.off.values()) <= limit.confirmed, found.off["y_c"] <= limit.within
+        ),
+        "decline": judged("influences.decline", *found.back.values()),
+        "beyond_h2": weakest(
+            judged("influences.beyond_h2.rise", found.rise_beyond),
+            judged("influences.beyond_h2.last", found.last_jump - found.h2),
+        ),
+        "best": judged("influences.best", found.best),
+    }
+
+
+def height_statements(
+    sweeps: Mapping[str, Sweeps],
+    statics: Mapping[str, Row],
+    pressed: Sequence[Row],
+    told: Mapping[str, str],
+) -> list[Statement]:
+    """Of the paper's vertical jump, and, as our reading, of the baseline's; statics: of each tier's
+    own mesh."""
+    found = []
+    for name, coordinates in ((VERTICAL, ("y_c",)), (MOUNT_HEIGHT, ("y_c", "x_c"))):
+        depths = {tier: (row["h1_bar"], row["h2_bar"]) for tier, row in statics.items()}
+        own, papers = (height(sweeps[name][t], *depths[t], coordinates) for t in FOLLOWED)
+        came, first = height_verdicts(own), sweeps[name]["standard"][0][MOUNT_HEIGHT]
+        said = words.heights(came, own, papers, first, told[name])
+        suffix = ""
+        if name == MOUNT_HEIGHT:
+            suffix, said = ".oblique", words.oblique(said, own, pressed, statics["standard"])
+        found += [one.judged(f"influences.{key}{suffix}", came[key]) for key, one in said.items()]
+    return found
+
+
+def columns(rows: Sequence[Row], key: str, last: float = np.inf) -> tuple[Array, Array, Array]:
+    """Places, x and y of a sweep up to ``last``."""
+    v, x, y = (column(rows, name) for name in (key, "x_bar", "y_bar"))
+    kept = v <= last + 1e-12
+    return v[kept], x[kept], y[kept]
+
+
+def ways_back(rows: Sequence[Row], key: str, rising: bool) -> tuple[float, float]:
+    """The largest ways back of x and of y, which both rise or both fall."""
+    _, x, y = columns(rows, key)
+    return counter_step(x, rising), counter_step(y, rising)
+
+
+def mass_statement(sweeps: Sweeps, energies: Mapping[str, Sequence[Row]], told: str) -> Statement:
+    """Fall with the mass; energies: at standard and with the paper's settings, by mass."""
+    backs = [ways_back(sweeps[tier], "mass_bar", False) for tier in FOLLOWED]
+    curves = [columns(sweeps[tier], "mass_bar") for tier in FOLLOWED]
+    powers = [power(v, one) for v, *apex in curves for one in apex]
+    said = words.fall(*curves[0], backs, powers, energies, told)
+    return said.judged("influences.mass", judged("influences.monotone", *backs[0]))
+
+
+def levels_off(*found: Plateau) -> str:
+    """All level off to a constant; or to a much smaller slope, and one to about a constant."""
+    limit, swings = LIMITS["influences.plateau"], [one.relative_swing for one in found]
+    return weakest(
+        judged("influences.levelling", *(one.levelling for one in found)),
+        verdict(max(swings) <= limit.confirmed, min(swings) <= limit.within),
+    )
+
+
+@dataclass(frozen=True)
+class Mismatched:
+    """A sweep of the mismatch: the ramps of x and y, their ways back until they level off, and
+    what of x lies beyond."""
+
+    x: Plateau
+    y: Plateau
+    back: tuple[float, float]
+    beyond: Array
+
+
+def mismatched(rows: Sequence[Row]) -> Mismatched:
+    """The sweep's."""
+    v, x, y = columns(rows, MISMATCH)
+    in_x, in_y = plateau(v, x), plateau(v, y)
+    rising, falling = v <= in_x.threshold, v <= in_y.threshold
+    back = counter_step(x[rising], True), counter_step(y[falling], False)
+    return Mismatched(in_x, in_y, back, x[v >= in_x.threshold])
+
+
+def mismatch_statements(sweeps: Sweeps, told: str) -> list[Statement]:
+    """Growth of x and fall of y with the mismatch, and the plateau that follows."""
+    own, papers = (mismatched(sweeps[tier]) for tier in FOLLOWED)
+    v, short_x, _ = columns(sweeps[SHORT], MISMATCH)
+    short = float(np.ptp(short_x[v >= papers.x.threshold]) / papers.x.level)
+    came = levels_off(own.x, own.y)
+    level = words.plateau(came, own, papers, float(v[-1]), short, told)
+    tuning = judged("influences.monotone", *own.back)
+    return [
+        words.mismatch(own, papers, told).judged("influences.mismatch", tuning),
+        level.judged("influences.plateau", came),
+    ]
+
+
+def friction_statements(sweeps: Sweeps, sliding: Sequence[Row], told: str) -> list[Statement]:
+    """What friction does not change, and where it changes no more."""
+    last, wide = RANGES["mu"][1], columns(sweeps["standard"], "mu")[2]
+    (v, x, y), (_, paper_x, paper_y) = (columns(sweeps[tier], "mu", last) for tier in FOLLOWED)
+    own, papers = plateau(v, x), plateau(v, paper_x)
+    spreads = [relative_range(one) for one in (y, paper_y, wide)]
+    came, alone = levels_off(own), judged("influences.friction_height", spreads[0])
+    return [
+        words.friction_height(y, spreads, told).judged("influences.friction_height", alone),
+        words.threshold(came, own, papers, sliding, told).judged(
+            "influences.friction_threshold", came
+        ),
+    ]
 
 
 class Influences(Part):
-    """Five sweeps at three tiers, the statics that they are laid beside, and the contact."""
+    """Sweeps at three tiers, the statics that they are laid beside, and the contact."""
 
     name = "influences"
-    sources = ("experiments.paper.influences.compute",)
+    title = "Influences of the parameters on the apex"
+    every_jump = True
+    kinds = {
+        "jumps": jumps,
+        "heights": height_rows,
+        "statics": critical_rows,
+        "sliding": each(sliding_row, "mu"),
+        "pressed": pressed_rows,
+        "energies": each(energy_row, "mass_bar"),
+    }
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
         """Sweeps and statics by tier; the contact at standard; the energy."""
         at = {tier: groups_at(groups, tier) for tier in TIERS}
 
-        def cell(kind: str, tier: str, values: Sequence[float] = ()) -> Cell:
-            inputs = {"groups": at[tier], "kind": kind, "values": list(values)}
-            return Cell(f"{kind}, {tier}", inputs)
+        def cell(name: str, tier: str, **inputs: Any) -> Cell:
+            return Cell(f"{name}, {tier}", {"kind": name, "groups": at[tier], **inputs})
 
-        strides = {tier: tier == "reference" for tier in TIERS}
-        sweeps = [
-            cell(kind, tier, sweep.values(sweep.stride if strides[tier] else 1))
-            for kind, sweep in SWEEPS.items()
-            for tier in TIERS
-        ]
+        arch = {"epsilons": [BASELINE[1]], "delta_alphas_rad": [0.0]}
+        short = {"groups": changed(at["paper"], SHORT_CHANGES), **SWEEPS[MISMATCH].inputs("paper")}
+        masses = varied("mass_bar", ENERGY_MASSES)
         return [
-            *sweeps,
-            Cell(
-                f"{MISMATCH}, {SHORT}",
-                {
-                    "groups": changed(at["paper"], SHORT_CHANGES),
-                    "kind": MISMATCH,
-                    "values": SWEEPS[MISMATCH].values(),
-                },
-            ),
-            *(cell(STATICS, tier) for tier in TIERS),
-            cell(SLIDING, "standard", SLIDING_MU),
-            cell(PRESSED, "standard", PRESSED_HEIGHTS),
-            *(cell(ENERGIES, tier, ENERGY_MASSES) for tier in FOLLOWED),
+            *(cell(n, tier, **one.inputs(tier)) for n, one in SWEEPS.items() for tier in TIERS),
+            Cell(f"{MISMATCH}, {SHORT}", short),
+            *(cell("statics", tier, **arch) for tier in TIERS),
+            cell("sliding", "standard", designs=varied("mu", SLIDING_MU)),
+            cell("pressed", "standard", design=BASELINE, heights=PRESSED_HEIGHTS),
+            *(cell("energies", tier, designs=masses) for tier in FOLLOWED),
         ]
 
-    def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
-        """A row for each value of the sweep."""
-        return rows_of(inputs)
-
-    def conclude(self, done: Mapping[str, Done]) -> Found:
-        """Nine statements, from all cells."""
-        missing = unfinished(TITLE, done, jumps=True)
-        if missing is not None:
-            return missing
-        sweeps = {kind: {tier: done[f"{kind}, {tier}"].rows for tier in TIERS} for kind in SWEEPS}
-        statics = {tier: done[f"{STATICS}, {tier}"].rows[0] for tier in TIERS}
-        energies = {tier: done[f"{ENERGIES}, {tier}"].rows for tier in FOLLOWED}
-        sliding, pressed = (done[f"{kind}, standard"].rows for kind in (SLIDING, PRESSED))
-        accuracy = {kind: accuracy_of(kind, rows) for kind, rows in sweeps.items()}
-        lagging = {**sweeps[MISMATCH], SHORT: done[f"{MISMATCH}, {SHORT}"].rows}
-        four = {kind: rows for kind, rows in sweeps.items() if kind != MOUNT_HEIGHT}
-        four[MISMATCH] = lagging
+    def judge(self, done: Mapping[str, Done]) -> Found:
+        """The statements in the paper's order; figures of sweeps, heights and friction."""
+        rows = {name: one.rows for name, one in done.items()}
+        sweeps = {name: {tier: rows[f"{name}, {tier}"] for tier in TIERS} for name in SWEEPS}
+        told = {name: words.accuracy(sweeps[name], apart(sweeps[name], one.place))
+                for name, one in SWEEPS.items()}  # fmt: skip
+        sweeps[MISMATCH] |= {SHORT: rows[f"{MISMATCH}, {SHORT}"]}
+        statics = {tier: rows[f"statics, {tier}"][0] for tier in TIERS}
+        energies = {tier: rows[f"energies, {tier}"] for tier in FOLLOWED}
+        sliding, pressed = rows["sliding, standard"], rows["pressed, standard"]
+        heights = {name: sweeps[name] for name in (VERTICAL, MOUNT_HEIGHT)}
+        four = {name: sweep for name, sweep in sweeps.items() if name not in heights}
         figures = {
-            "influences": Figure(
-                "Apex against one parameter at a time, all else as the baseline (dotted line); "
-                "shaded: the paper's range",
-                partial(draw_influences, four),
-            ),
-            "influences_height": Figure(
-                "Apex against the mounts' height, with the arch's depths h1, as it snaps, and h2, "
-                "when it has snapped",
-                partial(draw_heights, sweeps[MOUNT_HEIGHT], statics["standard"]),
-            ),
-            "influences_friction": Figure(
-                "Why x_c stops growing with the friction coefficient: the direction of lift-off, "
-                "and which way the beam slides on the ground",
-                partial(draw_friction, sweeps["mu"], sliding),
-            ),
+            "influences": partial(figure.draw_influences, four),
+            "influences_height": partial(figure.draw_heights, heights, statics["standard"]),
+            "influences_friction": partial(figure.draw_friction, sweeps["mu"], sliding),
         }
+        kept = ("h1_bar", "h2_bar", "alpha_critical_rad", "energy_released_bar")
         tables = {
-            "influences_heights": Table(
-                "Depths of the arch under slow loading, and the energy released",
-                [{"tier": tier, **row} for tier, row in statics.items()],
-            ),
-            "influences_energies": Table(
-                "Shares of the energy that the baseline's slow snap releases, by mass",
-                [{"tier": tier, **row} for tier, rows in energies.items() for row in rows],
-            ),
-            "influences_pressed": Table("The ground under the beam before it snaps", pressed),
-            "influences_sliding": Table("The beam's contact during the strike", sliding),
+            "influences_heights": [
+                {"tier": tier, **{key: row[key] for key in kept}} for tier, row in statics.items()
+            ],
+            "influences_energies": [
+                {"tier": tier, **row} for tier, found in energies.items() for row in found
+            ],
+            "influences_pressed": pressed,
+            "influences_sliding": sliding,
         }
-        statements = [
-            *height_statements(sweeps[MOUNT_HEIGHT], statics, pressed, accuracy[MOUNT_HEIGHT]),
-            epsilon_statement(sweeps["epsilon"], accuracy["epsilon"]),
-            *mismatch_statements(lagging, accuracy[MISMATCH]),
-            *friction_statements(sweeps["mu"], sliding, accuracy["mu"]),
-            mass_statement(sweeps["mass_bar"], energies, accuracy["mass_bar"]),
-        ]
-        return Found(Section(TITLE, paragraphs(sweeps), figures, tables), statements)
-
-
-def accuracy_of(kind: str, sweep: Mapping[str, Sequence[Row]]) -> str:
-    """How far standard is from reference in a sweep."""
-    own, reference = sweep["standard"], sweep["reference"]
-    x, y = (furthest(own, reference, key, kind) for key in ("x_bar", "y_bar"))
-    return (
-        f"`standard` at {len(own)} values, within {x:.1g} L in x and {y:.1g} L in y of "
-        f"`reference` at {len(reference)} of them"
-    )
-
-
-TITLE = "Influences of the parameters on the apex"
-
-
-def paragraphs(sweeps: Mapping[str, Mapping[str, Sequence[Row]]]) -> list[str]:
-    """What is shown, what is found, and how the paper's settings differ."""
-    x_off, y_off = [], []
-    for tiers in sweeps.values():
-        y = numbers(tiers["standard"], "y_bar")
-        jumps = y > 1.0
-        x_off.append(gap(tiers, "x_bar")[jumps])
-        y_off.append((gap(tiers, "y_bar") / y)[jumps])
-    x, y = np.concatenate(x_off), 100.0 * np.concatenate(y_off)
-    return [
-        "Each parameter is swept about the baseline with all others held. The curves of the "
-        "converged model are smooth lines with a few bends and dips, which `reference` repeats: "
-        "they are the robot's, not the program's.",
-        f"With the paper's settings the same jumps are {np.median(y):.1f} % higher in the median "
-        f"(between {y.min():.1f} and {y.max():.1f} %), and x_c moves by up to "
-        f"{np.abs(x).max():.1f} L (median {np.median(np.abs(x)):.2f} L) either way, with a noise "
-        "from place to place that the converged model does not have. *What causes the difference* "
-        "takes that apart.",
-        "Lagged friction at a fixed step becomes unstable where the step exceeds eps_v m / (μ N): "
-        "with the paper's settings the curve against μ breaks up beyond the paper's range.",
-    ]
-
-
-def gap(tiers: Mapping[str, Sequence[Row]], key: str) -> np.ndarray:
-    """The paper's settings less the converged model."""
-    difference: np.ndarray = numbers(tiers["paper"], key) - numbers(tiers["standard"], key)
-    return difference
+        backs = [ways_back(sweeps["epsilon"][tier], "epsilon", True) for tier in FOLLOWED]
+        grown = columns(sweeps["epsilon"]["standard"], "epsilon")
+        growth = words.growth(*grown, backs, told["epsilon"])
+        text = words.text([*four.values(), sweeps[MOUNT_HEIGHT]])
+        return Found(
+            section(self.title, text, figures, tables, words.CAPTIONS),
+            [
+                *height_statements(heights, statics, pressed, told),
+                growth.judged("influences.growth", judged("influences.monotone", *backs[0])),
+                *mismatch_statements(sweeps[MISMATCH], told[MISMATCH]),
+                *friction_statements(sweeps["mu"], sliding, told["mu"]),
+                mass_statement(sweeps["mass_bar"], energies, told["mass_bar"]),
+            ],
+        )

@@ -2,103 +2,134 @@
 
 from collections.abc import Mapping, Sequence
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from experiments.paper.base import Found, Part, unfinished
-from experiments.paper.learned import shipped_inputs
-from experiments.paper.regions import judge
-from experiments.paper.regions.figure import draw_regions, draw_settings
-from experiments.paper.regions.judge import Region, mass_exponent, region_of
-from experiments.paper.settings import BASELINE, RANGES, groups_at
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
+from experiments.compositions import groups_at
+from experiments.paper.base import Found, Part, Statement, section, weakest
+from experiments.paper.cells import apexes_of, jumps, shipped_forward, shipped_inputs
+from experiments.paper.limits import LIMITS, judged
+from experiments.paper.regions import figure, words
+from experiments.paper.settings import BASELINE, NAMES, RANGES
+from experiments.trends import power
+from snapjump.run.studies.base import Cell, Done, Row, column
+from snapjump.targets.region import SimulatedRegion as Region
+from snapjump.targets.region import filled_outline
 
-TITLE = "Achievable regions"
+Array = NDArray[np.float64]
+Environment = tuple[float, float]  # m_bar, mu
+ByEnvironment = Mapping[Environment, Region]
 MASS_BAR, MU = BASELINE[2:]
-MASSES, FRICTIONS = (0.3, 0.5, 0.768, 1.2, 2.0), (0.1, 0.2, 0.3, 0.45, 0.6)
+BY_MASS = [(mass_bar, MU) for mass_bar in (0.3, 0.5, MASS_BAR, 1.2, 2.0)]
+BY_FRICTION = [(MASS_BAR, mu) for mu in (0.1, 0.2, MU, 0.45, 0.6)]
+EXTREMES = [BY_MASS[0], (MASS_BAR, MU), BY_MASS[-1], BY_FRICTION[0], BY_FRICTION[-1]]
 # Of the grids of designs, per control. The reference's is every third design of the others'.
 POINTS = {"standard": 25, "paper": 25, "reference": 9}
-Environment = tuple[float, float]
-BY_MASS: Sequence[Environment] = [(mass_bar, MU) for mass_bar in MASSES]
-BY_FRICTION: Sequence[Environment] = [(MASS_BAR, mu) for mu in FRICTIONS]
-EXTREMES = (BY_MASS[0], (MASS_BAR, MU), BY_MASS[-1], BY_FRICTION[0], BY_FRICTION[-1])
+LEVELS = (0.25, 0.5, 0.75)  # of the baseline region's heights
 
 
-class Regions(Part):
-    """A cell for each environment and tier."""
-
-    name = "regions"
-    sources = ("experiments.paper.regions.compute",)
-
-    def plan(self, groups: Mapping[str, Any], seed: int) -> Sequence[Cell]:
-        """All environments at standard, the extremes at the other tiers."""
-        learned = shipped_inputs(groups_at(groups, "standard"))
-        everywhere = dict.fromkeys([*BY_MASS, *BY_FRICTION])
-        return [
-            Cell(
-                cell_name(tier, environment),
-                {
-                    **learned,
-                    "groups": groups_at(groups, tier),
-                    "tier": tier,
-                    "mass_bar": environment[0],
-                    "mu": environment[1],
-                    "points": POINTS[tier],
-                },
-            )
-            for tier in POINTS
-            for environment in (everywhere if tier == "standard" else EXTREMES)
-        ]
-
-    def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
-        """The grid of designs."""
-        from experiments.paper.regions.compute import region_rows
-
-        return region_rows(inputs)
-
-    def conclude(self, done: Mapping[str, Done]) -> Found:
-        """Figures of outlines, a table of areas and extents, two statements."""
-        missing = unfinished(TITLE, done)
-        if missing:
-            return missing
-        regions: dict[str, dict[Environment, Region]] = {tier: {} for tier in POINTS}
-        for one in done.values():
-            region = region_of(one)
-            regions[one.cell.inputs["tier"]][region.mass_bar, region.mu] = region
-        standard = regions["standard"]
-        masses, frictions = ([standard[e] for e in row] for row in (BY_MASS, BY_FRICTION))
-        other = regions["paper"]
-        theirs = [[other[e] for e in row if e in other] for row in (BY_MASS, BY_FRICTION)]
-        heights = judge.heights(standard[MASS_BAR, MU])
-        rows = [
-            {"settings": tier, **judge.line(region, heights)}
-            for tier in ("standard", "paper")
-            for region in regions[tier].values()
-        ]
-        accuracy = judge.agreement(standard, regions["reference"])
-        statements = [
-            judge.shrinks(masses, theirs[0], accuracy),
-            judge.widens(frictions, theirs[1], heights, accuracy),
-        ]
-        figures = {
-            "regions": Figure(CAPTION, partial(draw_regions, masses, frictions)),
-            "regions_settings": Figure(SETTINGS, partial(_settings, standard, other)),
-        }
-        section = Section(
-            TITLE,
-            paragraphs(masses, frictions, other),
-            figures,
-            {"regions": Table("Achievable regions: areas in L², the rest in L", rows)},
-        )
-        return Found(section, statements, judge.summary(masses, frictions))
+def grid(environment: Environment, points: int) -> list[list[float]]:
+    """Designs of the rectangle of controls, delta_alpha along the slow axis."""
+    lags, epsilons = (np.linspace(*RANGES[name], points).tolist() for name in NAMES[:2])
+    return [[lag, epsilon, *environment] for lag in lags for epsilon in epsilons]
 
 
-def _settings(
-    standard: Mapping[Environment, Region], paper: Mapping[Environment, Region], path: Path
-) -> None:
-    draw_settings([(standard[environment], other) for environment, other in paper.items()], path)
+def region_of(rows: Sequence[Row]) -> Region:
+    """The region of a grid's jumps, and the forward model's."""
+    designs = np.stack([column(rows, name) for name in NAMES], axis=-1)
+    shape = (round(len(rows) ** 0.5), -1, 2)
+    predicted = shipped_forward().predict(designs).reshape(shape)
+    mass_bar, mu = designs[0, 2:].tolist()
+    return Region(mass_bar, mu, apexes_of(rows).reshape(shape), predicted)
+
+
+def row_of(region: Region, levels: Sequence[float]) -> Row:
+    """A line of the table."""
+    common = region.outline.intersection(region.learned).area
+    return {
+        "m̄": region.mass_bar,
+        "μ": region.mu,
+        "area": region.outline.area,
+        "area by every 2nd design": filled_outline(region.apexes[::2, ::2]).area,
+        "area by the forward model": region.learned.area,
+        "shared with it (%)": 100.0 * common / region.outline.union(region.learned).area,
+        "largest x": region.largest_x,
+        "least y": region.least_y,
+        "largest y": region.largest_y,
+        **{f"width at y = {y:.3g}": region.width_bar(y) for y in levels},
+        "largest x / 2μy": region.cone_share,
+    }
+
+
+def heights(baseline: Region) -> list[float]:
+    """The heights (L) that widths are told at."""
+    low, high = baseline.least_y, baseline.largest_y
+    return [low + share * (high - low) for share in LEVELS]
+
+
+def against(values: Sequence[float], rising: bool = False) -> int:
+    """Steps at which values do not fall, or do not rise."""
+    steps = np.diff(values) if rising else -np.diff(values)
+    return int((steps <= 0.0).sum())
+
+
+def mass_exponent(masses: Sequence[Region]) -> float:
+    """The power of m_bar that the area goes with."""
+    values = [(region.mass_bar, region.outline.area) for region in masses]
+    return power(*np.array(values).T)
+
+
+def changes(regions: Sequence[Region]) -> tuple[float, float]:
+    """By how much of itself the least and the largest y change over the regions."""
+    ends = np.array([(region.least_y, region.largest_y) for region in regions])
+    low, high = (np.ptp(ends, axis=0) / ends[0]).tolist()
+    return low, high
+
+
+def agreement(standard: ByEnvironment, reference: ByEnvironment) -> tuple[int, float, float]:
+    """How many designs both tiers have, and how far 95 % of their x and y are apart (%)."""
+    every = (POINTS["standard"] - 1) // (POINTS["reference"] - 1)
+    exact = np.stack([region.apexes for region in reference.values()])
+    ours = np.stack([standard[one].apexes[::every, ::every] for one in reference])
+    x, y = (100.0 * np.nanquantile(np.abs(ours / exact - 1.0)[..., k], 0.95) for k in (0, 1))
+    return exact[..., 0].size, float(x), float(y)
+
+
+def shrinks(masses: Sequence[Region], paper: Sequence[Region], accuracy: str) -> Statement:
+    """The statement about the mass; regions in the order of their masses, ``paper`` at the paper's
+    settings."""
+    both = (masses, paper)
+    came = weakest(
+        judged("regions.mass.area", *(against([r.outline.area for r in one]) for one in both)),
+        judged("regions.mass.extent",
+               *(against([r.extent[k] for r in one]) for one in both for k in (0, 1))),
+    )  # fmt: skip
+    said = words.shrinks(masses, paper, mass_exponent(masses), accuracy)
+    return said.judged("regions.mass", came)
+
+
+def widens(
+    frictions: Sequence[Region],
+    paper: Sequence[Region],
+    levels: Sequence[float],
+    accuracy: str,
+) -> Statement:
+    """The statement about friction; regions in the order of their frictions."""
+    middle, saturated = len(frictions) // 2, LIMITS["regions.friction.share"].confirmed
+    ended = {}
+    for y in levels:
+        widths = [region.width_bar(y) for region in frictions]
+        ended[y] = (widths[middle] - widths[0]) / (widths[-1] - widths[0]) >= saturated
+    moved = [changes(frictions), changes(paper)]
+    came = weakest(
+        judged("regions.friction.wider", against([r.largest_x for r in frictions], rising=True)),
+        judged("regions.friction.saturated", sum(ended.values())),
+        judged("regions.friction.heights", *moved[0]),
+    )
+    said = words.widens(frictions, paper, ended, moved, accuracy)
+    return said.judged("regions.friction", came)
 
 
 def cell_name(tier: str, environment: Environment) -> str:
@@ -106,47 +137,63 @@ def cell_name(tier: str, environment: Environment) -> str:
     return f"{tier}, m_bar {environment[0]:g}, mu {environment[1]:g}"
 
 
-CAPTION = (
-    "Achievable regions of the simulated robots (filled) and by the forward model (dashed). Left: "
-    "five masses; middle: the same, both axes times m̄; right: five frictions, with the lines "
-    "x = 2μy of the cone of friction (dotted). Marks: the four corners of the controls"
-)
-SETTINGS = (
-    "The extremes at `standard` (filled, with lines of constant mismatch, which rise, and of "
-    "constant pre-compression, which cross them) and at the paper's settings (black outline)"
-)
+def environments(tier: str) -> list[Environment]:
+    """All at standard, the extremes at the other tiers."""
+    return [*dict.fromkeys([*BY_MASS, *BY_FRICTION])] if tier == "standard" else EXTREMES
 
 
-def paragraphs(
-    masses: Sequence[Region],
-    frictions: Sequence[Region],
-    paper: Mapping[tuple[float, float], Region],
-) -> list[str]:
-    """What is shown, what is found, what differs and why."""
-    points = len(masses[0].apexes)
-    (low_lag, high_lag), (low, high) = RANGES["delta_alpha_rad"], RANGES["epsilon"]
-    areas = np.array([region.outline.area for region in masses])
-    scaled = areas * np.array([region.mass_bar for region in masses]) ** 2
-    shares = [region.cone_share for region in frictions]
-    ours = {(region.mass_bar, region.mu): region for region in [*masses, *frictions]}
-    changes = [100.0 * (p.outline.area / ours[e].outline.area - 1.0) for e, p in paper.items()]
-    return [
-        f"The region of a robot and a ground is the image of the rectangle of Δα in "
-        f"[{low_lag:g}, {high_lag:g}] rad and ε in [{low:g}, {high:g}], here by {points} × "
-        f"{points} simulated jumps, mapped linearly in between.",
-        "The energy that a snap releases does not depend on the mass, so that a heavier robot "
-        "rises less. Places would go as 1/m̄, and areas as m̄⁻², if all of the energy were height; "
-        f"the areas go as m̄ to the power {mass_exponent(masses):.2f}. With both axes times m̄ they "
-        f"differ by a factor of {scaled.max() / scaled.min():.2g} instead of "
-        f"{areas.max() / areas.min():.2g}. Where the rest of the energy "
-        "goes is followed at three masses among the influences of the parameters.",
-        "Friction limits how oblique a jump can be: the ground pushes sideways at most μ times as "
-        "hard as upwards, so that apexes stay this side of x = 2μy. The largest x/(2μy) is "
-        f"{shares[0]:.2f} at μ = {frictions[0].mu:g}, where friction alone draws the boundary, and "
-        f"{min(shares):.2f} to {shares[-1]:.2f} for the largest μ. There high jumps are limited by "
-        "the mismatch, and more friction widens the region no further; low ones of a large "
-        "mismatch reach ever farther, in a flap of the map that unfolds to the right.",
-        "At the paper's settings the areas differ from these by "
-        f"{min(changes):+.0f} to {max(changes):+.0f} %, and the edges are uneven: at its time step "
-        "neighbouring designs scatter.",
-    ]
+class Regions(Part):
+    """A cell for each environment and tier."""
+
+    name = "regions"
+    title = "Achievable regions"
+    kinds = {"jumps": jumps}
+
+    def plan(self, groups: Mapping[str, Any], seed: int) -> Sequence[Cell]:
+        """The grid of controls in every environment."""
+        shipped_inputs(groups_at(groups, "standard"))  # that the forward model is of this physics
+        return [
+            Cell(
+                cell_name(tier, one),
+                {"kind": "jumps", "groups": groups_at(groups, tier), "designs": grid(one, points)},
+            )
+            for tier, points in POINTS.items()
+            for one in environments(tier)
+        ]
+
+    def judge(self, done: Mapping[str, Done]) -> Found:
+        """Figures of outlines, a table of areas and extents, two statements."""
+        standard, paper, reference = (
+            {one: region_of(done[cell_name(tier, one)].rows) for one in environments(tier)}
+            for tier in POINTS
+        )
+        masses, frictions = ([standard[e] for e in row] for row in (BY_MASS, BY_FRICTION))
+        few = [[paper[e] for e in row if e in paper] for row in (BY_MASS, BY_FRICTION)]
+        pairs = [(standard[environment], other) for environment, other in paper.items()]
+        levels = heights(standard[MASS_BAR, MU])
+        rows = [
+            {"settings": tier, **row_of(region, levels)}
+            for tier, regions in (("standard", standard), ("paper", paper))
+            for region in regions.values()
+        ]
+        accuracy = words.accuracy(*agreement(standard, reference))
+        low, high = changes(frictions)
+        figures = {
+            "regions": partial(figure.draw_regions, masses, frictions),
+            "regions_settings": partial(figure.draw_settings, pairs),
+        }
+        text = words.text(masses, frictions, pairs, mass_exponent(masses))
+        summary = {
+            "region_area_lightest_bar2": masses[0].outline.area,
+            "region_area_heaviest_bar2": masses[-1].outline.area,
+            "region_area_mass_exponent": mass_exponent(masses),
+            "region_largest_x_least_friction_bar": frictions[0].largest_x,
+            "region_largest_x_most_friction_bar": frictions[-1].largest_x,
+            "region_largest_y_change_over_friction": high,
+            "region_least_y_change_over_friction": low,
+        }
+        return Found(
+            section(self.title, text, figures, {"regions": rows}, words.CAPTIONS),
+            [shrinks(masses, few[0], accuracy), widens(frictions, few[1], levels, accuracy)],
+            summary,
+        )

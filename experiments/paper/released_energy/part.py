@@ -1,177 +1,109 @@
-"""The energy that a snap releases, and the depths of the arch, against the pre-compression."""
+"""``figure=released_energy``: what a snap releases, and the arch's depths, by pre-compression."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from experiments.compositions import composed
-from experiments.paper import exact
-from experiments.paper.base import Found, Part, unfinished
-from experiments.paper.released_energy.compute import (
-    ALIKE,
-    MISMATCHES_RAD,
-    OWN_ELEMENTS,
-    PAPER,
-    PAPER_SMALL,
-    PAPER_STATIC,
-    REFERENCE,
-    SMALL,
-    SMALL_RAD,
-    STATIC_ELEMENTS,
-    arches,
-    lagging,
-    snap_rows,
-)
-from experiments.paper.released_energy.figure import draw_energy, draw_heights
-from experiments.paper.released_energy.judge import (
-    HEIGHTS,
-    HIGH,
-    LOW,
-    accuracy_of,
-    energy_statement,
-    fit_errors,
-    heights_statement,
-    largest_difference,
-    straight_line,
-    within,
-)
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
+import numpy as np
+from numpy.typing import NDArray
 
-TITLE = "The energy that the snap releases, and the depths h1 and h2"
+from experiments.arches import exact
+from experiments.arches.critical import critical_rows, largest_difference, within
+from experiments.compositions import Groups, changed, composed, groups_at
+from experiments.paper.base import Found, Part, section, weakest
+from experiments.paper.limits import judged
+from experiments.paper.released_energy import figure, words
+from experiments.paper.settings import RANGES
+from experiments.trends import Line, straight_line
+from snapjump.run.studies.base import Cell, Done, Row, column
+from snapjump.tiers import TIERS
 
-
-class ReleasedEnergy(Part):
-    """Critical states at many pre-compressions, three mismatches, and the paper's meshes."""
-
-    name = "released_energy"
-    sources = ("experiments.paper.released_energy.compute",)
-
-    def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
-        """The converged arch; the same at reference; the paper's clamps on two meshes."""
-        return [
-            Cell(name, {"groups": made, "epsilons": epsilons, "delta_alphas_rad": mismatches})
-            for name, (made, epsilons, mismatches) in arches(groups).items()
-        ]
-
-    def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
-        """A row for each critical state."""
-        return snap_rows(inputs)
-
-    def conclude(self, done: Mapping[str, Done]) -> Found:
-        """Two statements, from all cells."""
-        missing = unfinished(TITLE, done)
-        if missing is not None:
-            return missing
-        rows = {name: one.rows for name, one in done.items()}
-        alike = rows[ALIKE]
-        curves = {0.0: alike, **{d: rows[lagging(d)] for d in MISMATCHES_RAD}}
-        converged = [row for curve in curves.values() for row in curve]
-        heights = [f"{name}_bar" for name in HEIGHTS]
-        robot = composed(done[ALIKE].cell.inputs["groups"]).robot
-        unit_mJ = 1e3 * robot.bending_stiffness_N_m2 / robot.length_m
-        figures = {
-            "released_energy": Figure(
-                "Energy released by the snap; how far it is from a straight line; and over ε, "
-                "where an exact proportion would be level. Circles: exact",
-                partial(draw_energy, curves),
-            ),
-            "released_heights": Figure(
-                "Depth h1 of the lowest point of the critical arch and depth h2 of the snapped "
-                "arch's middle, with the released program's polynomials; and how far these are off",
-                partial(draw_heights, curves, rows[PAPER]),
-            ),
-        }
-        return Found(
-            Section(
-                TITLE,
-                paragraphs(curves, rows[SMALL], unit_mJ),
-                figures,
-                {
-                    "released_energy_lines": Table("Straight lines", line_rows(curves)),
-                    "released_heights_errors": Table(
-                        "The released program's polynomials against arches (%)",
-                        error_rows(rows),
-                    ),
-                },
-            ),
-            [
-                energy_statement(
-                    alike,
-                    rows[PAPER],
-                    accuracy_of(converged, rows[REFERENCE], ["energy_released_bar"]),
-                ),
-                heights_statement(
-                    alike,
-                    rows[PAPER],
-                    rows[PAPER_SMALL],
-                    accuracy_of(converged, rows[REFERENCE], heights),
-                ),
-            ],
-            summary(alike, rows[PAPER]),
-        )
+Array = NDArray[np.float64]
+LOW = RANGES["epsilon"][0]
+FINE = tuple(round(0.01 * k, 2) for k in range(1, 31))  # epsilon
+COARSE = (*FINE[:6], *FINE[7::2])
+OWN = tuple(round(LOW + 0.02 * k, 2) for k in range(11))  # epsilon, on the program's mesh
+MISMATCHES_RAD = (0.1, 0.19)
+SMALL_RAD = 0.05  # a mismatch that h2 is compared with
+OWN_ELEMENTS = int(TIERS["paper"].numbers["discretization.elements"])
+STATIC_ELEMENTS = 99  # of the paper's static studies, which have 100 nodes
+ENERGY, HEIGHTS = "energy_released_bar", ("h1", "h2")
+# Names of cells.
+ALIKE, SMALL, REFERENCE = "clamps alike", "small mismatch", "reference"
+PAPER, PAPER_SMALL, PAPER_STATIC = "paper", "paper, small mismatch", "paper, 100 nodes"
+KINDS = {  # of arches, as in the table of the program's polynomials
+    ALIKE: "converged",
+    SMALL: f"converged, Δα = {SMALL_RAD:g}",
+    PAPER: f"two fixed nodes, {OWN_ELEMENTS} elements (the program's)",
+    PAPER_STATIC: f"two fixed nodes, {STATIC_ELEMENTS} elements",
+    PAPER_SMALL: f"two fixed nodes, {OWN_ELEMENTS} elements, Δα = {SMALL_RAD:g}",
+}
 
 
-def summary(alike: list[Row], own: list[Row]) -> dict[str, float]:
-    """Flat numbers."""
-    line = straight_line(within(alike))
-    numbers = {
-        "released_energy_slope_bar": line.slope,
-        "released_energy_intercept_bar": line.intercept,
-        "released_energy_deviation_percent": line.deviation_percent,
+def lagging(delta_alpha: float) -> str:
+    """The name of the cell with this mismatch."""
+    return f"mismatch {delta_alpha:g}"
+
+
+def arches(groups: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    """Inputs of each cell, by its name: the converged arch, the same at reference, and the paper's
+    clamps on two meshes."""
+    standard, paper = groups_at(groups, "standard"), groups_at(groups, "paper")
+    finer = changed(paper, {"discretization": {"elements": STATIC_ELEMENTS}})
+
+    def inputs(made: Groups, epsilons: Sequence[float], *mismatches: float) -> dict[str, Any]:
+        return {"kind": "arches", "groups": made, "epsilons": epsilons,
+                "delta_alphas_rad": mismatches}  # fmt: skip
+
+    return {
+        ALIKE: inputs(standard, FINE, 0.0),
+        **{lagging(d): inputs(standard, COARSE, d) for d in MISMATCHES_RAD},
+        REFERENCE: inputs(groups_at(groups, "reference"), exact.COMPARED, 0.0, *MISMATCHES_RAD),
+        SMALL: inputs(standard, exact.COMPARED, SMALL_RAD),
+        PAPER: inputs(paper, OWN, 0.0),
+        PAPER_SMALL: inputs(paper, exact.COMPARED, SMALL_RAD),
+        PAPER_STATIC: inputs(finer, exact.COMPARED, 0.0),
     }
-    for name in HEIGHTS:
-        converged, meshed = fit_errors(within(alike), name), fit_errors(own, name)
-        numbers[f"{name}_fit_largest_error_percent"] = float(abs(converged).max())
-        numbers[f"{name}_fit_largest_error_own_mesh_percent"] = float(abs(meshed).max())
-    return numbers
 
 
-def deeper(rows: list[Row], alike: list[Row]) -> float:
-    """How much deeper the lowest point of the most compressed arch lies than without a mismatch
-    (%)."""
-    return float(100.0 * (rows[-1]["h1_bar"] / alike[-1]["h1_bar"] - 1.0))
+def energy_line(rows: Sequence[Row]) -> Line:
+    """Through the released energy of these rows."""
+    return straight_line(column(rows, "epsilon"), column(rows, ENERGY))
 
 
-def paragraphs(
-    curves: Mapping[float, list[Row]],
-    small: list[Row],
-    unit_mJ: float,
-) -> list[str]:
-    """What is shown and what is found."""
-    alike = curves[0.0]
-    first, last = (within(alike)[k]["energy_released_bar"] for k in (0, -1))
-    less = [100.0 * (1.0 - curves[d][-1]["energy_released_bar"] / last) for d in MISMATCHES_RAD]
-    shares = " and ".join(f"{share:.2g} %" for share in less)
-    names = " and ".join(f"{d:g}" for d in MISMATCHES_RAD)
-    everything = [row for curve in curves.values() for row in curve]
-    off, off_in_range = (
-        largest_difference(rows, ["energy_released_bar"])
-        for rows in (everything, within(everything))
-    )
-    return [
-        "The elastic energy at the critical angle less that of the snapped arch at the same "
-        f"angle: from {first:.3g} EI/L at ε = {LOW:g} to {last:.3g} EI/L at ε = {HIGH:g}, which "
-        f"is {first * unit_mJ:.2g} to {last * unit_mJ:.2g} mJ for the paper's beam. A mismatch of "
-        f"{names} rad takes {shares} of it at ε = {HIGH:g}, since the arch snaps earlier. The "
-        f"exact elastica, inextensible, has the same energies to {off_in_range:.2g} %, and to "
-        f"{off:.2g} % in shallower arches, where the beam's own shortening counts.",
-        "In the limit of shallow arches all energies are proportional to ε; the next term, of "
-        "order ε², bends the curve upwards. A line with a free intercept takes up most of that "
-        "over the paper's range, but it crosses zero before the arch is flat, so that the smaller "
-        "ε is, the farther it is off in percent.",
-        f"The depth h1 of the critical arch is sensitive to a mismatch, whose first "
-        f"{SMALL_RAD:g} rad make it {deeper(small, alike):.2g} % deeper at ε = {HIGH:g}, and "
-        f"{MISMATCHES_RAD[1]:g} rad {deeper(curves[MISMATCHES_RAD[1]], alike):.2g} %: close "
-        "to a subcritical pitchfork the least disturbance moves the critical state.",
-    ]
+def fit_errors(rows: Sequence[Row], name: str) -> Array:
+    """The released program's polynomial against a depth of ours, of every row (%)."""
+    fit = exact.released_height(name, column(rows, "epsilon"))
+    return np.asarray(100.0 * (fit / column(rows, f"{name}_bar") - 1.0))
 
 
-def line_rows(curves: Mapping[float, list[Row]]) -> list[Row]:
+def left_by_quadratics(rows: Sequence[Row], name: str) -> float:
+    """What the best quadratic through a depth of these rows is off by at most (%)."""
+    epsilon, depth = column(rows, "epsilon"), column(rows, f"{name}_bar")
+    best = np.polyval(np.polyfit(epsilon, depth, 2), epsilon)
+    return float(np.max(100.0 * np.abs(best / depth - 1.0)))
+
+
+def energy_verdict(alike: Sequence[Row]) -> str:
+    """Whether the released energy of clamps that turn alike is linear over the paper's range."""
+    return judged("released_energy.linear", energy_line(within(alike)).deviation_percent)
+
+
+def heights_verdict(alike: Sequence[Row], own_mesh: Sequence[Row]) -> str:
+    """Whether the polynomials are what the converged arch does; or that on the program's mesh."""
+    off = {
+        kind: float(np.abs([fit_errors(rows, name) for name in HEIGHTS]).max())
+        for kind, rows in (("converged", within(alike)), ("own_mesh", own_mesh))
+    }
+    return weakest(*(judged(f"released_energy.heights.{k}", one) for k, one in off.items()))
+
+
+def line_rows(curves: Mapping[float, Sequence[Row]]) -> list[Row]:
     """Best lines at each mismatch, over the paper's range and over all."""
     table = []
     for delta_alpha, rows in curves.items():
         for chosen in (within(rows), rows):
-            line = straight_line(chosen)
+            line = energy_line(chosen)
             table.append(
                 {
                     "Δα (rad)": delta_alpha,
@@ -180,27 +112,81 @@ def line_rows(curves: Mapping[float, list[Row]]) -> list[Row]:
                     "slope (EI/L)": line.slope,
                     "intercept (EI/L)": line.intercept,
                     "largest deviation (%)": line.deviation_percent,
-                    "at ε": line.worst_epsilon,
+                    "at ε": line.worst_place,
                 }
             )
     return table
 
 
-def error_rows(rows: Mapping[str, list[Row]]) -> list[Row]:
+def error_rows(rows: Mapping[str, Sequence[Row]]) -> list[Row]:
     """h1 and h2 of the released program against each kind of arch."""
-    kinds = {
-        "converged": ALIKE,
-        f"converged, Δα = {SMALL_RAD:g}": SMALL,
-        f"two fixed nodes, {OWN_ELEMENTS} elements (the program's)": PAPER,
-        f"two fixed nodes, {STATIC_ELEMENTS} elements": PAPER_STATIC,
-        f"two fixed nodes, {OWN_ELEMENTS} elements, Δα = {SMALL_RAD:g}": PAPER_SMALL,
-    }
     table = []
-    for kind, cell in kinds.items():
+    for cell, kind in KINDS.items():
         chosen = [row for row in rows[cell] if row["epsilon"] in exact.COMPARED]
-        row: Row = {"arch": kind}
-        for name in HEIGHTS:
-            for one, error in zip(chosen, fit_errors(chosen, name), strict=True):
-                row[f"{name}, ε = {one['epsilon']:g}"] = float(error)
-        table.append(row)
+        errors = {name: fit_errors(chosen, name) for name in HEIGHTS}
+        table.append(
+            {"arch": kind}
+            | {f"{name}, ε = {one['epsilon']:g}": float(errors[name][k])
+               for name in HEIGHTS for k, one in enumerate(chosen)}
+        )  # fmt: skip
     return table
+
+
+class ReleasedEnergy(Part):
+    """Critical states at many pre-compressions, three mismatches, and the paper's meshes."""
+
+    name = "released_energy"
+    title = "The energy that the snap releases, and the depths h1 and h2"
+    kinds = {"arches": critical_rows}
+
+    def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
+        """The converged arch; the same at reference; the paper's clamps on two meshes."""
+        return [Cell(name, inputs) for name, inputs in arches(groups).items()]
+
+    def judge(self, done: Mapping[str, Done]) -> Found:
+        """Two statements, from all cells."""
+        rows = {name: one.rows for name, one in done.items()}
+        alike, own_mesh, small = rows[ALIKE], rows[PAPER], rows[PAPER_SMALL]
+        curves = {0.0: alike, **{d: rows[lagging(d)] for d in MISMATCHES_RAD}}
+        converged = [row for curve in curves.values() for row in curve]
+        # Beside the exact elastica: over the paper's range, everywhere, and at reference.
+        energy_off = [largest_difference(one, [ENERGY])
+                      for one in (within(converged), converged, rows[REFERENCE])]  # fmt: skip
+        depths = [f"{name}_bar" for name in HEIGHTS]
+        depths_off = [
+            largest_difference(one, depths) for one in (within(converged), rows[REFERENCE])
+        ]
+        robot = composed(done[ALIKE].cell.inputs["groups"]).robot
+        unit_mJ = 1e3 * robot.bending_stiffness_N_m2 / robot.length_m
+        line, meshed = energy_line(within(alike)), energy_line(own_mesh)
+        fits = {
+            name: [fit_errors(one, name) for one in (within(alike), own_mesh, small)]
+            for name in HEIGHTS
+        }
+        figures = {
+            "released_energy": partial(figure.draw_energy, curves),
+            "released_heights": partial(figure.draw_heights, curves, own_mesh),
+        }
+        tables = {
+            "released_energy_lines": line_rows(curves),
+            "released_heights_errors": error_rows(rows),
+        }
+        off = words.accuracy(energy_off[0], energy_off[2])
+        linear = words.linear(alike, line, energy_line(alike), meshed, off)
+        left, off = left_by_quadratics(own_mesh, "h2"), words.accuracy(*depths_off)
+        polynomials = words.polynomials(within(alike), fits, left, SMALL_RAD, off)
+        text = words.text(curves, rows[SMALL], unit_mJ, energy_off)
+        return Found(
+            section(self.title, text, figures, tables, words.CAPTIONS),
+            [
+                linear.judged("released_energy.linear", energy_verdict(alike)),
+                polynomials.judged("released_energy.heights", heights_verdict(alike, own_mesh)),
+            ],
+            {
+                "released_energy_slope_bar": line.slope,
+                "released_energy_intercept_bar": line.intercept,
+                "released_energy_deviation_percent": line.deviation_percent,
+                **{f"{name}_fit_largest_error{kind}_percent": float(np.abs(errors[k]).max())
+                   for name, errors in fits.items() for k, kind in enumerate(("", "_own_mesh"))},
+            },
+        )  # fmt: skip

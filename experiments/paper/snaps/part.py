@@ -1,28 +1,22 @@
-"""The dynamic snap with equal clamps and with a mismatch, and what a tiny mismatch does."""
+"""``figure=snaps``: the snap with equal clamps and with a mismatch, also with a tiny one."""
 
 import math
 from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from experiments.paper.base import Found, Part, unfinished
-from experiments.paper.settings import RATE_RAD_S, SETTINGS, snap_groups
-from experiments.paper.snaps.compute import imperfection_rows, motion_rows
-from experiments.paper.snaps.figure import draw_imperfections, draw_snaps
-from experiments.paper.snaps.judge import (
-    EPSILON,
-    MISMATCH,
-    VISIBLE_RAD,
-    agreement,
-    exact_snaps,
-    largest_percent,
-    symmetric_until,
-    symmetry_statement,
-    tilt,
-)
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
+import numpy as np
 
-IMPERFECTIONS = (0.0, *(10.0**k for k in range(-8, 0)))  # rad
+from experiments.arches.exact_snap import agreement, compared, exact_snaps, largest_percent
+from experiments.arches.swings import RATE_RAD_S, SETTINGS, snap_groups, snap_of
+from experiments.paper.base import Found, Part, section, weakest
+from experiments.paper.limits import LIMITS, judged
+from experiments.paper.snaps import figure, words
+from snapjump.run.studies.base import Cell, Done, Row, column
+from snapjump.scenes.swing import Swing, crossing, follow, outcome, sinking
+
+EPSILON, MISMATCH = 0.1, 0.1  # the paper's; the mismatch in rad
+TINY_RAD = (0.0, *(10.0**k for k in range(-8, 0)))
 TINY = (  # setting, rate in rad/s
     ("standard", 200.0),
     ("standard", RATE_RAD_S),
@@ -31,54 +25,100 @@ TINY = (  # setting, rate in rad/s
     ("undamped", RATE_RAD_S),
     ("paper", RATE_RAD_S),
 )
+INSTANTS = 7  # shapes of a snap, between which the midpoint sinks by equal steps
+BEFORE_MS, AFTER_MS = 4.0, 2.5  # of the crossing, what is kept of the midpoint's motion
+VISIBLE_RAD = LIMITS["snaps.symmetry.mismatched"].confirmed
+SHOWN = (
+    "delta_alpha_rad",
+    "theta_max_rad",
+    "theta_later_rad",
+    "alpha_snap_rad",
+    "snap_time_ms",
+    "snap_duration_ms",
+    "midpoint_velocity_m_s",
+)
 
 
-class Snaps(Part):
-    """Two snaps at every setting, then many with hardly any mismatch, at several rates."""
+def swings(inputs: Mapping[str, Any]) -> list[tuple[float, Swing]]:
+    """The cell's snaps by their mismatches."""
+    groups, epsilon, rate = (inputs[key] for key in ("groups", "epsilon", "rate_rad_s"))
+    return [(lag, follow(snap_of(groups, epsilon, lag, rate))) for lag in inputs["mismatches_rad"]]
 
-    name = "snaps"
-    sources = ("experiments.paper.snaps.compute",)
 
-    def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
-        """A cell for each setting, and one for each rate."""
-        settings = {name: snap_groups(groups, name) for name in SETTINGS}
-        pair = {"epsilon": EPSILON, "rate_rad_s": RATE_RAD_S, "delta_alpha_rad": [0.0, MISMATCH]}
-        return [Cell(motion_name(s), {"groups": g, **pair}) for s, g in settings.items()] + [
-            Cell(
-                tiny_name(setting, rate),
-                {
-                    "groups": settings[setting],
-                    "epsilon": EPSILON,
-                    "rate_rad_s": rate,
-                    "imperfections_rad": list(IMPERFECTIONS),
-                },
-            )
-            for setting, rate in TINY
-        ]
+def outcome_rows(inputs: Mapping[str, Any]) -> list[Row]:
+    """A row for each mismatch: :func:`snapjump.scenes.swing.outcome`."""
+    return [{"delta_alpha_rad": lag, **outcome(swing)} for lag, swing in swings(inputs)]
 
-    def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
-        """Motions of two snaps, or tilts of many."""
-        return imperfection_rows(inputs) if "imperfections_rad" in inputs else motion_rows(inputs)
 
-    def conclude(self, done: Mapping[str, Done]) -> Found:
-        """One statement; none if a cell failed."""
-        missing = unfinished(TITLE, done)
-        if missing:
-            return missing
-        motions = {name: done[motion_name(name)].rows for name in SETTINGS}
-        numbers = {
-            name: [row for row in rows if row["kind"] == "outcome"]
-            for name, rows in motions.items()
+def motion_rows(inputs: Mapping[str, Any]) -> list[Row]:
+    """Of each mismatch a row of numbers, rows of shapes, and rows of the midpoint's motion."""
+    rows = []
+    for lag, swing in swings(inputs):
+        found = [{"kind": "outcome", **outcome(swing), **compared(swing)}]
+        k = crossing(swing)
+        if k is not None:
+            found += [*shapes(swing, k), *samples(swing, k)]
+        rows += [{"delta_alpha_rad": lag, **row} for row in found]
+    return rows
+
+
+def shapes(swing: Swing, crossed: int) -> list[Row]:
+    """The nodes at the instants."""
+    return [
+        {
+            "kind": "shape",
+            "time_ms": 1e3 * float(swing.time_s[k]),
+            "x_bar": swing.x[k].tolist(),
+            "y_bar": swing.y[k].tolist(),
         }
-        tiny = {(name, rate): done[tiny_name(name, rate)].rows for name, rate in TINY}
-        by_rate = {rate: rows for (name, rate), rows in tiny.items() if name == "standard"}
-        exact = exact_snaps()
-        against = agreement(numbers, exact)
-        return Found(
-            make_section(motions, numbers, tiny, against, exact),
-            [symmetry_statement(numbers, by_rate, MISMATCH)],
-            summary(numbers["standard"], by_rate, against),
-        )
+        for k in sinking(swing, crossed, INSTANTS)
+    ]
+
+
+def samples(swing: Swing, crossed: int) -> list[Row]:
+    """The midpoint about the crossing."""
+    time = 1e3 * (swing.time_s - swing.time_s[crossed])
+    near = (time >= -BEFORE_MS) & (time <= AFTER_MS)
+    columns = {
+        "time_ms": 1e3 * swing.time_s[near],
+        "height_bar": swing.height[near],
+        "tangent_rad": swing.tangent_rad[near],
+    }
+    table = np.stack([*columns.values()], axis=1).tolist()
+    return [{"kind": "sample", **dict(zip(columns, row, strict=True))} for row in table]
+
+
+def tilt(rows: Sequence[Row], delta_alpha: float) -> float:
+    """The largest tilt of the midpoint at a mismatch; NaN if there is no such snap."""
+    found = [row["theta_max_rad"] for row in rows if row["delta_alpha_rad"] == delta_alpha]
+    return float(found[0]) if found and found[0] is not None else math.nan
+
+
+def symmetric_until(rows: Sequence[Row]) -> float:
+    """The mismatch (rad) at which the tilt becomes visible; 0 if it is with equal clamps, infinity
+    if it is with none of these."""
+    snapped = [row for row in rows if row["theta_max_rad"] is not None]
+    snapped.sort(key=lambda row: float(row["delta_alpha_rad"]))
+    lags, tilts = column(snapped, "delta_alpha_rad"), column(snapped, "theta_max_rad")
+    seen = np.flatnonzero(tilts >= VISIBLE_RAD)
+    if len(seen) == 0:
+        return math.inf
+    k = int(seen[0])
+    if k == 0 or lags[k - 1] == 0.0:
+        # The tilt is proportional to so small a mismatch.
+        return 0.0 if lags[k] == 0.0 else float(lags[k] * VISIBLE_RAD / tilts[k])
+    about = slice(k - 1, k + 1)
+    return math.exp(np.interp(math.log(VISIBLE_RAD), np.log(tilts[about]), np.log(lags[about])))
+
+
+def symmetry_verdict(equal: float, mismatched: float, limits: Sequence[float]) -> str:
+    """``equal``, ``mismatched``: tilts (rad) with equal clamps and with the paper's mismatch;
+    ``limits``: :func:`symmetric_until` of the snaps at several rates."""
+    return weakest(
+        judged("snaps.symmetry.equal", equal / mismatched),
+        judged("snaps.symmetry.mismatched", mismatched),
+        judged("snaps.symmetry.mismatch", *limits),
+    )
 
 
 def motion_name(setting: str) -> str:
@@ -91,98 +131,79 @@ def tiny_name(setting: str, rate: float) -> str:
     return f"tiny mismatches at {setting}, {rate:g} rad per s"
 
 
-def summary(
-    rows: Sequence[Row], by_rate: Mapping[float, Sequence[Row]], against: Sequence[Row]
-) -> Row:
-    """Flat numbers for result.json."""
-    found: Row = {
-        "snap_theta_max_equal_rad": tilt(rows, 0.0),
-        "snap_theta_max_mismatched_rad": tilt(rows, MISMATCH),
-        "snap_off_independent_percent": largest_percent(against, "undamped reference"),
-    }
-    for rate, snaps in by_rate.items():
-        key = f"{rate:g}".replace(".", "_")
-        found[f"snap_one_degree_at_rad_{key}_rad_s"] = symmetric_until(snaps)
-    return found
+class Snaps(Part):
+    """Two snaps at every setting, then many with hardly any mismatch, at several rates."""
 
+    name = "snaps"
+    title = "Symmetric and asymmetric snaps"
+    kinds = {"motions": motion_rows, "outcomes": outcome_rows}
 
-TITLE = "Symmetric and asymmetric snaps"
-SHOWN = (
-    "delta_alpha_rad",
-    "theta_max_rad",
-    "theta_later_rad",
-    "alpha_snap_rad",
-    "snap_time_ms",
-    "snap_duration_ms",
-    "midpoint_velocity_m_s",
-)
+    def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
+        """A cell for each setting, and one for each rate."""
+        settings = {name: snap_groups(groups, name) for name in SETTINGS}
 
+        def cell(name: str, kind: str, setting: str, rate: float, lags: Sequence[float]) -> Cell:
+            inputs = {"epsilon": EPSILON, "rate_rad_s": rate, "mismatches_rad": list(lags)}
+            return Cell(name, {"kind": kind, "groups": settings[setting], **inputs})
 
-def make_section(
-    motions: Mapping[str, Sequence[Row]],
-    numbers: Mapping[str, Sequence[Row]],
-    tiny: Mapping[tuple[str, float], Sequence[Row]],
-    against: Sequence[Row],
-    exact: Sequence[Row],
-) -> Section:
-    """``motions``: all rows by setting, ``numbers``: of these the outcomes; ``tiny``: snaps with
-    tiny mismatches by setting and rate."""
-    return Section(
-        TITLE,
-        [
-            "The beam alone in a frame that is held still, without gravity or ground, at "
-            f"ε = {EPSILON:g}; both clamps turn at {RATE_RAD_S:g} rad/s from flat. The tilt is the "
-            "tangent angle at the midpoint; θ_max is the largest one of the snap, which ends "
-            "where the midpoint first comes to rest below the clamps (`theta_later_rad`: with the "
-            "vibration after that, which without damping goes on and whose details are chaotic).",
-            "Without damping, the snaps are those of an independent solution within "
-            f"{largest_percent(against, 'undamped reference'):.1g} %; that solution's own "
-            f"uncertainty is {largest_percent(against, 'own'):.1g} %.",
-            "The arch always becomes unstable asymmetrically first, at equal clamps too, and "
-            "symmetrically a little later. A snap is symmetric if the asymmetric mode "
-            "has nothing to grow from, or no time before the symmetric one has taken over. So it "
-            "depends on how fast the clamps turn: the slower, the smaller the mismatch that "
-            "suffices. Material damping holds the growth back; the paper's time step does not: "
-            "implicit Euler damps what oscillates, not what buckles.",
-        ],
-        figures={
-            "snaps": Figure(
-                "Shapes between which the midpoint sinks by equal steps, and the midpoint's height "
-                "and tilt; dots with numbers: the instants of the shapes; squares: the independent "
-                "solution, which has no damping",
-                partial(draw_snaps, motions, exact),
-            ),
-            "snap_imperfections": Figure(
-                "The largest tilt against the mismatch at several rates of the clamps; at the left "
-                "edge equal clamps, which rounding errors alone disturb",
-                partial(draw_imperfections, tiny),
-            ),
-        },
-        tables={
-            "snap_numbers": Table(
-                "The two snaps at all settings",
-                [
-                    {"setting": name, **{key: row[key] for key in SHOWN}}
-                    for name, rows in numbers.items()
-                    for row in rows
-                ],
-            ),
-            "snap_agreement": Table(
-                "Differences from the independent solution, which has no damping (%)", against
-            ),
-            "snap_limits": Table(
-                f"Mismatch that tilts the midpoint by {math.degrees(VISIBLE_RAD):g}°, and tilt "
-                "with equal clamps",
-                [
-                    {
-                        "setting": name,
-                        "rate_rad_s": rate,
-                        "one_degree_at_rad": symmetric_until(rows),
-                        "theta_max_equal_clamps_rad": rows[0]["theta_max_rad"],
-                    }
-                    for (name, rate), rows in tiny.items()
-                ],
-                digits={"one_degree_at_rad": 2, "theta_max_equal_clamps_rad": 2},
-            ),
-        },
-    )
+        pair = (0.0, MISMATCH)
+        return [
+            *(cell(motion_name(s), "motions", s, RATE_RAD_S, pair) for s in SETTINGS),
+            *(cell(tiny_name(*one), "outcomes", *one, TINY_RAD) for one in TINY),
+        ]
+
+    def judge(self, done: Mapping[str, Done]) -> Found:
+        """One statement; the two snaps, the tiny mismatches, and the independent solution."""
+        motions = {name: done[motion_name(name)].rows for name in SETTINGS}
+        numbers = {
+            name: [row for row in rows if row["kind"] == "outcome"]
+            for name, rows in motions.items()
+        }
+        tiny = {one: done[tiny_name(*one)].rows for one in TINY}
+        limits = {one: symmetric_until(rows) for one, rows in tiny.items()}
+        by_rate = {rate: (limits[name, rate], tilt(tiny[name, rate], 0.0))
+                   for name, rate in TINY if name == "standard"}  # fmt: skip
+        exact = exact_snaps()
+        against = agreement(numbers, exact)
+        off = {name: largest_percent(against, name) for name in ("undamped reference", "own")}
+        tilts = {name: tilt(rows, MISMATCH) for name, rows in numbers.items()}
+        equal, mismatched = tilt(numbers["standard"], 0.0), tilts["standard"]
+        came = symmetry_verdict(equal, mismatched, [limit for limit, _ in by_rate.values()])
+        accuracy = words.accuracy(100.0 * abs(mismatched / tilts["reference"] - 1.0))
+        said = words.symmetry(numbers["standard"], tilts, EPSILON, by_rate, accuracy)
+        figures = {
+            "snaps": partial(figure.draw_snaps, motions, exact),
+            "snap_imperfections": partial(figure.draw_tiny, tiny, EPSILON),
+        }
+        tables = {
+            "snap_numbers": [
+                {"setting": name, **{key: row[key] for key in SHOWN}}
+                for name, rows in numbers.items()
+                for row in rows
+            ],
+            "snap_agreement": against,
+            "snap_limits": [
+                {
+                    "setting": name,
+                    "rate_rad_s": rate,
+                    "one_degree_at_rad": limits[name, rate],
+                    "theta_max_equal_clamps_rad": rows[0]["theta_max_rad"],
+                }
+                for (name, rate), rows in tiny.items()
+            ],
+        }
+        digits = {"snap_limits": {"one_degree_at_rad": 2, "theta_max_equal_clamps_rad": 2}}
+        summary = {
+            "snap_theta_max_equal_rad": equal,
+            "snap_theta_max_mismatched_rad": mismatched,
+            "snap_off_independent_percent": off["undamped reference"],
+        }
+        for rate, (limit, _) in by_rate.items():
+            key = f"{rate:g}".replace(".", "_")
+            summary[f"snap_one_degree_at_rad_{key}_rad_s"] = limit
+        text = words.text(EPSILON, off)
+        return Found(
+            section(self.title, text, figures, tables, words.CAPTIONS, digits),
+            [said.judged("snaps.symmetry", came)],
+            summary,
+        )

@@ -1,136 +1,165 @@
-"""Trajectories of jumps, and what the mismatch does to them."""
+"""``figure=trajectories``: flights, what the mismatch does to them, and how oblique they can be."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import numpy as np
 
+from experiments.compositions import groups_at
 from experiments.designs import spread_designs
-from experiments.paper.base import Found, Part, unfinished
-from experiments.paper.jumps import numbers
-from experiments.paper.settings import BASELINE, TIERS, groups_at
-from experiments.paper.trajectories.compute import (
-    DESIGNS,
-    FAMILIES,
-    FOLLOWED,
-    STRIDE,
-    mismatches,
-    rows_of,
-    varied,
-)
-from experiments.paper.trajectories.figure import draw_angles, draw_flights
-from experiments.paper.trajectories.judge import trajectory_statement
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
+from experiments.paper.base import Found, Part, section, unfinished, weakest
+from experiments.paper.cells import apart, jumps, path, varied
+from experiments.paper.limits import judged
+from experiments.paper.settings import RANGES, TIERS
+from experiments.paper.trajectories import figure, words
+from experiments.trends import counter_step
+from snapjump.run.studies.base import Cell, Done, Row, column
 
-TITLE = "Trajectories"
-FLIGHTS, MISMATCHES, SPREAD, PATH = "flights", "mismatches", "ranges", "path to lift-off"
+FAMILIES: dict[str, tuple[float, ...]] = {
+    "delta_alpha_rad": (0.0, 0.01, 0.05, 0.1, 0.19),
+    "epsilon": (0.1, 0.2, 0.3),
+    "mass_bar": (0.4, 0.768, 1.5),
+}
 DRAWN = ("standard", "paper")
+FOLLOWED = (0.0, 0.05, 0.1, 0.19)  # mismatches of paths until nothing touches the ground
+# Mismatches from nothing to the end of the paper's range; every STRIDE-th at reference.
+MISMATCHES, STRIDE = np.linspace(0.0, RANGES["delta_alpha_rad"][1], 41).tolist(), 4
+DESIGNS = 256  # over the paper's ranges, for how oblique a jump can be
+RANGE = "ranges"
 RISES = 0.01, 0.03  # L, of the centre of mass: between them the beam slides in every flight
+
+
+@dataclass(frozen=True)
+class Slant:
+    """Of a sweep of the mismatch from zero: how far off the apex is at no mismatch (share of its
+    height), the ratio x_c/y_c at the end, its largest way back as a share of its growth, where it
+    first goes back (rad; NaN if never), and the largest lean (degrees from the vertical)."""
+
+    off_vertical: float
+    ratio: float
+    back: float
+    grows_until_rad: float
+    lean_deg: float
+
+
+def leans_deg(rows: Sequence[Row]) -> Any:
+    """Angles of the velocity at lift-off, from the vertical."""
+    return np.degrees(np.arctan2(column(rows, "liftoff_vx_m_s"), column(rows, "liftoff_vy_m_s")))
+
+
+def ratios(rows: Sequence[Row]) -> Any:
+    """x_c/y_c."""
+    return column(rows, "x_bar") / column(rows, "y_bar")
+
+
+def slant(rows: Sequence[Row]) -> Slant:
+    """The slant of a sweep; its first row has no mismatch."""
+    ratio, places = ratios(rows), column(rows, "delta_alpha_rad")
+    falling = places[:-1][np.diff(ratio) < 0.0]
+    return Slant(
+        abs(float(ratio[0])),
+        float(ratio[-1]),
+        counter_step(ratio, rising=True),
+        float(falling[0]) if len(falling) else float("nan"),
+        float(np.nanmax(leans_deg(rows))),
+    )
+
+
+def tuned(found: Slant, most_lean_deg: float) -> str:
+    """The verdict, from a sweep and from the largest lean over all of the ranges."""
+    return weakest(
+        judged("trajectories.types.vertical", found.off_vertical),
+        judged("trajectories.tuned.back", found.back),
+        judged("trajectories.tuned.horizontal", most_lean_deg),
+        judged("trajectories.tuned.oblique", found.lean_deg),
+    )
+
+
+def first_slope(rows: Sequence[Row]) -> float:
+    """dx/dy of a path while the centre of mass rises through the first of its way."""
+    x, y = column(rows, "x_bar"), column(rows, "y_bar")
+    low, high = (int(np.flatnonzero(y > y[0] + rise)[0]) for rise in RISES)
+    return float((x[high] - x[low]) / (y[high] - y[low]))
+
+
+def table_rows(flights: Mapping[str, Sequence[Row]]) -> list[Row]:
+    """The families' apexes at both tiers."""
+    kept = ("x_bar", "y_bar", "liftoff_vx_m_s", "liftoff_vy_m_s")
+    return [
+        {key: own[key] for key in (*FAMILIES, *kept)} | {f"paper_{key}": other[key] for key in kept}
+        for own, other in zip(flights["standard"], flights["paper"], strict=True)
+    ]
 
 
 class Trajectories(Part):
     """Families of jumps, a sweep of the mismatch, and designs of all the ranges."""
 
     name = "trajectories"
-    sources = ("experiments.paper.trajectories.compute",)
+    title = "Trajectories"
+    kinds = {"jumps": jumps, "path": path}
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
         """Families and sweeps by tier, then the ranges and the paths at standard."""
         at = {tier: groups_at(groups, tier) for tier in TIERS}
-        standard = at["standard"]
-        families = [d for name, values in FAMILIES.items() for d in varied(name, values)]
-        cells = [
-            Cell(f"{FLIGHTS}, {tier}", {"groups": at[tier], "designs": families}) for tier in DRAWN
-        ]
-        cells += [
-            Cell(
-                f"{MISMATCHES}, {tier}",
-                {"groups": at[tier], "designs": mismatches(1 if tier in DRAWN else STRIDE)},
-            )
-            for tier in TIERS
-        ]
-        spread = spread_designs(DESIGNS, seed)
-        cells.append(Cell(SPREAD, {"groups": standard, "designs": spread}))
-        return cells + [
-            Cell(f"{PATH}, {design[0]:g}", {"groups": standard, "followed": design})
-            for design in varied("delta_alpha_rad", FOLLOWED)
-        ]
 
-    def compute(self, inputs: Mapping[str, Any]) -> list[Row]:
-        """Jumps, or a path."""
-        return rows_of(inputs)
+        def cell(name: str, designs: Any, tier: str = "standard", kind: str = "jumps") -> Cell:
+            return Cell(name, {"kind": kind, "groups": at[tier], "designs": designs})
+
+        families = [design for name, values in FAMILIES.items() for design in varied(name, values)]
+        sweep = varied("delta_alpha_rad", MISMATCHES)
+        return [
+            *(cell(f"flights, {tier}", families, tier) for tier in DRAWN),
+            *(
+                cell(f"mismatches, {tier}", sweep[:: 1 if tier in DRAWN else STRIDE], tier)
+                for tier in TIERS
+            ),
+            cell(RANGE, spread_designs(DESIGNS, seed)),
+            *(
+                cell(f"path to lift-off, {design[0]:g}", [design], kind="path")
+                for design in varied("delta_alpha_rad", FOLLOWED)
+            ),
+        ]
 
     def conclude(self, done: Mapping[str, Done]) -> Found:
-        """One statement; the families, the angles, and the paths to lift-off."""
-        # Failures among the many designs are told, and left out.
-        needed = {name: one for name, one in done.items() if name != SPREAD}
-        missing = unfinished(TITLE, needed, jumps=True) or unfinished(TITLE, done)
-        if missing is not None:
-            return missing
-        rows = {name: one.rows for name, one in done.items()}
-        flights = {tier: rows[f"{FLIGHTS}, {tier}"] for tier in DRAWN}
-        sweeps = {tier: rows[f"{MISMATCHES}, {tier}"] for tier in TIERS}
-        paths = {lag: rows[f"{PATH}, {lag:g}"] for lag in FOLLOWED}
-        statement, summary = trajectory_statement(sweeps, rows[SPREAD])
-        figures = {
-            "trajectories": Figure(
-                "Flights of the centre of mass, to scale: lines at standard, dashed with the "
-                "paper's settings, dots at the apexes. One number of the baseline varies in each",
-                partial(draw_flights, flights),
-            ),
-            "trajectories_angles": Figure(
-                "x_c/y_c against the mismatch, and the path of the centre of mass until the robot "
-                "has left the ground",
-                partial(draw_angles, sweeps, paths),
-            ),
-        }
-        table = Table("The flights of the figure", table_rows(flights))
-        return Found(
-            Section(TITLE, paragraphs(sweeps, paths), figures, {"trajectories": table}),
-            [statement],
-            summary,
+        """Failures among the designs of the ranges are told, and left out."""
+        needed = {name: one for name, one in done.items() if name != RANGE}
+        return unfinished(self.title, needed, jumps=True) or super().conclude(done)
+
+    def judge(self, done: Mapping[str, Done]) -> Found:
+        """Two statements; the families, the angles, and the paths to lift-off."""
+        flights = {tier: done[f"flights, {tier}"].rows for tier in DRAWN}
+        sweeps = {tier: done[f"mismatches, {tier}"].rows for tier in TIERS}
+        paths = {lag: done[f"path to lift-off, {lag:g}"].rows for lag in FOLLOWED}
+        own, papers = (slant(sweeps[tier]) for tier in DRAWN)
+        spread = done[RANGE].rows
+        leans, aside = leans_deg(spread), ratios(spread)
+        steepest = float(np.nanmax(leans))
+        came = tuned(own, steepest)
+        types = weakest(
+            judged("trajectories.types.vertical", own.off_vertical),
+            judged("trajectories.types.inclined", float(np.nanmin(aside))),
         )
-
-
-def first_slope(rows: list[Row]) -> float:
-    """dx/dy of a path while the centre of mass rises through the first of its way."""
-    x, y = numbers(rows, "x_bar"), numbers(rows, "y_bar")
-    low, high = (int(np.flatnonzero(y > y[0] + rise)[0]) for rise in RISES)
-    return float((x[high] - x[low]) / (y[high] - y[low]))
-
-
-def paragraphs(sweeps: Mapping[str, list[Row]], paths: Mapping[float, list[Row]]) -> list[str]:
-    """What is shown, and how the two settings differ."""
-    begun = [first_slope(rows) for lag, rows in paths.items() if lag > 0.0]
-    own, papers = numbers(sweeps["standard"], "y_bar"), numbers(sweeps["paper"], "y_bar")
-    higher = 100.0 * (papers / own - 1.0)
-    aside = numbers(sweeps["paper"], "x_bar") - numbers(sweeps["standard"], "x_bar")
-    farther = max(-2.0 * aside.min(), 0.0), max(2.0 * aside.max(), 0.0)
-    return [
-        "Only the mismatch turns the flight aside: a symmetric snap strikes the ground under the "
-        "centre of mass and throws the robot straight up. More pre-compression stretches the "
-        "flight in both directions, more mass shrinks it. Friction is all that drives the robot "
-        "sideways: while the beam slides on the ground, the path of the centre of mass leans by "
-        f"the friction coefficient whatever the mismatch (dx/dy = {min(begun):.2f} to "
-        f"{max(begun):.2f} where μ = {BASELINE[3]:g}; the weight takes a little of the lift). The "
-        "smaller the mismatch, the sooner the "
-        "sliding turns back, and the path turns up.",
-        f"With the paper's settings the same designs jump {min(higher):.1f} to {max(higher):.1f} % "
-        "higher, because no material damping takes part of the energy (see *What causes the "
-        f"difference*), and come down up to {farther[0]:.1f} L nearer or {farther[1]:.1f} L "
-        "farther.",
-    ]
-
-
-def table_rows(flights: Mapping[str, list[Row]]) -> list[Row]:
-    """The families' apexes at both tiers."""
-    kept = ("x_bar", "y_bar", "liftoff_vx_m_s", "liftoff_vy_m_s")
-    return [
-        {
-            **{key: own[key] for key in ("delta_alpha_rad", "epsilon", "mass_bar")},
-            **{key: own[key] for key in kept},
-            **{f"paper_{key}": papers[key] for key in kept},
+        told = words.accuracy(sweeps, apart(sweeps, "delta_alpha_rad"))
+        tuning = words.tuning(came, own, papers, spread, leans, told)
+        slopes = [first_slope(rows) for lag, rows in paths.items() if lag > 0.0]
+        by_tier = {tier: ratios(sweeps[tier]) for tier in TIERS}
+        figures = {
+            "trajectories": partial(figure.draw_flights, FAMILIES, flights),
+            "trajectories_angles": partial(figure.draw_angles, sweeps, by_tier, paths),
         }
-        for own, papers in zip(flights["standard"], flights["paper"], strict=True)
-    ]
+        tables = {"trajectories": table_rows(flights)}
+        return Found(
+            section(self.title, words.text(sweeps, slopes), figures, tables, words.CAPTIONS),
+            [
+                tuning.judged("trajectories.tuned", came),
+                words.types(own, aside, told).judged("trajectories.types", types),
+            ],
+            {
+                "trajectories_ratio_at_most_mismatch": own.ratio,
+                "trajectories_lean_baseline_deg": own.lean_deg,
+                "trajectories_lean_most_deg": steepest,
+                "trajectories_off_vertical": own.off_vertical,
+            },
+        )

@@ -1,1 +1,1 @@
-"""What discretizations are made of, and the loose nodes of a scene without a beam."""
+"""Parts of discretizations: elements, chains, and the loose nodes of a scene without a beam."""

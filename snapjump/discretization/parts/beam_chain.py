@@ -7,7 +7,7 @@ hinges at the ends.
 from typing import Any, NamedTuple
 
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.base import ChainPowers, Discretization, EndHinge
+from snapjump.discretization.base import ChainPowers, Discretization, EndHinge, NodeMotion
 from snapjump.discretization.parts.beam_elements import Element, Span, element_of
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, maximum
@@ -17,7 +17,7 @@ UNDAMPED = NoDamping.Law  # a name that kernels can call
 
 
 class BeamChain(NamedTuple):
-    """What a sweep from left to right carries: the element before the node, and the largest
+    """State of a sweep from left to right: the element before the node, and the largest
     force of an element so far."""
 
     before: Element
@@ -25,24 +25,25 @@ class BeamChain(NamedTuple):
 
 
 @kernel
-def element_at(
-    beam: Any, damping: Any, j: Any, position: Any, origin: Any, rate_factor: Any
-) -> Element:
-    """Element j of the chain; velocities are ``(position - origin) * rate_factor``."""
+def element_at(beam: Any, damping: Any, j: Any, nodes: NodeMotion) -> Element:
+    """Element j of the chain, which moves as its nodes do."""
     i = 3 * j
+    position = nodes.position
+    predictor = nodes.predictor
+    rate_factor = nodes.rate_factor
     over = 1.0 / beam.element_length
     ex = position[i + 3] - position[i]
     ey = position[i + 4] - position[i + 1]
     bend = (position[i + 5] - position[i + 2]) * over
     turn = 0.5 * (position[i + 5] + position[i + 2]) * over
-    old_bend = (origin[i + 5] - origin[i + 2]) * over
-    old_turn = 0.5 * (origin[i + 5] + origin[i + 2]) * over
+    old_bend = (predictor[i + 5] - predictor[i + 2]) * over
+    old_turn = 0.5 * (predictor[i + 5] + predictor[i + 2]) * over
     span = Span(
         ex,
         ey,
         turn,
-        (ex - origin[i + 3] + origin[i]) * rate_factor,
-        (ey - origin[i + 4] + origin[i + 1]) * rate_factor,
+        (ex - predictor[i + 3] + predictor[i]) * rate_factor,
+        (ey - predictor[i + 4] + predictor[i + 1]) * rate_factor,
         (turn - old_turn) * rate_factor,
         rate_factor,
     )
@@ -51,7 +52,7 @@ def element_at(
 
 @kernel
 def no_element(zero: Any) -> Element:
-    """What lies beyond either end of the chain."""
+    """An element without forces, beyond either end of the chain."""
     return Element(zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero)
 
 
@@ -94,41 +95,31 @@ class BeamElements(Discretization):
         """The :class:`Straining` of one element; damping adds a viscous share to every strain, and
         to the Hessian what keeps it symmetric."""
 
-    def has_elements(self) -> bool:
-        return True
-
     def axial_stiffness(self) -> Any:
         return self.stretching_stiffness / self.element_length
 
     def node_dofs(self) -> int:
         return 3
 
-    def turn_length(self) -> Any:
+    def rotation_length(self) -> Any:
         return self.element_length
 
-    def clamp_distance(self) -> float:
-        return 0.0
-
-    def begin_chain(
-        self, damping: Any, position: Any, origin: Any, rate_factor: Any, tangents: Any
-    ) -> Any:
-        zero = 0.0 * rate_factor
+    def begin_chain(self, damping: Any, nodes: NodeMotion, tangents: Any) -> Any:
+        zero = 0.0 * nodes.rate_factor
         return BeamChain(no_element(zero), zero), EndHinge(zero, zero, zero, zero)
 
     def add_node_forces(
         self,
         damping: Any,
-        position: Any,
-        origin: Any,
-        rate_factor: Any,
+        nodes: NodeMotion,
         tangents: Any,
         chain: Any,
         node: Any,
         residual: Any,
         band: Any,
     ) -> Any:
-        zero = 0.0 * rate_factor
-        after = element_at(self, damping, node, position, origin, rate_factor)
+        zero = 0.0 * nodes.rate_factor
+        after = element_at(self, damping, node, nodes)
         put_node(node, chain.before, after, residual, band)
         force = absolute(after.force_x) + absolute(after.force_y)
         return BeamChain(after, maximum(chain.largest, force)), EndHinge(zero, zero, zero, zero)

@@ -12,7 +12,7 @@ from snapjump.number.dispatch import kernel
 
 
 class Span(NamedTuple):
-    """What an element sees of its nodes: vector between them (L), mean rotation (rad), their
+    """Relative motion of an element's nodes: vector between them (L), mean rotation (rad), their
     rates, and d(rate)/d(position) of the integrator (1/T)."""
 
     ex: Any

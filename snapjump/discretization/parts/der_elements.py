@@ -6,19 +6,49 @@ sums them along the chain.
 
 from typing import Any, NamedTuple
 
+from snapjump.discretization.base import NodeMotion
 from snapjump.discretization.parts.edge import Edge, make_edge
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import fma
 
 
 @kernel
-def edge_at(j: Any, position: Any, origin: Any, rate_factor: Any) -> Edge:
-    """Edge j of the chain; velocities are ``(position - origin) * rate_factor``."""
+def edge_at(j: Any, nodes: NodeMotion) -> Edge:
+    """Edge j of the chain, which moves as its nodes do."""
+    position = nodes.position
+    predictor = nodes.predictor
     ex = position[2 * j + 2] - position[2 * j]
     ey = position[2 * j + 3] - position[2 * j + 1]
-    vx = (ex - origin[2 * j + 2] + origin[2 * j]) * rate_factor
-    vy = (ey - origin[2 * j + 3] + origin[2 * j + 1]) * rate_factor
+    vx = (ex - predictor[2 * j + 2] + predictor[2 * j]) * nodes.rate_factor
+    vy = (ey - predictor[2 * j + 3] + predictor[2 * j + 1]) * nodes.rate_factor
     return make_edge(ex, ey, vx, vy)
+
+
+@kernel
+def moving_edge(j: Any, position: Any, velocity: Any) -> Edge:
+    """Edge j of a chain whose nodes have these places and velocities."""
+    i = 2 * j
+    return make_edge(
+        position[i + 2] - position[i],
+        position[i + 3] - position[i + 1],
+        velocity[i + 2] - velocity[i],
+        velocity[i + 3] - velocity[i + 1],
+    )
+
+
+@kernel
+def held_end(tangents: Any, zero: Any) -> Edge:
+    """The clamp on the right as an edge that follows the last one and does not give way."""
+    return Edge(
+        zero + 1.0,
+        zero,
+        tangents.right_x + zero,
+        tangents.right_y + zero,
+        zero,
+        zero,
+        tangents.right_rate + zero,
+        zero,
+    )
 
 
 @kernel
@@ -70,7 +100,7 @@ class Coupling(NamedTuple):
 
 
 class Chain(NamedTuple):
-    """What a sweep from left to right carries: all about node j that its edges up to j tell.
+    """State of a sweep from left to right: all about node j that its edges up to j tell.
 
     edge: edge j, which leaves the node; moment: of the hinge at the node; start: that hinge's
     stiffness on edge j; coupling: of the edges at the node; before, force_x, force_y: block and
@@ -160,3 +190,18 @@ def edge_force(force: Any, turning: Any, edge: Any) -> Any:
     """Gradient of the energy with respect to the edge vector."""
     sideways = turning * edge.over
     return force * edge.cx - sideways * edge.cy, force * edge.cy + sideways * edge.cx
+
+
+@kernel
+def put_last_node(node: Any, before: Block, force: Any, residual: Any, band: Any) -> None:
+    """Complete the last node's columns and its residual: ``before`` and ``force`` (x, y) are those
+    of the last edge."""
+    i = 2 * node
+    band[i, 0] += before.xx
+    band[i, 1] = before.xy
+    band[i + 1, 0] += before.yy
+    for k in range(2, 6):
+        band[i, k] = 0.0
+        band[i + 1, k - 1] = 0.0
+    residual[i] += force[0]
+    residual[i + 1] += force[1]

@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.discretization.base import ChainPowers, Discretization, EndHinge
+from snapjump.discretization.base import ChainPowers, Discretization, EndHinge, NodeMotion
 from snapjump.number.dispatch import kernel
 
 
@@ -16,39 +16,26 @@ class LooseNodes(NamedTuple):
     def axial_stiffness(self) -> float:
         return 0.0
 
-    def node_dofs(self) -> int:
-        return 2
-
-    def turn_length(self) -> float:
-        return 0.0
-
-    def clamp_distance(self) -> float:
-        return 0.0
-
     def begin_chain(
         self,
         damping: Any,
-        position: Any,
-        origin: Any,
-        rate_factor: Any,
+        nodes: NodeMotion,
         tangents: Any,
     ) -> Any:
-        zero = 0.0 * rate_factor
+        zero = 0.0 * nodes.rate_factor
         return Nothing(zero), EndHinge(zero, zero, zero, zero)
 
     def add_node_forces(
         self,
         damping: Any,
-        position: Any,
-        origin: Any,
-        rate_factor: Any,
+        nodes: NodeMotion,
         tangents: Any,
         chain: Any,
         node: Any,
         residual: Any,
         band: Any,
     ) -> Any:
-        zero = 0.0 * rate_factor
+        zero = 0.0 * nodes.rate_factor
         leave_uncoupled(node, band)
         return chain, EndHinge(zero, zero, zero, zero)
 
@@ -64,7 +51,7 @@ class LooseNodes(NamedTuple):
 
 
 class Nothing(NamedTuple):
-    """What a sweep over loose nodes carries."""
+    """State of a sweep over loose nodes."""
 
     largest: Any
 

@@ -1,4 +1,4 @@
-"""How the clamps are rotated: the contract that every rotation programme fulfils."""
+"""Rotation of the clamps over time: the contract that every rotation programme fulfils."""
 
 from typing import Any, NamedTuple
 
@@ -18,7 +18,7 @@ class ClampAngles(NamedTuple):
 
 
 class ClampProgramme(Contract):
-    """How the clamps are rotated: the contract that every rotation programme fulfils."""
+    """Rotation of the clamps over time: the contract that every rotation programme fulfils."""
 
     @required
     def angles(self, time: Any) -> Any:

@@ -9,7 +9,7 @@ from snapjump.number.functions import where
 
 @ClampProgramme.member
 class SmoothStart(NamedTuple):
-    """Left angle at time 0 and at the end (rad), rate (rad/T), lag of the right, and tau (T)."""
+    """Left angle at time 0 and at the end (rad), rate (rad/T), mismatch, and tau (T)."""
 
     start: float
     end: float

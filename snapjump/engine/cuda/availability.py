@@ -1,4 +1,4 @@
-"""Whether there is a card to simulate on: said in one line before any work."""
+"""Availability of a card to simulate on, said in one line before any work."""
 
 import os
 from importlib.util import find_spec

@@ -1,9 +1,9 @@
 """The programs of the card: every thread runs the engine's own loop on one robot after another.
 
-A thread has one column of every array of the memory, which is laid out with the robots last so
-that neighbouring threads read neighbouring numbers, and takes its robots from a queue that all
-share. To it both look like the memory and the queue of a march of width one: what it runs is
-:func:`snapjump.engine.march.march` itself, compiled from the same source.
+A thread has one column of the memory's block, so that neighbouring threads read neighbouring
+numbers, and takes its robots from a queue that all share. To it both look like the memory and the
+queue of a march of width one: what it runs is :func:`snapjump.engine.march.march` itself, compiled
+from the same source.
 """
 
 from typing import Any
@@ -12,8 +12,8 @@ from numba import cuda
 
 from snapjump.engine import march as engine
 from snapjump.engine.cuda.availability import simulated
-from snapjump.engine.march import Queue
-from snapjump.engine.work import System, Work
+from snapjump.engine.queue import Queue
+from snapjump.engine.work import Memory
 
 # Optimised once more when it is linked, a program would be compiled with roundings merged (see
 # snapjump.engine.cuda.rounding). The simulator, which links nothing, does not know the word.
@@ -24,42 +24,9 @@ march_of_thread = device_function(engine.march.py_func)
 
 
 @device_function
-def own_memory(memory: Any, thread: Any) -> Work:
-    """The thread's column of every array, as the memory of one lane."""
-    lane = slice(thread, thread + 1)
-    system = memory.system
-    return Work(
-        memory.state[:, lane],
-        memory.start[:, lane],
-        memory.origin[:, lane],
-        memory.drift[:, lane],
-        memory.change[:, lane],
-        memory.velocity[:, :, lane],
-        memory.acceleration[:, :, lane],
-        memory.slip[:, lane],
-        memory.held[:, lane],
-        memory.clock[:, lane],
-        memory.numbers[:, lane],
-        memory.weights[:, lane],
-        memory.mesh,
-        System(
-            system.residual[:, lane],
-            system.band[:, :, lane],
-            system.border[:, :, lane],
-            system.padded_residual[:, lane],
-            system.padded_band[:, :, lane],
-            system.padded_border[:, :, lane],
-            system.frame_residual[:, lane],
-            system.square[:, :, lane],
-            system.mounts[:, lane],
-            system.padded_frame_residual[:, lane],
-            system.frame_band[:, :, lane],
-            system.frame_border[:, :, lane],
-            system.levers[:, :, lane],
-            system.last_residual[:, lane],
-            system.last_square[:, :, lane],
-        ),
-    )
+def own_memory(memory: Any, thread: Any) -> Memory:
+    """The thread's column of the block, as the memory of one lane."""
+    return Memory(memory.block[:, thread : thread + 1], memory.sizes, memory.mesh)
 
 
 @device_function
@@ -89,7 +56,7 @@ def clear(numbers: Any) -> None:
 def find_starts(template: Any, masses: Any, memory: Any, queue: Any, blocks: Any) -> None:
     """Follow the static branches of at most ``blocks`` robots a thread to their starts."""
     thread = cuda.grid(1)
-    if thread < memory.clock.shape[1]:
+    if thread < memory.block.shape[1]:
         own = own_memory(memory, thread)
         find_starts_of_thread(template, masses, own, own_queue(queue, thread), (0,), blocks)
 
@@ -98,10 +65,7 @@ def find_starts(template: Any, masses: Any, memory: Any, queue: Any, blocks: Any
 def march(
     template: Any,
     masses: Any,
-    scheme: Any,
-    stepping: Any,
-    ending: Any,
-    limits: Any,
+    method: Any,
     recorder: Any,
     memory: Any,
     queue: Any,
@@ -109,14 +73,11 @@ def march(
 ) -> None:
     """Go on with every thread's robots for at most so many passes of the time loop."""
     thread = cuda.grid(1)
-    if thread < memory.clock.shape[1]:
+    if thread < memory.block.shape[1]:
         march_of_thread(
             template,
             masses,
-            scheme,
-            stepping,
-            ending,
-            limits,
+            method,
             recorder,
             own_memory(memory, thread),
             own_queue(queue, thread),

@@ -6,6 +6,7 @@ from numba.core import types
 from numba.cuda.cudadecl import registry as typing
 from numba.cuda.cudaimpl import registry as lowering
 
+from snapjump.engine.view import WorkParts, WorkType, part_of
 from snapjump.number.methods import (
     CALLS,
     METHODS_KEY,
@@ -13,6 +14,8 @@ from snapjump.number.methods import (
     MethodsOfUniformTuples,
 )
 
+typing.register_attr(WorkParts)
+lowering.lower_getattr_generic(WorkType)(part_of)
 typing.register_attr(MethodsOfTuples)
 typing.register_attr(MethodsOfUniformTuples)
 known: set[Any] = set()

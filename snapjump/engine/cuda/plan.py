@@ -1,4 +1,4 @@
-"""How many robots the card simulates at once: what its memory is divided into."""
+"""Division of a card's memory: how many robots are simulated at once, and in how many chunks."""
 
 from typing import NamedTuple
 

@@ -14,7 +14,7 @@ from snapjump.engine.cuda.availability import simulated
 
 @contextmanager
 def rounded_as_written() -> Iterator[None]:
-    """What is compiled within is compiled without such merging."""
+    """A context in which programs are compiled without such merging."""
     if simulated():
         yield
         return

@@ -9,10 +9,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.contact.base import force_if_acting
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import STAGE, TIME
-from snapjump.engine.powers import approach_of, frame_point, node_point
+from snapjump.engine.points import ground_force
 from snapjump.engine.recorder.base import Recorder
 from snapjump.frame.base import STILL
 from snapjump.number.dispatch import kernel
@@ -91,30 +90,6 @@ def middle_height(model: Any, mesh: Any, time: Any, state: Any, nodes: Any) -> A
     x = 0.5 * (state[before] + state[after]) - left_x
     y = 0.5 * (state[before + 1] + state[after + 1]) - left_y
     return (along_x * y - along_y * x) / sqrt(along_x * along_x + along_y * along_y)
-
-
-@kernel
-def ground_force(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity: Any) -> Any:
-    """Sum of the normal forces (EI/L^2) at all nodes and corners."""
-    total = 0.0 * state[0]
-    if model.contact.exists():
-        mesh = work.mesh
-        before = work.velocity[0]
-        for node in range(masses.shape[0]):
-            if masses[node] > 0.0:
-                now = node_point(model, mesh, node, state, velocity)
-                begun = node_point(model, mesh, node, work.start, before)
-                approach = approach_of(motion, now, begun, masses[node])
-                _, force, _ = force_if_acting(model.contact, now.gap, approach)
-                total += model.ground.node_share * force
-        for point in range(model.frame.contact_points(mesh)):
-            now = frame_point(model, mesh, point, state, velocity)
-            begun = frame_point(model, mesh, point, work.start, before)
-            mass = model.frame.point_mass(mesh, point, state)
-            approach = approach_of(motion, now, begun, mass)
-            _, force, _ = force_if_acting(model.contact, now.gap, approach)
-            total += model.frame.point_share(mesh, point, model.ground) * force
-    return total
 
 
 @kernel

@@ -12,9 +12,11 @@ from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clock import MARK
 from snapjump.engine.differentiate import commit, differentiate_stages
 from snapjump.engine.model import with_numbers
+from snapjump.engine.points import point_at, point_count, share_of
 from snapjump.engine.recorder.base import Recorder
-from snapjump.engine.shadow import Shadow, view_shadow
-from snapjump.linear_solver.more_sides import FOUR
+from snapjump.engine.tangent import TangentState, view_tangent
+from snapjump.engine.view import view_memory
+from snapjump.linear_solver.right_hand_sides import FOUR
 from snapjump.number.array import uncounted
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.dual import PARAMETERS, constant, dual, slope_at, slopes_of, value_of
@@ -31,7 +33,7 @@ FAR = 1.0e30  # no contact near to being made or broken
 class SensitivityRecorder(NamedTuple):
     """Of R robots in W lanes.
 
-    memory: of the march; shadow: of its lanes; numbers (R, P, 4): derivatives of the model's
+    memory: of the march; tangent: of its lanes; numbers (R, P, 4): derivatives of the model's
     numbers; starts (R, 3, D, 4): of state, velocity and acceleration at the beginning; flights
     (R, 4, 4): of x, y, vx, vy of the centre of mass at the end; grazes (R): the change of one
     parameter (their slopes taken as they are) that would make or break a contact; falling (W, C):
@@ -40,7 +42,7 @@ class SensitivityRecorder(NamedTuple):
     """
 
     memory: Any
-    shadow: Shadow
+    tangent: TangentState
     numbers: Array
     starts: Array
     flights: Array
@@ -51,8 +53,8 @@ class SensitivityRecorder(NamedTuple):
     corrections: NDArray[np.int64]
 
     def record_robot(self, lane: Any, robot: Any) -> None:
-        memory = self.memory
-        work = view_shadow(self.shadow, lane, memory.mesh)
+        memory = view_memory(self.memory)
+        work = view_tangent(self.tangent, lane)
         numbers = view_numbers(self.numbers[robot], FOUR)
         starts = view_numbers(self.starts[robot], FOUR)
         for k in range(work.numbers.shape[0]):
@@ -80,8 +82,8 @@ class SensitivityRecorder(NamedTuple):
             model,
             scheme,
             masses,
-            uncounted(self.memory),
-            uncounted(self.shadow),
+            view_memory(self.memory),
+            uncounted(self.tangent),
             uncounted(self.chosen),
             count,
             self.corrections[0],
@@ -89,18 +91,17 @@ class SensitivityRecorder(NamedTuple):
 
     def record_step(self, model: Any, masses: Any, scheme: Any, work: Any, good: Any) -> None:
         if any_true(good):
-            memory = uncounted(self.memory)
-            shadow = uncounted(self.shadow)
+            memory = view_memory(self.memory)
+            tangent = uncounted(self.tangent)
             for c in range(marked(self, work, good)):
-                commit(scheme, memory, shadow, self.chosen[c])
-                look_for_grazes(self, memory, shadow, model, masses, self.chosen[c])
+                commit(scheme, memory, tangent, self.chosen[c])
+                look_for_grazes(self, tangent, model, masses, self.chosen[c])
 
     def record_end(self, model: Any, masses: Any, lane: Any, robot: Any) -> None:
-        mesh = self.memory.mesh
-        work = view_shadow(self.shadow, lane, mesh)
-        shadow = with_numbers(model, work.numbers)
+        work = view_tangent(self.tangent, lane)
+        dual_model = with_numbers(model, work.numbers)
         flight = view_numbers(self.flights[robot], FOUR)
-        x, y, vx, vy = centre_of_mass(shadow, masses, mesh, work.start, work.velocity[0])
+        x, y, vx, vy = centre_of_mass(dual_model, masses, work.mesh, work.start, work.velocity[0])
         flight[0] = slopes_of(x)
         flight[1] = slopes_of(y)
         flight[2] = slopes_of(vx)
@@ -112,9 +113,10 @@ class SensitivityRecorder(NamedTuple):
 def marked(recorder: Any, work: Any, mask: Any) -> int:
     """Put the masked lanes into ``chosen``; returns how many there are."""
     work.clock[MARK] = where(mask, 1.0, 0.0)
+    clock = view_memory(recorder.memory).clock
     count = 0
     for lane in range(recorder.chosen.shape[0]):
-        if recorder.memory.clock[MARK, lane] > 0.0:
+        if clock[MARK, lane] > 0.0:
             recorder.chosen[count] = lane
             count += 1
     return count
@@ -141,23 +143,16 @@ def graze(falling: Any, point: Any, gap: Any, rise: Any, reach: Any, nearest: An
 
 
 @routine
-def look_for_grazes(
-    recorder: Any, memory: Any, shadow: Any, template: Any, masses: Any, lane: Any
-) -> None:
+def look_for_grazes(recorder: Any, tangent: Any, template: Any, masses: Any, lane: Any) -> None:
     """Judge every point of a lane that has stopped falling in the step that was committed."""
-    mesh = memory.mesh
-    work = view_shadow(shadow, lane, mesh)
+    work = view_tangent(tangent, lane)
+    mesh = work.mesh
     model = with_numbers(template, work.numbers)
     reach = model.contact.reach() + constant(0.0)
-    corners = model.frame.contact_points(mesh)
     falling = uncounted(recorder.falling[lane])
     nearest = recorder.nearest[lane]
-    for point in range(corners):
-        _, gap, _, rise = model.frame.contact_point(mesh, point, work.start, work.velocity[0])
-        nearest = graze(falling, point, gap, value_of(rise), reach, nearest)
-    for node in range(masses.shape[0]):
-        if masses[node] > 0.0:
-            i = model.discretization.node_dofs() * node + model.frame.dofs(mesh) + 1
-            rise = memory.velocity[0, i, lane]
-            nearest = graze(falling, corners + node, work.start[i], rise, reach, nearest)
+    for k in range(point_count(model, masses, mesh)):
+        if any_true(share_of(template, masses, mesh, k) > 0.0):
+            point = point_at(model, masses, mesh, k, work.start, work.velocity[0])
+            nearest = graze(falling, k, point.gap, value_of(point.vy), reach, nearest)
     recorder.nearest[lane] = nearest

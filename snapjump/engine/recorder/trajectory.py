@@ -25,8 +25,8 @@ class TrajectoryRecorder(NamedTuple):
 
     interval (1): least time between samples (T); filled (1): samples so far; times (S); states,
     velocities (S, D); works (S, 4): of friction, damping, clamps, contact since the start (EI/L);
-    totals, pending, begun, ended (4): works committed and of the step under way, powers at its
-    beginning and end; clock (1): time up to which works are committed.
+    totals, pending (4): works committed and of the step under way; powers_at_start, powers_now (4):
+    at the step's beginning and at its last stage; clock (1): time up to which works are committed.
     """
 
     interval: NDArray[np.float64]
@@ -37,15 +37,15 @@ class TrajectoryRecorder(NamedTuple):
     works: NDArray[np.float64]
     totals: NDArray[np.float64]
     pending: NDArray[np.float64]
-    begun: NDArray[np.float64]
-    ended: NDArray[np.float64]
+    powers_at_start: NDArray[np.float64]
+    powers_now: NDArray[np.float64]
     clock: NDArray[np.float64]
 
     def record_start(self, model: Any, masses: Any, work: Any) -> None:
         motion = Motion(work.clock[TIME], 0.0, 0.0, 0.0)
         now = powers(model, motion, masses, work, work.start, work.velocity[0])
         for w in range(LEDGER):
-            self.begun[w] = now[w]
+            self.powers_at_start[w] = now[w]
         keep_sample(self, work)
 
     def record_stage(
@@ -61,18 +61,18 @@ class TrajectoryRecorder(NamedTuple):
             assembly = assemble(model, motion, masses, work)
             left = 0.0
             if model.frame.border_width() > 0:
-                left = largest_entry(work.system.frame_residual, left)
-            left = largest_entry(work.system.residual, left) / (assembly.largest_force + 1e-300)
+                left = largest_entry(work.frame_residual, left)
+            left = largest_entry(work.residual, left) / (assembly.largest_force + 1e-300)
             work.clock[LARGEST_RESIDUAL] = maximum(work.clock[LARGEST_RESIDUAL], left)
         stage = int(work.clock[STAGE])
         step = work.clock[STEP]
         now = powers(model, motion, masses, work, work.state, work.velocity[stage])
         for w in range(LEDGER):
-            self.ended[w] = now[w]
+            self.powers_now[w] = now[w]
         for w in range(LEDGER):
             if stage == 1:
-                self.pending[w] = step * scheme.quadrature_weight(0) * self.begun[w]
-            self.pending[w] += step * scheme.quadrature_weight(stage) * self.ended[w]
+                self.pending[w] = step * scheme.quadrature_weight(0) * self.powers_at_start[w]
+            self.pending[w] += step * scheme.quadrature_weight(stage) * self.powers_now[w]
 
     def record_step(self, model: Any, masses: Any, scheme: Any, work: Any, good: Any) -> None:
         time = work.clock[TIME]
@@ -80,7 +80,7 @@ class TrajectoryRecorder(NamedTuple):
             self.clock[0] = time
             for w in range(LEDGER):
                 self.totals[w] += self.pending[w]
-                self.begun[w] = self.ended[w]
+                self.powers_at_start[w] = self.powers_now[w]
             last = self.times[self.filled[0] - 1]
             room = self.filled[0] < self.times.shape[0] - 1
             if room and time >= last + self.interval[0]:
@@ -99,8 +99,8 @@ def make_recorder(size: int, duration: float, interval: float) -> TrajectoryReco
         works=np.empty((samples, LEDGER)),
         totals=np.zeros(LEDGER),
         pending=np.zeros(LEDGER),
-        begun=np.zeros(LEDGER),
-        ended=np.zeros(LEDGER),
+        powers_at_start=np.zeros(LEDGER),
+        powers_now=np.zeros(LEDGER),
         clock=np.zeros(1),
     )
 

@@ -1,16 +1,16 @@
-"""The ending of a jump that is followed to its apex: what the ballistic ending is judged by."""
+"""Termination of a jump that is followed to its apex: what the ballistic one is judged by."""
 
 from typing import Any, NamedTuple
 
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clock import COM_VX, COM_VY, COM_X, COM_Y, GAP, TIME
 from snapjump.engine.status import OK, RUNNING, TIME_LIMIT
-from snapjump.engine.termination.base import Ending
+from snapjump.engine.termination.base import Termination
 from snapjump.number.functions import where
 
 
-@Ending.member
-class ApexEnding(NamedTuple):
+@Termination.member
+class ApexTermination(NamedTuple):
     """The last moment (T), and the height (L) from which a centre of mass that sinks has flown."""
 
     duration: float
@@ -19,10 +19,10 @@ class ApexEnding(NamedTuple):
     def time_limit(self, model: Any) -> Any:
         return self.duration
 
-    def leniency(self, model: Any, work: Any) -> float:
+    def tolerance_factor(self, model: Any, work: Any) -> float:
         return 1.0
 
-    def judge(self, model: Any, masses: Any, work: Any, ended: Any) -> Any:
+    def terminate(self, model: Any, masses: Any, work: Any, ended: Any) -> Any:
         clock = work.clock
         over = clock[TIME] >= self.duration * (1.0 - 1e-12)
         x, y, vx, vy = centre_of_mass(model, masses, work.mesh, work.state, work.velocity[0])

@@ -1,4 +1,4 @@
-"""The ending of a jump: nothing can touch the ground any more before the apex.
+"""Termination of a jump: nothing can touch the ground any more before the apex.
 
 The centre of mass moves ballistically once nothing touches. The robot fits a box that turns with
 the frame; a corner of it at height y with velocity w, at distance r from the centre of mass and
@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clock import COM_VX, COM_VY, COM_X, COM_Y, GAP, TIME
 from snapjump.engine.status import NO_JUMP, OK, RUNNING, TIME_LIMIT
-from snapjump.engine.termination.base import Ending
+from snapjump.engine.termination.base import Termination
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, any_true, maximum, minimum, sqrt, where
 
@@ -22,17 +22,17 @@ TURN_MARGIN = 0.25
 REACH_MARGIN = 1.02
 # An apex (L) above which a robot in the air has left the ground for good, its box being smaller.
 SURE_HEIGHT = 1.5
-FLIGHT_LENIENCY = 100.0
+FLIGHT_TOLERANCE_FACTOR = 100.0
 
 
-@Ending.member
-class FlightEnding(NamedTuple):
+@Termination.member
+class FlightTermination(NamedTuple):
     """At its time limit a robot still on the ground, its clamps turned, has not jumped."""
 
     def time_limit(self, model: Any) -> Any:
         return model.time_limit.duration
 
-    def leniency(self, model: Any, work: Any) -> Any:
+    def tolerance_factor(self, model: Any, work: Any) -> Any:
         # In flight towards a high apex only the centre of mass counts, and every integrator moves
         # that exactly; the beam's vibration need only be followed well enough not to miss the
         # ground.
@@ -40,9 +40,9 @@ class FlightEnding(NamedTuple):
         rise = maximum(clock[COM_VY], 0.0 * clock[TIME])
         height = clock[COM_Y] + 0.5 * rise * rise / model.load.gravity()
         aloft = (clock[GAP] >= model.ground.clearance) & (height > SURE_HEIGHT)
-        return where(aloft, FLIGHT_LENIENCY, 1.0)
+        return where(aloft, FLIGHT_TOLERANCE_FACTOR, 1.0)
 
-    def judge(self, model: Any, masses: Any, work: Any, ended: Any) -> Any:
+    def terminate(self, model: Any, masses: Any, work: Any, ended: Any) -> Any:
         clock = work.clock
         over = clock[TIME] >= self.time_limit(model) * (1.0 - 1e-12)
         airborne = clock[GAP] >= model.ground.clearance

@@ -1,1 +1,1 @@
-"""What frames are made of, and frames that only a scene has."""
+"""Parts of frames, and frames that only a scene has."""

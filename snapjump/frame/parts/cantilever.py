@@ -5,14 +5,14 @@ from typing import Any, NamedTuple
 from snapjump.discretization.base import EndTangents
 from snapjump.frame.base import Frame
 from snapjump.frame.parts.ends import release_first_node
-from snapjump.number.functions import cos, sin
+from snapjump.number.trigonometry import cos, sin
 
 
 @Frame.member
 class CantileverFrame(NamedTuple):
     """The left end clamped at the origin."""
 
-    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Any) -> Any:
+    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, rotations: Any) -> Any:
         zero = 0.0 * state[0]
         _, _, moment = load.tip_load()
         return EndTangents(
@@ -31,26 +31,7 @@ class CantileverFrame(NamedTuple):
         state[0] = offset * cos(angles.left)
         state[1] = -offset * sin(angles.left)
         if discretization.node_dofs() == 3:
-            state[2] = -discretization.turn_length() * angles.left
+            state[2] = -discretization.rotation_length() * angles.left
 
-    def condense_first(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> None:
-        release_first_node(discretization.node_dofs(), system.residual, system.band)
-
-    def condense_last(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> None:
-        pass
+    def condense_first(self, model: Any, work: Any, tangents: Any, hinge: Any) -> None:
+        release_first_node(model.discretization.node_dofs(), work)

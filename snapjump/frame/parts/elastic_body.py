@@ -13,6 +13,7 @@ from snapjump.frame.parts.elastic_mesh import (
     node_mass,
     weight_at,
 )
+from snapjump.linear_solver.contact_rows import NodeRows
 
 
 class ElasticBody(Frame):
@@ -30,6 +31,19 @@ class ElasticBody(Frame):
     def contact_point(self, mesh: Any, point: Any, state: Any, velocity: Any) -> Any:
         i = 2 * point
         return state[i], state[i + 1], velocity[i], velocity[i + 1]
+
+    def stage_point(self, point: Any, work: Any, rate: Any) -> Any:
+        i = 2 * point
+        gap = work.state[i + 1]
+        vx = (work.state[i] - work.position_predictor[i]) * rate
+        return gap, vx, (gap - work.position_predictor[i + 1]) * rate
+
+    def fall(self, mesh: Any, point: Any, state: Any, drop: Any) -> Any:
+        return state[2 * point + 1], drop[2 * point + 1]
+
+    def contact_rows(self, point: Any, work: Any, rate: Any) -> NodeRows:
+        band = work.frame_band
+        return NodeRows(work.frame_residual, band, 2 * point)
 
     def point_mass(self, mesh: Any, point: Any, state: Any) -> Any:
         return self.bouncing_mass

@@ -9,6 +9,7 @@ of first order in the mesh, of a few percent of the bending of a frame that hard
 
 from typing import Any
 
+from snapjump.discretization.base import NodeMotion
 from snapjump.discretization.parts.der_elements import (
     Block,
     Coupling,
@@ -16,9 +17,11 @@ from snapjump.discretization.parts.der_elements import (
     edge_block,
     hinge_block,
     hinge_coupling,
+    moving_edge,
     put_columns,
+    put_last_node,
 )
-from snapjump.discretization.parts.edge import half_angle_tangent, make_edge
+from snapjump.discretization.parts.edge import half_angle_tangent
 from snapjump.frame.parts.elastic_mesh import (
     LEFT_CORNER,
     RIGHT_CORNER,
@@ -53,36 +56,30 @@ def hinge(
 
 @routine
 def add_chain_forces(
-    frame: Any,
-    mesh: Any,
-    damping: Any,
-    state: Any,
-    origin: Any,
-    rate_factor: Any,
-    residual: Any,
-    band: Any,
+    frame: Any, mesh: Any, damping: Any, motion: NodeMotion, residual: Any, band: Any
 ) -> Any:
     """Add gradient and tangent of the frame's elastic (and viscous) energy.
 
     Rows of residual and band hold masses on the band's diagonal and in the residual; the rest is
     written. Returns the largest element force.
     """
+    rate_factor = motion.rate_factor
     zero = 0.0 * rate_factor
     largest = zero
-    nodes = node_count(mesh)
-    edge = edge_at(0, state, origin, rate_factor)
+    count = node_count(mesh)
+    edge = edge_at(0, motion)
     moment = zero
     start = Block(zero, zero, zero)
     coupling = Coupling(zero, zero, zero, zero)
     before = Block(zero, zero, zero)
     before_x = zero
     before_y = zero
-    for node in range(nodes - 1):
+    for node in range(count - 1):
         after = edge
         next_moment = zero
         stiffness = zero
-        if node < nodes - 2:
-            after = edge_at(node + 1, state, origin, rate_factor)
+        if node < count - 2:
+            after = edge_at(node + 1, motion)
             next_moment, stiffness = hinge(frame, mesh, damping, node + 1, edge, after, rate_factor)
         length = edge_length(frame, mesh, node)
         stretching = frame.stretching / length
@@ -110,15 +107,7 @@ def add_chain_forces(
         coupling = next_coupling
         moment = next_moment
         edge = after
-    last = 2 * (nodes - 1)
-    band[last, 0] += before.xx
-    band[last, 1] = before.xy
-    band[last + 1, 0] += before.yy
-    for k in range(2, 6):
-        band[last, k] = zero
-        band[last + 1, k - 1] = zero
-    residual[last] += before_x
-    residual[last + 1] += before_y
+    put_last_node(count - 1, before, (before_x, before_y), residual, band)
     return largest
 
 
@@ -126,10 +115,10 @@ def add_chain_forces(
 def chain_energy(frame: Any, mesh: Any, state: Any) -> Any:
     """Elastic energy of the frame (EI/L)."""
     energy = 0.0 * state[0]
-    edge = edge_at(0, state, state, 0.0)
+    edge = edge_at(0, NodeMotion(state, state, 0.0))
     for j in range(node_count(mesh) - 1):
         if j > 0:
-            after = edge_at(j, state, state, 0.0)
+            after = edge_at(j, NodeMotion(state, state, 0.0))
             t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
             bent = t - natural_tangent(mesh, j)
             energy = energy + 2.0 * frame.bending * bent * bent / node_length(frame, mesh, j)
@@ -145,17 +134,11 @@ def chain_dissipation(frame: Any, damping: Any, mesh: Any, state: Any, velocity:
     """Power that material damping takes out of the frame (EI/(L T))."""
     power = 0.0 * state[0]
     zero = 0.0 * power
-    still = edge_at(0, state, state, zero)
+    still = edge_at(0, NodeMotion(state, state, zero))
     edge = still
     for j in range(node_count(mesh) - 1):
-        i = 2 * j
-        after = make_edge(
-            state[i + 2] - state[i],
-            state[i + 3] - state[i + 1],
-            velocity[i + 2] - velocity[i],
-            velocity[i + 3] - velocity[i + 1],
-        )
-        resting = edge_at(j, state, state, zero)
+        after = moving_edge(j, state, velocity)
+        resting = edge_at(j, NodeMotion(state, state, zero))
         if j > 0:
             moving, _ = hinge(frame, mesh, damping, j, edge, after, zero)
             elastic, _ = hinge(frame, mesh, damping, j, still, resting, zero)

@@ -7,16 +7,17 @@ back the same way.
 from typing import Any
 
 from snapjump.discretization.base import HALF_BANDWIDTH, EndTangents
-from snapjump.frame.base import Turning
+from snapjump.frame.base import Rotations
 from snapjump.frame.parts.elastic_body import ElasticBody
 from snapjump.frame.parts.elastic_mesh import DOFS, LEFT_MOUNT, Mount, mount_at, right_mount
-from snapjump.frame.parts.ends import move_first, move_last
+from snapjump.frame.parts.ends import Arm, move_first, move_last
 from snapjump.number.dispatch import kernel
-from snapjump.number.functions import cos, sin, sqrt
+from snapjump.number.functions import sqrt
+from snapjump.number.trigonometry import cos, sin
 
 
 @kernel
-def turning_of(edge: Any, state: Any, vector: Any) -> Any:
+def rotation_of(edge: Any, state: Any, vector: Any) -> Any:
     """Turning of an edge whose nodes move by ``vector``."""
     mount = mount_at(edge, 1.0, state)
     i = 2 * edge
@@ -49,13 +50,13 @@ def right_tangent(frame: Any, mesh: Any, angle: Any, state: Any) -> Any:
 
 
 @kernel
-def spread_mount(edge: Any, column: Any, state: Any, system: Any) -> None:
-    """Move a mount's force and moment, from ``column`` of ``mounts``, onto its edge's nodes, with
-    the stiffness that the moment has because the edge's direction is not linear."""
-    mounts = system.mounts
-    residual = system.frame_residual
-    band = system.frame_band
-    mount = mount_at(edge, 1.0, state)
+def spread_mount(edge: Any, column: Any, work: Any) -> None:
+    """Move a mount's force and moment, from ``column`` of ``mount_residual``, to its edge's nodes,
+    with the stiffness that the moment has because the edge's direction is not linear."""
+    mounts = work.mount_residual
+    residual = work.frame_residual
+    band = work.padded_frame_band
+    mount = mount_at(edge, 1.0, work.state)
     fx = 0.5 * mounts[column]
     fy = 0.5 * mounts[column + 1]
     moment = mounts[column + 2]
@@ -85,23 +86,25 @@ class ElasticMounts(ElasticBody):
     inset: Any
     right_follow: Any
 
-    def mount_turning(self, mesh: Any, state: Any, vector: Any) -> Turning:
-        return Turning(
-            turning_of(mesh[LEFT_MOUNT], state, vector),
-            turning_of(right_mount(mesh), state, vector),
+    def mount_rotations(self, mesh: Any, state: Any, vector: Any) -> Rotations:
+        return Rotations(
+            rotation_of(mesh[LEFT_MOUNT], state, vector),
+            rotation_of(right_mount(mesh), state, vector),
         )
 
-    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Turning) -> Any:
+    def end_tangents(
+        self, mesh: Any, load: Any, angles: Any, state: Any, rotations: Rotations
+    ) -> Any:
         left_x, left_y = turned(mount_at(mesh[LEFT_MOUNT], 1.0, state), -angles.left)
         right_x, right_y = right_tangent(self, mesh, angles.right, state)
         zero = 0.0 * left_x
         return EndTangents(
             left_x,
             left_y,
-            turning.left - angles.left_rate,
+            rotations.left - angles.left_rate,
             right_x,
             right_y,
-            turning.right + angles.right_rate,
+            rotations.right + angles.right_rate,
             zero,
             zero,
         )
@@ -119,44 +122,33 @@ class ElasticMounts(ElasticBody):
         state[last] = right.x - self.inset * right.cx - offset * right_x
         state[last + 1] = right.y - self.inset * right.cy - offset * right_y
 
-    def condense_first(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> None:
-        offset = discretization.clamp_distance()
-        mount = mount_at(mesh[LEFT_MOUNT], 1.0, state)
-        arm_x = self.inset * mount.cx + offset * tangents.left_x
-        arm_y = self.inset * mount.cy + offset * tangents.left_y
-        move_first(discretization, hinge, arm_x, arm_y, system.mounts, system)
-        spread_mount(mesh[LEFT_MOUNT], 0, state, system)
+    def condense_first(self, model: Any, work: Any, tangents: Any, hinge: Any) -> None:
+        offset = model.discretization.clamp_distance()
+        edge = work.mesh[LEFT_MOUNT]
+        mount = mount_at(edge, 1.0, work.state)
+        arm = Arm(
+            self.inset * mount.cx + offset * tangents.left_x,
+            self.inset * mount.cy + offset * tangents.left_y,
+        )
+        move_first(model.discretization, hinge, arm, work.mount_residual, work)
+        spread_mount(edge, 0, work)
 
-    def condense_last(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> None:
-        offset = discretization.clamp_distance()
-        mount = mount_at(right_mount(mesh), -1.0, state)
-        arm_x = -self.inset * mount.cx - offset * tangents.right_x
-        arm_y = -self.inset * mount.cy - offset * tangents.right_y
-        last = (state.shape[0] - mesh[DOFS]) // discretization.node_dofs() - 1
-        move_last(discretization, last, hinge, arm_x, arm_y, system.mounts, system, 3)
-        spread_mount(right_mount(mesh), 3, state, system)
+    def condense_last(self, model: Any, work: Any, tangents: Any, hinge: Any) -> None:
+        offset = model.discretization.clamp_distance()
+        edge = right_mount(work.mesh)
+        mount = mount_at(edge, -1.0, work.state)
+        arm = Arm(
+            -self.inset * mount.cx - offset * tangents.right_x,
+            -self.inset * mount.cy - offset * tangents.right_y,
+        )
+        move_last(model.discretization, hinge, arm, work.mount_residual, work, 3)
+        spread_mount(edge, 3, work)
 
 
 @kernel
-def clear_mounts(system: Any, zero: Any) -> None:
+def clear_mounts(work: Any, zero: Any) -> None:
     """Zero the mounts' matrix and right-hand side."""
     for k in range(6):
-        system.mounts[k] = zero
+        work.mount_residual[k] = zero
         for m in range(6):
-            system.square[k, m] = zero
+            work.corner_block[k, m] = zero

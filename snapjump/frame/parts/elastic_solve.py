@@ -1,8 +1,8 @@
 """The elastic frame's linear system: a band, the beam's stiffness at both mounts, a border of four.
 
 Eliminating the beam leaves a matrix of 6 x 6 that couples the mounts' coordinates (x, y and
-direction of either). A mount is an edge of the frame, so the ``levers`` of its two nodes' four
-coordinates map that matrix onto 8 x 8 of the frame's. The left mount's nodes follow each other,
+direction of either). A mount is an edge of the frame, so the Jacobian of its two nodes' four
+coordinates maps that matrix onto 8 x 8 of the frame's. The left mount's nodes follow each other,
 so their part joins the band; the right mount's four coordinates are kept as a border that is
 solved last.
 """
@@ -17,6 +17,7 @@ from snapjump.linear_solver.banded import (
     reduce_x_entry,
     reduce_y_entry,
 )
+from snapjump.linear_solver.schur import subtract_schur
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import fma, where
 
@@ -25,7 +26,7 @@ REACH = 4  # columns before the last node, which the right mount's border starts
 
 
 @kernel
-def fill_levers(mesh: Any, state: Any, levers: Any) -> None:
+def fill_mount_jacobian(mesh: Any, state: Any, jacobian: Any) -> None:
     """Derivatives of the mounts' (x, y, direction) by the coordinates of their nodes, (8, 3)."""
     for side in range(2):
         edge = mesh[LEFT_MOUNT] if side == 0 else right_mount(mesh)
@@ -34,37 +35,26 @@ def fill_levers(mesh: Any, state: Any, levers: Any) -> None:
         for node in range(2):
             row = 4 * side + 2 * node
             sign = 1.0 if node == 1 else -1.0
-            levers[row, 0] = zero + 0.5
-            levers[row, 1] = zero
-            levers[row, 2] = sign * mount.slope_x
-            levers[row + 1, 0] = zero
-            levers[row + 1, 1] = zero + 0.5
-            levers[row + 1, 2] = sign * mount.slope_y
+            jacobian[row, 0] = zero + 0.5
+            jacobian[row, 1] = zero
+            jacobian[row, 2] = sign * mount.slope_x
+            jacobian[row + 1, 0] = zero
+            jacobian[row + 1, 1] = zero + 0.5
+            jacobian[row + 1, 2] = sign * mount.slope_y
 
 
 @kernel
-def take_beam(system: Any, done: Any) -> None:
+def take_beam(work: Any, done: Any) -> None:
     """Subtract from the mounts' matrix and right-hand side what the eliminated nodes take.
 
     The left mount's part was summed up on the way; the right mount's border begins with the last
     columns, whose factors are still in the band.
     """
-    square = system.square
-    mounts = system.mounts
-    square[0, 0] -= done.xx
-    square[0, 1] -= done.xy
-    square[1, 0] -= done.xy
-    square[1, 1] -= done.yy
-    square[0, 2] -= done.xt
-    square[2, 0] -= done.xt
-    square[1, 2] -= done.yt
-    square[2, 1] -= done.yt
-    square[2, 2] -= done.tt
-    mounts[0] -= done.x
-    mounts[1] -= done.y
-    mounts[2] -= done.t
-    band = system.padded_band
-    border = system.padded_border
+    square = work.corner_block
+    mounts = work.mount_residual
+    subtract_schur(done.schur, square, mounts)
+    band = work.padded_band
+    border = work.padded_border
     end = band.shape[0] - HALF_BANDWIDTH - 2
     for j in range(end - REACH, end):
         over = band[j, 0]
@@ -75,32 +65,32 @@ def take_beam(system: Any, done: Any) -> None:
             border[j, k] = value
         for k in range(3, 6):
             factor = border[j, k] * over
-            mounts[k] = fma(-factor, system.padded_residual[j], mounts[k])
+            mounts[k] = fma(-factor, work.padded_residual[j], mounts[k])
             for m in range(6):
                 square[k, m] = fma(-factor, border[j, m], square[k, m])
 
 
 @kernel
-def between(system: Any, row: Any, column: Any) -> Any:
+def between(work: Any, row: Any, column: Any) -> Any:
     """Entry of the mounts' matrix between two of the eight coordinates of their nodes."""
-    levers = system.levers
+    jacobian = work.mount_jacobian
     k = 3 * (row // 4)
     m = 3 * (column // 4)
-    total = 0.0 * levers[row, 0]
+    total = 0.0 * jacobian[row, 0]
     for a in range(3):
-        inner = system.square[k + a, m] * levers[column, 0]
-        inner = fma(system.square[k + a, m + 1], levers[column, 1], inner)
-        inner = fma(system.square[k + a, m + 2], levers[column, 2], inner)
-        total = fma(levers[row, a], inner, total)
+        inner = work.corner_block[k + a, m] * jacobian[column, 0]
+        inner = fma(work.corner_block[k + a, m + 1], jacobian[column, 1], inner)
+        inner = fma(work.corner_block[k + a, m + 2], jacobian[column, 2], inner)
+        total = fma(jacobian[row, a], inner, total)
     return total
 
 
 @kernel
-def detach_right(first: Any, system: Any) -> None:
+def detach_right(first: Any, work: Any) -> None:
     """Move four coordinates, from ``first`` on, out of the frame's band into its border."""
-    band = system.frame_band
-    border = system.frame_border
-    rhs = system.padded_frame_residual
+    band = work.padded_frame_band
+    border = work.padded_frame_border
+    rhs = work.padded_frame_residual
     zero = 0.0 * rhs[first]
     for j in range(first - HALF_BANDWIDTH, first):
         for r in range(BORDER):
@@ -112,29 +102,29 @@ def detach_right(first: Any, system: Any) -> None:
         j = first + r
         for k in range(HALF_BANDWIDTH + 1):
             if r + k < BORDER:
-                system.last_square[r, r + k] = band[j, k]
-                system.last_square[r + k, r] = band[j, k]
+                work.last_block[r, r + k] = band[j, k]
+                work.last_block[r + k, r] = band[j, k]
             else:
                 border[j + k, r] = band[j, k]
             band[j, k] = zero
         band[j, 0] = zero + 1.0
-        system.last_residual[r] = rhs[j]
+        work.last_residual[r] = rhs[j]
         rhs[j] = zero
 
 
 @kernel
-def add_mounts(left: Any, system: Any) -> None:
+def add_mounts(left: Any, work: Any) -> None:
     """Add the mounts' matrix and right-hand side to band, border and last block."""
-    rhs = system.padded_frame_residual
+    rhs = work.padded_frame_residual
     for c in range(4):
         for r in range(c, 4):
-            system.frame_band[left + c, r - c] += between(system, r, c)
+            work.padded_frame_band[left + c, r - c] += between(work, r, c)
         for r in range(4):
-            system.frame_border[left + c, r] += between(system, r + 4, c)
-            system.last_square[r, c] += between(system, r + 4, c + 4)
+            work.padded_frame_border[left + c, r] += between(work, r + 4, c)
+            work.last_block[r, c] += between(work, r + 4, c + 4)
         for a in range(3):
-            rhs[left + c] += system.levers[c, a] * system.mounts[a]
-            system.last_residual[c] += system.levers[c + 4, a] * system.mounts[a + 3]
+            rhs[left + c] += work.mount_jacobian[c, a] * work.mount_residual[a]
+            work.last_residual[c] += work.mount_jacobian[c + 4, a] * work.mount_residual[a + 3]
 
 
 @kernel
@@ -148,23 +138,23 @@ def reduce_border(border: Any, j: Any, factors: Any) -> None:
 
 
 @kernel
-def take_column(j: Any, system: Any) -> None:
+def take_column(j: Any, work: Any) -> None:
     """Subtract from the last block what an eliminated column takes."""
-    border = system.frame_border
-    over = system.frame_band[j, 0]
-    value = system.padded_frame_residual[j]
+    border = work.padded_frame_border
+    over = work.padded_frame_band[j, 0]
+    value = work.padded_frame_residual[j]
     for r in range(BORDER):
         factor = border[j, r] * over
-        system.last_residual[r] = fma(-factor, value, system.last_residual[r])
+        work.last_residual[r] = fma(-factor, value, work.last_residual[r])
         for c in range(r + 1):
-            system.last_square[r, c] = fma(-factor, border[j, c], system.last_square[r, c])
+            work.last_block[r, c] = fma(-factor, border[j, c], work.last_block[r, c])
 
 
 @routine
-def eliminate_chain(left: Any, system: Any) -> Any:
+def eliminate_chain(left: Any, work: Any) -> Any:
     """Eliminate all of the frame's columns; returns the number of pivots <= 0."""
-    band = system.frame_band
-    rhs = system.padded_frame_residual
+    band = work.padded_frame_band
+    rhs = work.padded_frame_residual
     negative = 0.0 * rhs[0]
     for i in range(HALF_BANDWIDTH, band.shape[0] - HALF_BANDWIDTH, 2):
         j = i + 1
@@ -174,10 +164,10 @@ def eliminate_chain(left: Any, system: Any) -> Any:
         reduce_y_entry(rhs, j, of_y)
         negative = negative + where(band[i, 0] > 0.0, 0.0, 1.0) + where(band[j, 0] > 0.0, 0.0, 1.0)
         if i >= left:
-            reduce_border(system.frame_border, i, (f1, f2, f3, f4, 0.0 * f1))
-            reduce_border(system.frame_border, j, of_y)
-            take_column(i, system)
-            take_column(j, system)
+            reduce_border(work.padded_frame_border, i, (f1, f2, f3, f4, 0.0 * f1))
+            reduce_border(work.padded_frame_border, j, of_y)
+            take_column(i, work)
+            take_column(j, work)
     return negative
 
 
@@ -202,12 +192,12 @@ def solve_last(square: Any, x: Any) -> Any:
 
 
 @routine
-def substitute_chain(left: Any, first: Any, system: Any) -> None:
+def substitute_chain(left: Any, first: Any, work: Any) -> None:
     """Replace the frame's right-hand side by the solution."""
-    band = system.frame_band
-    border = system.frame_border
-    rhs = system.padded_frame_residual
-    last = system.last_residual
+    band = work.padded_frame_band
+    border = work.padded_frame_border
+    rhs = work.padded_frame_residual
+    last = work.last_residual
     for j in range(band.shape[0] - HALF_BANDWIDTH - 1, HALF_BANDWIDTH - 1, -1):
         value = rhs[j]
         if j >= left:
@@ -221,32 +211,33 @@ def substitute_chain(left: Any, first: Any, system: Any) -> None:
 
 
 @routine
-def solve_chain(mesh: Any, state: Any, system: Any, done: Any) -> Any:
+def solve_chain(work: Any, done: Any) -> Any:
     """Solve for the frame's coordinates; returns the number of pivots <= 0."""
+    mesh = work.mesh
     left = 2 * mesh[LEFT_MOUNT] + HALF_BANDWIDTH
     first = 2 * right_mount(mesh) + HALF_BANDWIDTH
     zero = 0.0 * done.negative
     for j in range(left, 2 * node_count(mesh) + HALF_BANDWIDTH):
         for r in range(BORDER):
-            system.frame_border[j, r] = zero
-    fill_levers(mesh, state, system.levers)
-    take_beam(system, done)
-    detach_right(first, system)
-    add_mounts(left, system)
-    negative = eliminate_chain(left, system)
-    negative = negative + solve_last(system.last_square, system.last_residual)
-    substitute_chain(left, first, system)
+            work.padded_frame_border[j, r] = zero
+    fill_mount_jacobian(mesh, work.state, work.mount_jacobian)
+    take_beam(work, done)
+    detach_right(first, work)
+    add_mounts(left, work)
+    negative = eliminate_chain(left, work)
+    negative = negative + solve_last(work.last_block, work.last_residual)
+    substitute_chain(left, first, work)
 
-    rhs = system.padded_frame_residual
-    mounts = system.mounts
+    rhs = work.padded_frame_residual
+    mounts = work.mount_residual
     for a in range(3):
         mounts[a] = zero
         mounts[a + 3] = zero
         for c in range(4):
-            mounts[a] = fma(system.levers[c, a], rhs[left + c], mounts[a])
-            mounts[a + 3] = fma(system.levers[c + 4, a], rhs[first + c], mounts[a + 3])
-    values = system.padded_residual
-    border = system.padded_border
+            mounts[a] = fma(work.mount_jacobian[c, a], rhs[left + c], mounts[a])
+            mounts[a + 3] = fma(work.mount_jacobian[c + 4, a], rhs[first + c], mounts[a + 3])
+    values = work.padded_residual
+    border = work.padded_border
     end = values.shape[0] - HALF_BANDWIDTH - 2
     for j in range(HALF_BANDWIDTH, end):
         value = fma(-border[j, 0], mounts[0], values[j])

@@ -1,25 +1,47 @@
-"""Condensing a slave node: what fixed and moving frames share."""
+"""Condensing a slave node: its rows and columns move onto the frame, an identity stays behind."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from snapjump.discretization.base import EndHinge
 from snapjump.number.dispatch import kernel
 
 
+class Arm(NamedTuple):
+    """From a mount's point to an end node (L)."""
+
+    x: Any
+    y: Any
+
+
+class EndNode(NamedTuple):
+    """An end node's force (x, y) and own block (xx, xy, yy), and what couples it with the frame's
+    direction (cx, cy)."""
+
+    x: Any
+    y: Any
+    xx: Any
+    xy: Any
+    yy: Any
+    cx: Any
+    cy: Any
+
+
 @kernel
-def release_first_node(dofs: Any, residual: Any, band: Any) -> None:
-    """Leave an identity in place of node 0 of ``dofs`` coordinates (``residual`` of the nodes)."""
+def release_first_node(dofs: Any, work: Any) -> None:
+    """Leave an identity in place of node 0 of ``dofs`` coordinates."""
+    band = work.band
     for i in range(dofs):
         for k in range(1, 6):
             band[i, k] = 0.0
         band[i, 0] = 1.0
-        residual[i] = 0.0
+        work.residual[i] = 0.0
 
 
 @kernel
-def release_last_node(dofs: Any, residual: Any, band: Any, last: Any) -> None:
-    """Leave an identity in place of the last node, ``last`` being its number."""
-    row = dofs * last
+def release_last_node(dofs: Any, work: Any) -> None:
+    """Leave an identity in place of the last node."""
+    band = work.band
+    row = work.residual.shape[0] - dofs
     # Columns of the nodes before: two of two coordinates, or one of three, reach the last one.
     before = 4 if dofs == 2 else 3
     for k in range(1, before + 1):
@@ -30,181 +52,106 @@ def release_last_node(dofs: Any, residual: Any, band: Any, last: Any) -> None:
         for k in range(1, dofs - i):
             band[row + i, k] = 0.0
         band[row + i, 0] = 1.0
-        residual[row + i] = 0.0
+        work.residual[row + i] = 0.0
 
 
 @kernel
-def add_arm(
-    kxx: Any,
-    kxy: Any,
-    kyy: Any,
-    cx: Any,
-    cy: Any,
-    hinge: Any,
-    sign: Any,
-    fx: Any,
-    fy: Any,
-    arm_x: Any,
-    arm_y: Any,
-    residual: Any,
-    square: Any,
-    k: Any,
-) -> None:
-    """Move an end node's own block, force and hinge onto a mount: coordinates k, k + 1, k + 2.
+def end_node(discretization: Any, row: Any, hinge: Any, sign: Any, work: Any) -> Any:
+    """The end node whose x is at ``row``, and the hinge by which it acts on the frame's direction.
 
-    (kxx, kxy, kyy): the node's block; (cx, cy): its coupling with the frame's direction through
-    the hinge; ``sign``: d(hinge angle)/d(frame's direction); (arm_x, arm_y): from the mount's
-    point to the node.
+    A node that turns does so with the frame: what acts on its rotation is the moment of the clamp.
+    ``sign``: d(hinge angle)/d(frame's direction), of a node that does not turn.
     """
-    sx = -arm_y
-    sy = arm_x
-    residual[k] += fx
-    residual[k + 1] += fy
-    residual[k + 2] += sx * fx + sy * fy + sign * hinge.moment
-    tx = kxx * sx + kxy * sy + cx
-    ty = kxy * sx + kyy * sy + cy
-    square[k, k] += kxx
-    square[k, k + 1] += kxy
-    square[k + 1, k] += kxy
-    square[k + 1, k + 1] += kyy
-    square[k, k + 2] += tx
-    square[k + 2, k] += tx
-    square[k + 1, k + 2] += ty
-    square[k + 2, k + 1] += ty
-    square[k + 2, k + 2] += (
-        sx * tx + sy * ty + sx * cx + sy * cy + hinge.stiffness - arm_x * fx - arm_y * fy
-    )
-
-
-@kernel
-def condense_hinged_node(
-    row: Any,
-    hinge: Any,
-    sign: Any,
-    arm_x: Any,
-    arm_y: Any,
-    residual: Any,
-    system: Any,
-    column: Any,
-) -> None:
-    """Move an end node that does not turn, with the hinge of its edge, onto the frame.
-
-    ``sign``: d(hinge angle)/d(frame's direction); the edge leaves the first node and ends at
-    the last one.
-    """
-    band = system.band
-    nodes = system.residual
+    band = work.band
+    residual = work.residual
     coupling = -sign * hinge.stiffness
-    add_arm(
-        band[row, 0],
-        band[row, 1],
-        band[row + 1, 0],
-        coupling * hinge.slope_x,
-        coupling * hinge.slope_y,
-        hinge,
-        sign,
-        nodes[row],
-        nodes[row + 1],
-        arm_x,
-        arm_y,
-        residual,
-        system.square,
-        column,
+    cx = coupling * hinge.slope_x
+    cy = coupling * hinge.slope_y
+    if discretization.node_dofs() == 3:
+        length = discretization.rotation_length()
+        zero = 0.0 * hinge.stiffness  # where no matrix is wanted, too, of the type of all numbers
+        moment = zero + length * residual[row + 2]
+        hinge = EndHinge(moment, zero + length * length * band[row + 2, 0], zero, zero)
+        cx = zero + length * band[row, 2]
+        cy = zero + length * band[row + 1, 1]
+    node = EndNode(
+        residual[row], residual[row + 1], band[row, 0], band[row, 1], band[row + 1, 0], cx, cy
     )
+    return node, hinge
 
 
 @kernel
-def condense_turning_node(
-    row: Any, length: Any, arm_x: Any, arm_y: Any, residual: Any, system: Any, column: Any
+def add_end(
+    node: EndNode, hinge: Any, sign: Any, arm: Arm, residual: Any, block: Any, k: Any
 ) -> None:
-    """Move an end node with a third coordinate, ``length`` times its rotation, onto the frame.
-
-    It turns with the frame: what acts on its rotation is the moment of the clamp.
-    """
-    band = system.band
-    nodes = system.residual
-    zero = 0.0 * arm_x
-    moment = length * nodes[row + 2]
-    stiffness = length * length * band[row + 2, 0]
-    add_arm(
-        band[row, 0],
-        band[row, 1],
-        band[row + 1, 0],
-        length * band[row, 2],
-        length * band[row + 1, 1],
-        EndHinge(moment, stiffness, zero, zero),
-        1.0,
-        nodes[row],
-        nodes[row + 1],
-        arm_x,
-        arm_y,
-        residual,
-        system.square,
-        column,
-    )
+    """Add an end node's force, block and hinge to those of a mount: coordinates k, k + 1, k + 2."""
+    sx = -arm.y
+    sy = arm.x
+    residual[k] += node.x
+    residual[k + 1] += node.y
+    residual[k + 2] += sx * node.x + sy * node.y + sign * hinge.moment
+    tx = node.xx * sx + node.xy * sy + node.cx
+    ty = node.xy * sx + node.yy * sy + node.cy
+    block[k, k] += node.xx
+    block[k, k + 1] += node.xy
+    block[k + 1, k] += node.xy
+    block[k + 1, k + 1] += node.yy
+    block[k, k + 2] += tx
+    block[k + 2, k] += tx
+    block[k + 1, k + 2] += ty
+    block[k + 2, k + 1] += ty
+    rotational = sx * tx + sy * ty + sx * node.cx + sy * node.cy + hinge.stiffness
+    block[k + 2, k + 2] += rotational - arm.x * node.x - arm.y * node.y
 
 
 @kernel
-def add_border(
-    bx: Any, by: Any, arm_x: Any, arm_y: Any, border: Any, row: Any, column: Any
-) -> None:
-    """Move the coupling (bx, by) of an end node with a row onto the frame's columns."""
+def add_border(bx: Any, by: Any, arm: Arm, border: Any, row: Any, column: Any) -> None:
+    """Add the coupling (bx, by) of an end node with a row to the frame's columns."""
     border[row, column] += bx
     border[row, column + 1] += by
-    border[row, column + 2] += by * arm_x - bx * arm_y
+    border[row, column + 2] += by * arm.x - bx * arm.y
 
 
 @kernel
-def move_first(
-    discretization: Any, hinge: Any, arm_x: Any, arm_y: Any, residual: Any, system: Any
-) -> None:
-    """Move the first node onto columns 0, 1, 2 of the border: x, y and direction of a mount."""
-    band = system.band
-    border = system.border
-    if discretization.node_dofs() == 3:
-        length = discretization.turn_length()
-        condense_turning_node(0, length, arm_x, arm_y, residual, system, 0)
-        for row in range(3, 6):
-            add_border(band[0, row], band[1, row - 1], arm_x, arm_y, border, row, 0)
-            border[row, 2] += length * band[2, row - 2]
-        release_first_node(3, system.residual, band)
-    else:
-        condense_hinged_node(0, hinge, -1.0, arm_x, arm_y, residual, system, 0)
-        for row in range(2, 6):
-            add_border(band[0, row], band[1, row - 1], arm_x, arm_y, border, row, 0)
+def move_first(discretization: Any, hinge: Any, arm: Arm, residual: Any, work: Any) -> None:
+    """Move the first node onto columns 0, 1, 2 of the border: x, y and direction of a mount.
+
+    residual: of the mount's coordinates.
+    """
+    band = work.band
+    border = work.border
+    dofs = discretization.node_dofs()
+    sign = 1.0 if dofs == 3 else -1.0
+    node, end_hinge = end_node(discretization, 0, hinge, sign, work)
+    add_end(node, end_hinge, sign, arm, residual, work.corner_block, 0)
+    for row in range(dofs, 6):
+        add_border(band[0, row], band[1, row - 1], arm, border, row, 0)
+        if dofs == 3:
+            border[row, 2] += discretization.rotation_length() * band[2, row - 2]
+    if dofs == 2:
         border[2, 2] -= hinge.stiffness * hinge.slope_x
         border[3, 2] -= hinge.stiffness * hinge.slope_y
-        release_first_node(2, system.residual, band)
+    release_first_node(dofs, work)
 
 
 @kernel
 def move_last(
-    discretization: Any,
-    last: Any,
-    hinge: Any,
-    arm_x: Any,
-    arm_y: Any,
-    residual: Any,
-    system: Any,
-    column: Any,
+    discretization: Any, hinge: Any, arm: Arm, residual: Any, work: Any, column: Any
 ) -> None:
-    """Move node ``last``, the last one, onto three columns of the border."""
-    band = system.band
-    border = system.border
+    """Move the last node onto three columns of the border, from ``column`` on."""
+    band = work.band
+    border = work.border
     dofs = discretization.node_dofs()
-    row = dofs * last
-    if dofs == 3:
-        length = discretization.turn_length()
-        condense_turning_node(row, length, arm_x, arm_y, residual, system, column)
-        for k in range(1, 4):
-            j = row - k
-            add_border(band[j, k], band[j, k + 1], arm_x, arm_y, border, j, column)
-            border[j, column + 2] += length * band[j, k + 2]
-    else:
-        condense_hinged_node(row, hinge, 1.0, arm_x, arm_y, residual, system, column)
-        for k in range(1, 5):
-            j = row - k
-            add_border(band[j, k], band[j, k + 1], arm_x, arm_y, border, j, column)
+    row = work.residual.shape[0] - dofs
+    node, end_hinge = end_node(discretization, row, hinge, 1.0, work)
+    add_end(node, end_hinge, 1.0, arm, residual, work.corner_block, column)
+    # Columns of the nodes before: two of two coordinates, or one of three, reach the last one.
+    for k in range(1, 5 if dofs == 2 else 4):
+        j = row - k
+        add_border(band[j, k], band[j, k + 1], arm, border, j, column)
+        if dofs == 3:
+            border[j, column + 2] += discretization.rotation_length() * band[j, k + 2]
+    if dofs == 2:
         border[row - 2, column + 2] += hinge.stiffness * hinge.slope_x
         border[row - 1, column + 2] += hinge.stiffness * hinge.slope_y
-    release_last_node(dofs, system.residual, band, last)
+    release_last_node(dofs, work)

@@ -10,31 +10,6 @@ from snapjump.frame.base import Frame
 class NoFrame(NamedTuple):
     """Nothing is held."""
 
-    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, turning: Any) -> Any:
+    def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, rotations: Any) -> Any:
         zero = 0.0 * state[0]
         return EndTangents(zero, zero, zero, zero, zero, zero, zero, zero)
-
-    def place_ends(self, mesh: Any, discretization: Any, angles: Any, state: Any) -> None:
-        pass
-
-    def condense_first(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> None:
-        pass
-
-    def condense_last(
-        self,
-        mesh: Any,
-        tangents: Any,
-        discretization: Any,
-        hinge: Any,
-        state: Any,
-        system: Any,
-    ) -> None:
-        pass

@@ -1,1 +1,1 @@
-"""What statics have instead of a friction law."""
+"""Friction at rest, for statics."""

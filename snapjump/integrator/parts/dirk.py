@@ -38,7 +38,7 @@ def step_error(tableau: Any, work: Any, i: Any, step: Any) -> Any:
 
 
 class DirkScheme(TimeIntegrator):
-    """What all tableaux have in common, but for how their steps end."""
+    """Diagonally implicit Runge-Kutta schemes, but for how their steps end."""
 
     gamma: Any
     matrix: Any
@@ -53,28 +53,28 @@ class DirkScheme(TimeIntegrator):
     def stage_count(self) -> Any:
         return len(self.error) - 1
 
-    def stage_node(self, stage: Any) -> Any:
+    def abscissa(self, stage: Any) -> Any:
         return pick(self.nodes, stage)
 
     def stage_rates(self, step: Any, ratio: Any) -> Any:
         rate = 1.0 / (self.gamma * step)
         return Rates(rate, rate)
 
-    def weigh_slots(self, stage: Any, step: Any, ratio: Any, weights: Any) -> None:
+    def stage_coefficients(self, stage: Any, step: Any, ratio: Any, coefficients: Any) -> None:
         for k in range(len(self.error) - 1):
-            weights[k] = step * pick(self.matrix[:, k], stage)
+            coefficients[k] = step * pick(self.matrix[:, k], stage)
 
     def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
-        origin = work.start[i]
-        drift = work.velocity[0, i]
+        position = work.start[i]
+        velocity = work.velocity[0, i]
         guess = work.acceleration[0, i]
         for k in range(len(self.error) - 1):
             earlier = work.acceleration[k, i]
-            origin = fma(work.weights[k], work.velocity[k, i], origin)
-            drift = fma(work.weights[k], earlier, drift)
+            position = fma(work.coefficients[k], work.velocity[k, i], position)
+            velocity = fma(work.coefficients[k], earlier, velocity)
             guess = where(stage > 1.0 * k, earlier, guess)
         share = 1.0 / rates.rate_factor
-        return origin, drift, origin + share * (drift + share * guess)
+        return position, velocity, position + share * (velocity + share * guess)
 
     def store_stage(
         self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
@@ -87,8 +87,8 @@ class DirkScheme(TimeIntegrator):
                 velocity = work.velocity[k]
                 acceleration = work.acceleration[k]
                 for i in range(work.state.shape[0]):
-                    v = (work.state[i] - work.origin[i]) * rate
-                    a = (v - work.drift[i]) * rate
+                    v = (work.state[i] - work.position_predictor[i]) * rate
+                    a = (v - work.velocity_predictor[i]) * rate
                     velocity[i] = where(here, v, velocity[i])
                     acceleration[i] = where(here, a, acceleration[i])
         total = 0.0 * rate
@@ -97,9 +97,9 @@ class DirkScheme(TimeIntegrator):
             velocity = work.velocity[last]
             acceleration = work.acceleration[last]
             for i in range(work.state.shape[0]):
-                v = (work.state[i] - work.origin[i]) * rate
+                v = (work.state[i] - work.position_predictor[i]) * rate
                 velocity[i] = v
-                acceleration[i] = (v - work.drift[i]) * rate
+                acceleration[i] = (v - work.velocity_predictor[i]) * rate
                 error = step_error(self, work, i, step)
                 total = fma(error, error, total)
         return sqrt(total / work.state.shape[0]) * step

@@ -1,1 +1,1 @@
-"""What plans are made of."""
+"""Parts of plans."""

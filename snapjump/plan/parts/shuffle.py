@@ -29,7 +29,7 @@ def keyed(key: int, stream: int, numbers: Integers) -> Integers:
 
 
 def shuffled(numbers: Integers, count: int, key: int, stream: int) -> Integers:
-    """Where a permutation of 0 to count - 1 takes each of the numbers."""
+    """Images of numbers under a permutation of 0 to count - 1."""
     half = max(1, ((count - 1).bit_length() + 1) // 2)
     result = numbers.copy()
     outside = np.arange(len(numbers))

@@ -1,4 +1,4 @@
-"""What a study is made of: named cells, what became of each, and what they come to together."""
+"""Parts of a study: named cells, their rows, tables, figures and the conclusion."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -25,7 +25,7 @@ class Cell:
 
 @dataclass(frozen=True)
 class Done:
-    """What became of a cell: its table of rows, null where a number is not finite.
+    """A finished cell: its table of rows, null where a number is not finite.
 
     ``run``: the run that did it; ``started_at``, ``finished_at``: UTC, ISO 8601.
     """
@@ -85,7 +85,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Conclusion:
-    """What a study leaves.
+    """The results of a study: findings, tables and figures.
 
     ``summary``: flat numbers for result.json; ``findings``: sentences; ``metrics``: further
     numbers of single cells, for their records; ``blocks``: Markdown that replaces what stands

@@ -7,6 +7,8 @@ import numpy as np
 
 from snapjump.run.studies.base import Done
 
+TOLD = ("status", "message", "started_at", "finished_at")
+
 
 def children(
     cells: Iterable[Done], metrics: Mapping[str, Mapping[str, float]]
@@ -18,10 +20,7 @@ def children(
     return [
         {
             "name": done.cell.name,
-            "status": done.status,
-            "message": done.message,
-            "started_at": done.started_at,
-            "finished_at": done.finished_at,
+            **{key: getattr(done, key) for key in TOLD},
             "params": dict(done.cell.inputs),
             "metrics": {**medians(done), **_finite(metrics.get(done.cell.name, {}))},
         }

@@ -1,4 +1,4 @@
-"""Everything that determines the cells of a study, as one short name for their folder."""
+"""The hash of all that determines the cells of a study, which their folder is named by."""
 
 import ast
 import json

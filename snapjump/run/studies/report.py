@@ -1,7 +1,5 @@
-"""What a study leaves: each table as CSV and Markdown, figures, report.md and report.html."""
+"""The report of a study: each table as CSV and Markdown, figures, report.md and report.html."""
 
-import csv
-import io
 import math
 from pathlib import Path
 from typing import Any
@@ -69,9 +67,7 @@ def csv_text(table: Table) -> str:
     """The table with all digits, and nothing where there is no finite number."""
     if not table.rows:
         return ""
+    import pandas as pd
+
     rows, _ = finite(list(table.rows))
-    file = io.StringIO()
-    writer = csv.DictWriter(file, table.header, restval="", lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    return file.getvalue()
+    return str(pd.DataFrame(rows, columns=table.header, dtype=object).to_csv(index=False))

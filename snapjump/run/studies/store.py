@@ -1,17 +1,13 @@
 """Finished cells on disk, each in a file of its own, so that no finished work is done twice."""
 
-import hashlib
-import re
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from snapjump.checks import ParameterError
 from snapjump.files.json_file import finite, read_json, write_json
 from snapjump.files.lock import FileLock
 from snapjump.run.studies.base import FAILED, Cell, Done
-
-LONGEST = 100
+from snapjump.run.tasks.names import readable_name
 
 
 class CellStore:
@@ -30,15 +26,10 @@ class CellStore:
         self._lock.release()
 
     def file(self, cell: Cell) -> Path:
-        """Where a cell is kept."""
-        readable = re.sub(r"[^\w.=,+-]", "_", cell.name)
-        if readable != cell.name or len(readable) > LONGEST:
-            digest = hashlib.sha256(cell.name.encode()).hexdigest()[:8]
-            readable = f"{readable[:LONGEST]}-{digest}"
-        return self.path / f"{readable}.json"
+        return self.path / f"{readable_name(cell.name)}.json"
 
     def load(self, cell: Cell) -> Done | None:
-        """What became of this very cell, unless it is still to be done."""
+        """This very cell as it was finished, or None."""
         kept = read_json(self.file(cell))
         inputs, _ = finite(cell.inputs)
         if kept is None or kept.pop("name") != cell.name or kept.pop("inputs") != inputs:
@@ -50,18 +41,6 @@ class CellStore:
         rows, _ = finite(done.rows)
         clean = replace(done, rows=rows)
         if done.status != FAILED:
-            write_json(self.file(done.cell), _contents(clean))
+            own = {key: value for key, value in vars(clean).items() if key != "cell"}
+            write_json(self.file(done.cell), {**vars(done.cell), **own})
         return clean
-
-
-def _contents(done: Done) -> dict[str, Any]:
-    return {
-        "name": done.cell.name,
-        "inputs": done.cell.inputs,
-        "status": done.status,
-        "message": done.message,
-        "rows": done.rows,
-        "run": done.run,
-        "started_at": done.started_at,
-        "finished_at": done.finished_at,
-    }

@@ -2,7 +2,8 @@
 
 import traceback
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -26,7 +27,7 @@ CELLS_FAILED = "cells_failed"
 
 
 class Study(ABC):
-    """Base of all studies. A member plans cells, computes one, and concludes from all.
+    """Base of all studies. A study plans cells, computes one, and concludes from all.
 
     ``sources``: the modules that a cell's rows depend on, if not just the study's own; when one
     of them changes, or a module of the experiments that it imports, cells are done again.
@@ -120,7 +121,6 @@ class Study(ABC):
         return Outcome(OK, "", summary)
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
-        """The closing block."""
         return self._told
 
     def _attempt(self, cell: Cell, folder: ResultFolder, failures: list[str]) -> Done:
@@ -137,11 +137,8 @@ class Study(ABC):
         return Done(cell, status, message, rows, folder.path.name, started_at, now())
 
 
-def _counts(done: Any, run: str) -> dict[str, int]:
-    """How many cells ended how, and how many had been done by an earlier run."""
-    found = {f"cells_{status}": 0 for status in (base.OK, base.REFUSED, base.FAILED)}
-    kept = 0
-    for one in done:
-        found[f"cells_{one.status}"] += 1
-        kept += one.run != run
-    return {**found, "cells_kept": kept}
+def _counts(done: Collection[Done], run: str) -> dict[str, int]:
+    """Counts of cells by status, and of those that had been done by an earlier run."""
+    counts = Counter(one.status for one in done)
+    found = {f"cells_{status}": counts[status] for status in (base.OK, base.REFUSED, base.FAILED)}
+    return {**found, "cells_kept": sum(one.run != run for one in done)}

@@ -1,1 +1,1 @@
-"""What the command line can be asked to do: a family, found by name."""
+"""Tasks of the command line: a family, found by name."""

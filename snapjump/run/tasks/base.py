@@ -1,12 +1,11 @@
-"""The contract of a task: what ``task=<name>`` does with a configuration."""
+"""The contract of a task (``task=<name>``), its statuses and their exit codes."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
+from snapjump.declare.scenes import Progress
 from snapjump.files.result_folder import ResultFolder
-
-Progress = Callable[[float, str], None]
 
 # Statuses that any task may end in, beside those of its own that name a failure.
 OK = "ok"
@@ -19,10 +18,18 @@ ERROR = "error"
 # An unreachable target is an answer: no restart of a sweep would find another.
 FINISHED = frozenset({OK, NO_JUMP, UNREACHABLE})
 
+EXIT_OK = 0
+EXIT_ERROR = 1
+EXIT_BAD_INPUT = 2
+EXIT_FAILED = 3
+EXIT_UNREACHABLE = 4
+EXIT_UNTRACKED = 5
+EXIT_INTERRUPTED = 130
+
 
 @dataclass
 class Outcome:
-    """How a task ended: a status, one line why, and the flat numbers of ``result.json``."""
+    """The outcome of a task: a status, one line why, and the flat numbers of ``result.json``."""
 
     status: str
     message: str = ""
@@ -43,4 +50,28 @@ class Task(Protocol):
         """Work, and leave arrays and figures in the folder; ``result.json`` is the caller's."""
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
-        """What to tell a reader at the end, as (heading, text); the first is the title."""
+        """The closing block, as (heading, text); the first is the title."""
+
+
+def stretch(progress: Progress, begin: float, end: float) -> Progress:
+    """The progress of a stretch of the work, from one share of it to another."""
+    return lambda done, text: progress(begin + (end - begin) * done, text)
+
+
+def exit_code(status: str) -> int:
+    """The exit code of one job."""
+    special = {
+        BAD_INPUT: EXIT_BAD_INPUT,
+        ERROR: EXIT_ERROR,
+        INTERRUPTED: EXIT_INTERRUPTED,
+        UNREACHABLE: EXIT_UNREACHABLE,
+    }
+    return special.get(status, EXIT_OK if status in FINISHED else EXIT_FAILED)
+
+
+def sweep_exit_code(statuses: Sequence[str]) -> int:
+    """The exit code of a sweep: a cell that failed counts before one that had bad input."""
+    if all(status in FINISHED for status in statuses):
+        return EXIT_OK
+    bad = {status for status in statuses if status not in FINISHED}
+    return EXIT_BAD_INPUT if bad == {BAD_INPUT} else EXIT_FAILED

@@ -8,8 +8,8 @@ from typing import Any
 
 from snapjump.checks import ParameterError
 from snapjump.declare.former_options import check_arguments
-from snapjump.declare.plugins import load_installed, load_plugins
-from snapjump.run.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_ERROR, EXIT_INTERRUPTED
+from snapjump.declare.plugins import load_all, load_installed
+from snapjump.run.tasks.base import EXIT_BAD_INPUT, EXIT_ERROR, EXIT_INTERRUPTED
 
 FLAGS = frozenset(
     "-m --multirun -r --run -c --cfg -p --package --resolve -i --info -cd --config-dir "
@@ -60,12 +60,6 @@ def named_plugins(arguments: Sequence[str]) -> list[str]:
     return found
 
 
-def load_all(folders: str | Sequence[str] | None) -> None:
-    """Load the plug-ins of a value of the key ``plugins``. Raises ParameterError."""
-    for folder in [folders] if isinstance(folders, str) else folders or ():
-        load_plugins(folder)
-
-
 def _run_hydra(conf: Path) -> int:
     import hydra
     from hydra.errors import HydraException
@@ -74,12 +68,12 @@ def _run_hydra(conf: Path) -> int:
     from snapjump.run.tasks.hydra_errors import one_line
     from snapjump.run.tasks.search_path import search_plugins
     from snapjump.run.tasks.sweep import current_sweep, leave_sweep
+    from snapjump.run.tasks.sweep_summary import summarise
 
     wants_traceback = os.environ.get("HYDRA_FULL_ERROR") == "1"
     # Otherwise Hydra prints several lines and exits with 1 for whatever goes wrong.
     os.environ["HYDRA_FULL_ERROR"] = "1"
     _exit_codes.clear()
-    leave_sweep()
     load_installed()
     search_plugins()
     run = hydra.main(version_base="1.3", config_path=str(conf), config_name="config")(_job)
@@ -94,7 +88,10 @@ def _run_hydra(conf: Path) -> int:
     finally:
         sweep = current_sweep()
         if sweep is not None:
-            _exit_codes[:] = [sweep.finish(sys.exc_info()[1])]
+            try:
+                _exit_codes[:] = [summarise(sweep, sys.exc_info()[1])]
+            finally:
+                leave_sweep(sweep)
     return max(_exit_codes, default=0)
 
 

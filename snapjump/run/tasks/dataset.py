@@ -16,7 +16,7 @@ from snapjump.declare.members import make_member
 from snapjump.executor.base import Executor
 from snapjump.files.lock import FileLock
 from snapjump.files.result_folder import ResultFolder
-from snapjump.run.tasks.base import INTERRUPTED, OK, Outcome, Progress
+from snapjump.run.tasks.base import INTERRUPTED, OK, Outcome, Progress, stretch
 from snapjump.run.tasks.complete import check_complete, whole
 from snapjump.show.plots.dataset import draw_dataset, draw_status
 from snapjump.show.terminal.block import number
@@ -40,7 +40,6 @@ class GenerateDataset:
     _damaged: Sequence[str] = ()
 
     def prepare(self, config: Mapping[str, Any]) -> None:
-        """Check every value, the folder and the executor; claim the folder."""
         self._config = config
         self._options = whole(SharedDataset, config.get("dataset"))
         self._specification = specify(config, self._options.shard_size, self._options.sensitivities)
@@ -57,7 +56,6 @@ class GenerateDataset:
             raise self._folder.refused(allowed) from error
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
-        """Generate, read it all once more, and leave figures and the record of its hash."""
         shown = GENERATION_SHARE if self._config["figures"] else 1.0
         try:
             generation = generate(
@@ -65,7 +63,7 @@ class GenerateDataset:
                 self._specification,
                 self._executor,
                 self._config["backend"],
-                lambda done, text: progress(shown * done, text),
+                stretch(progress, 0.0, shown),
                 self._options.part,
                 self._options.parts,
             )
@@ -81,7 +79,6 @@ class GenerateDataset:
         return Outcome(OK, "", summary(self._folder, generation))
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
-        """The closing block; of a run that was stopped, how it goes on."""
         found, made_of, place = outcome.summary, self._specification, self._folder.path
         title = f"{self._config['plan']['name']}, {made_of.plan.count:,} jumps at "
         lines = [("dataset", title + str(made_of.simulation.accuracy))]

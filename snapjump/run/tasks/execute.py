@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from snapjump.checks import ParameterError, check_choice, check_integer
-from snapjump.declare.members import FAMILIES
+from snapjump.declare.families import FAMILIES
 from snapjump.files.atomic import write_text
 from snapjump.files.json_file import finite
 from snapjump.files.provenance import now, provenance
@@ -58,17 +58,12 @@ def execute(
         outcome.summary.setdefault("wall_seconds", time.perf_counter() - clock)
         write_outcome(config, folder, command, started_at, outcome)
         if config["publish"] is not None and outcome.finished:
-            _publish(config, folder)
+            try:
+                told = "published " + ", ".join(map(str, publish(config, folder)))
+            except OSError as error:
+                told = f"not published: {error}; the report is in {folder.path}"
+            print(told, file=sys.stderr)
     return outcome, task
-
-
-def _publish(config: Mapping[str, Any], folder: ResultFolder) -> None:
-    try:
-        written = publish(config, folder)
-    except OSError as error:
-        print(f"not published: {error}; the report is in {folder.path}", file=sys.stderr)
-    else:
-        print("published " + ", ".join(str(path) for path in written), file=sys.stderr)
 
 
 def write_outcome(

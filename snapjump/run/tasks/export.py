@@ -21,14 +21,12 @@ class Export:
     _model: ForwardModel
 
     def prepare(self, config: Mapping[str, Any]) -> None:
-        """Read the checkpoint, which checks it."""
         self._path = str(checkpoint_path(config.get("checkpoint")))
         self._seed = config["seed"]
         self._model = open_forward_model(self._path)
         check_exportable(self._model, self._path)
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
-        """Write the file, once it has been compared."""
         progress(0.0, "exporting")
         found = export(self._model, folder.path / FILE, self._seed)
         return Outcome(OK, "", {"checkpoint": self._path, "onnx": FILE, **found._asdict()})

@@ -11,7 +11,7 @@ from snapjump.checks import ParameterError
 
 
 def one_line(error: Exception, arguments: Sequence[str]) -> ParameterError:
-    """The same complaint in the words of this program."""
+    """An error of Hydra's as a ParameterError."""
     if isinstance(error, MissingConfigException) and error.options:
         group, _, member = str(error.missing_cfg_file).rpartition("/")
         return ParameterError(group, member, "one of " + ", ".join(sorted(error.options)))
@@ -51,7 +51,7 @@ def _unknown_key(error: OmegaConfBaseException, arguments: Sequence[str]) -> Par
 
 
 def _given(key: str, arguments: Sequence[str]) -> str:
-    """What the command line gives for a key."""
+    """The value of a key on the command line, or nothing."""
     for argument in arguments:
         name, separator, value = argument.partition("=")
         if separator and name.lstrip("+~") == key:

@@ -15,7 +15,7 @@ from snapjump.files.result_folder import ResultFolder
 from snapjump.inverse.base import Array, InverseOptions, Solution
 from snapjump.results import Result
 from snapjump.robot.design import Design
-from snapjump.run.tasks.base import OK, UNREACHABLE, Outcome, Progress
+from snapjump.run.tasks.base import OK, UNREACHABLE, Outcome, Progress, stretch
 from snapjump.run.tasks.complete import check_complete
 from snapjump.show.plots.inverse import inverse_picture
 from snapjump.show.terminal.inverse_report import inverse_report
@@ -51,7 +51,6 @@ class InverseDesign:
     _warning: str
 
     def prepare(self, config: Mapping[str, Any]) -> None:
-        """Check every value, the forward model, and that it is one of this physical model."""
         self._config = config
         self._target = request.checked_target(config.get("target"))
         self._method = make_member("inverse", config.get("inverse"))
@@ -71,7 +70,6 @@ class InverseDesign:
         )
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
-        """Search, simulate the design at the configured tier, and draw."""
         if self._warning:
             print(f"warning: {self._warning}", file=sys.stderr)
         problem = problem_of(
@@ -102,22 +100,18 @@ class InverseDesign:
         """The jump of a design with its trajectory, by the program for one robot."""
         delta_alpha, epsilon = chosen.controls.tolist()
         design = Design(epsilon=epsilon, delta_alpha=delta_alpha)
-        share = DRAWING - SIMULATION
-        return simulate(
-            replace(self._base, design=design, backend=ScalarBackend()),
-            lambda done, text: progress(SIMULATION + share * done, text),
-        )
+        simulation = replace(self._base, design=design, backend=ScalarBackend())
+        return simulate(simulation, stretch(progress, SIMULATION, DRAWING))
 
     def _draw(self, folder: ResultFolder, designed: Designed) -> None:
         region = None
         if self._forward is not None:
             region = AchievableRegion.of(designed.problem, self._forward, DRAWN_POINTS)
-
         folder.write_figures(lambda path: inverse_picture(designed, region, path / "inverse.png"))
 
 
 def outcome_of(designed: Designed) -> Outcome:
-    """What to tell the shell of it."""
+    """The outcome of a designed jump."""
     summary, jump = designed.summary(), designed.jump
     if designed.answer.reachable:
         if jump.status != OK:

@@ -1,4 +1,4 @@
-"""What Hydra calls for a run or a cell of a sweep: one job, recorded, told, and its exit code."""
+"""One job of Hydra's, a run or a cell of a sweep: done, recorded, told, and its exit code."""
 
 import os
 import shlex
@@ -14,12 +14,12 @@ from omegaconf.errors import OmegaConfBaseException
 
 from snapjump.checks import ParameterError
 from snapjump.declare.members import make_member
+from snapjump.declare.plugins import load_all
 from snapjump.files.provenance import now, source_hash
 from snapjump.files.result_folder import ResultFolder
-from snapjump.run.tasks.base import BAD_INPUT, FINISHED, INTERRUPTED, Outcome, Task
-from snapjump.run.tasks.command_line import load_all
+from snapjump.run.tasks import base
+from snapjump.run.tasks.base import Outcome, Task
 from snapjump.run.tasks.execute import execute, write_outcome
-from snapjump.run.tasks.exit_codes import EXIT_BAD_INPUT, EXIT_OK, EXIT_UNTRACKED, exit_code
 from snapjump.run.tasks.hydra_errors import one_line
 from snapjump.run.tasks.interrupts import uninterrupted
 from snapjump.run.tasks.names import cell_name, register_resolvers, task_overrides
@@ -59,47 +59,42 @@ def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[s
     except ParameterError as error:
         return _refused(str(error), folder)
     outcome, task = execute(config, folder, command(overrides), ProgressBar())
-    if outcome.status == BAD_INPUT:
+    if outcome.status == base.BAD_INPUT:
         return _refused(outcome.message, folder)
-    code = exit_code(outcome.status)
+    code = base.exit_code(outcome.status)
     recorded, place = _record(tracker, folder, folder.path.name, None)
     if task is not None and outcome.summary:
         _tell(task, outcome, folder, place)
-    if code != EXIT_OK:
+    if code != base.EXIT_OK:
         print(f"{outcome.status}: {outcome.message}", file=sys.stderr)
-    return code or (EXIT_OK if recorded else EXIT_UNTRACKED)
+    return code or (base.EXIT_OK if recorded else base.EXIT_UNTRACKED)
 
 
 def run_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[str]) -> int:
     """One cell of a sweep: done only if it is not yet, and told in one line."""
     tracker, name = make_member("tracking", config["tracking"]), cell_name(overrides)
     parent_id = os.environ.get(PARENT_RUN)
-    if folder.holds(config, source_hash(), FINISHED):
+    if folder.holds(config, source_hash(), base.FINISHED):
         result = folder.result() or {}
         _record(tracker, folder, name, parent_id)
         print(f"{name}: {result['status']} (kept)", flush=True)
-        return EXIT_OK
+        return base.EXIT_OK
     folder.forget()
-    started_at = now()
-    outcome = _do_cell(config, folder, overrides)
-    if outcome.status == BAD_INPUT:
+    started_at, published = now(), config.get("publish")
+    if published is None:
+        outcome, _ = execute(config, folder, command(overrides), ProgressBar(visible=False))
+    else:
+        allowed = "null in a sweep, whose cells would replace each other's"
+        outcome = Outcome(base.BAD_INPUT, str(ParameterError("publish", published, allowed)))
+    if outcome.status == base.BAD_INPUT:
         write_outcome(config, folder, command(overrides), started_at, outcome)
     _record(tracker, folder, name, parent_id)
     seconds = outcome.summary.get("wall_seconds")
     took = "" if seconds is None else f" ({number(seconds)} s)"
     print(f"{name}: {outcome.status} {outcome.message}".rstrip() + took, flush=True)
-    if outcome.status == INTERRUPTED:
+    if outcome.status == base.INTERRUPTED:
         raise KeyboardInterrupt
-    return exit_code(outcome.status)
-
-
-def _do_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[str]) -> Outcome:
-    if config.get("publish") is not None:
-        wrong = ParameterError(
-            "publish", config["publish"], "null in a sweep, whose cells would replace each other's"
-        )
-        return Outcome(BAD_INPUT, str(wrong))
-    return execute(config, folder, command(overrides), ProgressBar(visible=False))[0]
+    return base.exit_code(outcome.status)
 
 
 def command(overrides: list[str]) -> str:
@@ -124,7 +119,7 @@ def _refused(message: str, folder: ResultFolder) -> int:
     print(message, file=sys.stderr)
     if folder.path.is_dir() and not any(folder.path.iterdir()):
         folder.path.rmdir()
-    return EXIT_BAD_INPUT
+    return base.EXIT_BAD_INPUT
 
 
 def _tell(task: Task, outcome: Outcome, folder: ResultFolder, place: str) -> None:

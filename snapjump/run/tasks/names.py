@@ -14,16 +14,16 @@ NOT_PHYSICS = re.compile(r"\+*tracking[.=]")
 
 def sweep_name(overrides: Sequence[str]) -> str:
     """A stable name for a sweep: the same overrides in any order give the same name."""
-    return _name(sorted(overrides), always_hash=True)
+    return readable_name(_physics(sorted(overrides)), always_hash=True) or "defaults"
 
 
 def cell_name(overrides: Sequence[str]) -> str:
     """A stable, readable name for one cell of a sweep."""
-    return _name(list(overrides), always_hash=False)
+    return readable_name(_physics(overrides)) or "defaults"
 
 
 def task_overrides(hydra: DictConfig) -> list[str]:
-    """What the command line, or the sweep, sets; text such as ``${...}`` is left as it is."""
+    """Overrides of the command line or the sweep; text such as ``${...}`` is left as it is."""
     overrides = OmegaConf.to_container(hydra.overrides.task, resolve=False)
     assert isinstance(overrides, list)
     return overrides
@@ -40,13 +40,14 @@ def register_resolvers() -> None:
     register("cell_name", of_cell, replace=True)
 
 
-def _name(overrides: Sequence[str], always_hash: bool) -> str:
-    kept = [text for text in overrides if not NOT_PHYSICS.match(text)]
-    exact = ",".join(kept)
+def readable_name(exact: str, always_hash: bool = False) -> str:
+    """A name for a file or folder: as it is if it can be one, else shortened, with a hash."""
     readable = re.sub(r"[^\w.=,+-]", "_", exact)
-    if not readable:
-        return "defaults"
-    if readable != exact or len(readable) > LONGEST or always_hash:
+    if readable and (readable != exact or len(readable) > LONGEST or always_hash):
         digest = hashlib.sha256(exact.encode()).hexdigest()[:8]
         readable = f"{readable[:LONGEST]}-{digest}"
     return readable
+
+
+def _physics(overrides: Sequence[str]) -> str:
+    return ",".join(text for text in overrides if not NOT_PHYSICS.match(text))

@@ -1,5 +1,4 @@
-"""Filling the documentation from a run: ``publish=docs/studies`` writes ``<task>.md`` and
-``<task>.html`` there."""
+"""Filling the documentation from a run: ``publish=docs/studies`` writes ``<task>.md`` there."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -7,7 +6,6 @@ from typing import Any
 
 from snapjump.checks import ParameterError, check_text
 from snapjump.files.atomic import write_bytes, write_text
-from snapjump.files.page import page
 from snapjump.files.result_folder import ResultFolder
 from snapjump.run.tasks.registry import is_study
 
@@ -46,10 +44,8 @@ def publish(config: Mapping[str, Any], folder: ResultFolder) -> list[Path]:
         rest = rest.replace(f"({picture.name})", f"({task}-{picture.name})")
         written.append(target / f"{task}-{picture.name}")
         write_bytes(written[-1], picture.read_bytes())
-    text = f"{title}\n\n{made}\n{rest}"
-    for suffix, content in ((".md", text), (".html", page(title.lstrip("# "), text))):
-        written.append(target / f"{task}{suffix}")
-        write_text(written[-1], content)
+    written.append(target / f"{task}.md")
+    write_text(written[-1], f"{title}\n\n{made}\n{rest}")
     for block in sorted(folder.path.glob(f"*{BLOCK_SUFFIX}")):
         name, content = block.name.removesuffix(BLOCK_SUFFIX), block.read_text(encoding="utf-8")
         for place in (README, *sorted(README.parent.glob(GUIDES))):

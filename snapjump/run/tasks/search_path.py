@@ -1,4 +1,4 @@
-"""Where Hydra finds the configurations of members from outside."""
+"""Hydra's search path for the configurations of members from outside."""
 
 from hydra.core.config_search_path import ConfigSearchPath
 from hydra.core.plugins import Plugins

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from snapjump.files.result_folder import ResultFolder
-from snapjump.run.tasks.base import NOT_FINITE, OK, Outcome, Progress
+from snapjump.run.tasks.base import NOT_FINITE, OK, Outcome, Progress, stretch
 from snapjump.run.tasks.complete import check_complete
 from snapjump.show.plots import figures
 from snapjump.show.terminal.scene_report import scene_report
@@ -21,29 +21,23 @@ class Simulate:
     _simulation: Simulation
 
     def prepare(self, config: Mapping[str, Any]) -> None:
-        """Build the simulation, which checks every value; then that none was left out."""
         self._config = config
         self._simulation = build(config)
         check_complete(config, self._simulation)
         self._simulation.sim.check_start(self._simulation)
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
-        """Simulate, and leave the trajectory and the figures."""
         share = SIMULATION_SHARE if self._config["figures"] else 1.0
-        result = simulate(self._simulation, lambda done, text: progress(share * done, text))
+        result = simulate(self._simulation, stretch(progress, 0.0, share))
         outcome = Outcome(result.status, result.message, dict(result.summary))
         not_finite = folder.write_arrays("trajectory", result.arrays)
         if not_finite and outcome.status == OK:
             outcome.status = NOT_FINITE
             outcome.message = "the trajectory is not finite in " + ", ".join(not_finite)
         if self._config["figures"] and not not_finite:
-
-            def drawing(done: float, text: str) -> None:
-                progress(share + (1 - share) * done, text)
-
-            folder.write_figures(lambda path: figures(result, path, drawing))
+            drawn = stretch(progress, share, 1.0)
+            folder.write_figures(lambda path: figures(result, path, drawn))
         return outcome
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
-        """The closing block of this scene."""
         return scene_report(self._config, outcome.summary)

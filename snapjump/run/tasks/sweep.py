@@ -14,7 +14,7 @@ from snapjump.declare.members import make_member
 from snapjump.files.json_file import read_json, write_json
 from snapjump.files.lock import FileLock
 from snapjump.files.provenance import now
-from snapjump.run.tasks.exit_codes import EXIT_BAD_INPUT
+from snapjump.run.tasks.base import EXIT_BAD_INPUT
 from snapjump.run.tasks.names import cell_name, register_resolvers, sweep_name, task_overrides
 from snapjump.tracking.base import Tracker, TrackingError
 
@@ -59,15 +59,6 @@ class Sweep:
         else:
             os.environ[PARENT_RUN] = self.parent_id
 
-    def finish(self, stopped_by: BaseException | None) -> int:
-        """Summarise what the cells left, print the table, complete the records; the exit code."""
-        from snapjump.run.tasks.sweep_summary import summarise
-
-        try:
-            return summarise(self, stopped_by)
-        finally:
-            self.lock.release()
-
 
 _current: list[Sweep] = []
 
@@ -77,13 +68,14 @@ def current_sweep() -> Sweep | None:
     return _current[0] if _current else None
 
 
-def leave_sweep() -> None:
-    """Forget a sweep that has ended."""
+def leave_sweep(sweep: Sweep) -> None:
+    """Let another process have the folder of a sweep that has ended."""
+    sweep.lock.release()
     _current.clear()
 
 
 class SweepCallback(Callback):
-    """What Hydra calls when a sweep starts."""
+    """Hydra's callback at the start of a sweep."""
 
     def on_multirun_start(self, config: DictConfig, **others: Any) -> None:
         """Start the sweep; Hydra would turn any Exception from here into a mere warning."""

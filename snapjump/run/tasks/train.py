@@ -44,7 +44,6 @@ class Train:
     _data: JumpData
 
     def prepare(self, config: Mapping[str, Any]) -> None:
-        """Check every value, then the dataset: that it is whole, and enough for the split."""
         self._config = config
         training = whole(Training, config.get("training"))
         self._options = make_member("surrogate", config.get("surrogate"))
@@ -56,7 +55,6 @@ class Train:
         check_slopes(self._options, self._data)
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
-        """Train, and leave the forward model, its curves and its figure."""
         dataset = self._data.dataset
         path = dataset.folder.path
         use = DatasetUse(path.name, dataset.sha256, str(path), dataset.rows, "training")
@@ -86,7 +84,6 @@ class Train:
         return Outcome(OK, "", summary)
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
-        """The closing block; of a run that was stopped, how it goes on."""
         found, name = outcome.summary, self._config["surrogate"]["name"]
         lines = [("forward model", f"{name} on {self._data.dataset.folder.path.name}")]
         if outcome.status == INTERRUPTED:
@@ -117,13 +114,8 @@ class Train:
         )
         labels = labels_of(self._data.dataset.axes)
         designs, apexes = (part.double().numpy() for part in (test.designs, test.apexes))
-
-        def draw(path: Path) -> None:
-            draw_training(
-                learned.curves, labels, designs, apexes, off, title, path / "training.png"
-            )
-
-        folder.write_figures(draw)
+        shown = (learned.curves, labels, designs, apexes, off, title)
+        folder.write_figures(lambda path: draw_training(*shown, path / "training.png"))
 
 
 def dataset_path(config: Mapping[str, Any]) -> Path:

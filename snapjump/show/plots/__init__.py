@@ -26,9 +26,8 @@ def figures(
     the film. A result that ended early gets pictures of what there is, one without arrays none.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    scene = str(result.simulation.sim.name)
     written: list[pathlib.Path] = []
-    pictures = _pictures(result, scene, film)
+    pictures = _pictures(result, film)
     for name, draw in pictures:
         if progress is not None:
             progress(len(written) / len(pictures), f"drawing {name}")
@@ -40,7 +39,7 @@ def figures(
 Draw = Callable[[pathlib.Path], Any]
 
 
-def _pictures(result: Any, scene: str, film: bool) -> list[tuple[str, Draw]]:
+def _pictures(result: Any, film: bool) -> list[tuple[str, Draw]]:
     """The names of the files to write, and what draws them."""
     from snapjump.show.plots.branches import branches_picture
     from snapjump.show.plots.energy import energy_picture
@@ -49,7 +48,7 @@ def _pictures(result: Any, scene: str, film: bool) -> list[tuple[str, Draw]]:
     from snapjump.show.plots.point import point_picture
     from snapjump.show.plots.snap import snap_picture
 
-    title = headline(result)
+    title, scene = headline(result), result.simulation.sim.name
     if any(name.startswith(("branch_", "shapes_")) for name in result.arrays):
         critical = number(result.summary, "alpha_critical_rad")
         return [(f"{scene}.png", partial(branches_picture, result.arrays, title, critical))]

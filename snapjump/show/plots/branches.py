@@ -2,6 +2,7 @@
 
 import pathlib
 from collections.abc import Iterator
+from itertools import cycle
 from typing import Any
 
 import numpy as np
@@ -26,16 +27,14 @@ def branches_picture(
     ``branch_*`` are 1-D, ``branch_number`` telling which branch a point belongs to;
     ``shapes_*_bar`` are (S, N+1) in L.
     """
-    arrays = {name: np.asarray(values) for name, values in arrays.items()}
-    curves = [item for item in CURVES.items() if {item[0], "branch_alpha_rad"} <= arrays.keys()]
-    shapes = "shapes_x_bar" in arrays and "shapes_y_bar" in arrays
+    curves = [item for item in CURVES.items() if item[0] in arrays]
     with picture(path, (12.0, 6.5), headline) as figure:
         for place, (name, label) in enumerate(curves):
             box = (0.07, 0.11, 0.40, 0.76) if place == 0 else (0.57, 0.57, 0.41, 0.30)
             axes = figure.add_axes(box)
             _draw_branches(axes, arrays, arrays[name], critical_rad, legend=place == 0)
             axes.set_ylabel(label)
-        if shapes:
+        if "shapes_x_bar" in arrays:
             box = (0.57, 0.11, 0.41, 0.33) if curves else (0.07, 0.11, 0.9, 0.76)
             _draw_shapes(figure.add_axes(box), arrays)
     return path
@@ -57,9 +56,7 @@ def _draw_branches(
 ) -> None:
     """Solid where no pivot is negative (stable), dashed where one is."""
     alpha = arrays["branch_alpha_rad"]
-    negative = arrays.get("branch_negative_pivots", np.zeros(len(alpha)))
-    number = arrays.get("branch_number", np.zeros(len(alpha)))
-    for piece, stable in stable_runs(number, negative):
+    for piece, stable in stable_runs(arrays["branch_number"], arrays["branch_negative_pivots"]):
         axes.plot(alpha[piece], values[piece], **(STABLE if stable else UNSTABLE))
     axes.grid(True)
     axes.set_xlabel("clamp angle α (rad)")
@@ -79,19 +76,15 @@ def _draw_branches(
 
 def _draw_shapes(axes: Any, arrays: dict[str, Any]) -> None:
     """Shapes of the beam, to scale."""
-    x, y = np.atleast_2d(arrays["shapes_x_bar"]), np.atleast_2d(arrays["shapes_y_bar"])
-    labels = np.atleast_1d(arrays.get("shapes_label", [""] * len(x)))
-    for k in range(len(x)):
-        label = str(labels[k]) if k < len(labels) else ""
-        colour = SHAPE_COLOURS[k % len(SHAPE_COLOURS)]
-        axes.plot(x[k], y[k], color=colour, lw=2.2, label=label)
+    x, y, labels = (arrays[f"shapes_{name}"] for name in ("x_bar", "y_bar", "label"))
+    for *shape, label, colour in zip(x, y, labels, cycle(SHAPE_COLOURS), strict=False):
+        axes.plot(*shape, color=colour, lw=2.2, label=str(label))
     ends = x[:, [0, -1]].ravel(), y[:, [0, -1]].ravel()
     axes.plot(*ends, "o", ms=4, mfc=palette.PAPER, mec=palette.INK)
     axes.set(xlabel="x / L", ylabel="y / L")
     axes.grid(True)
     _leave_room(axes, x, y)
-    if any(str(label) for label in labels):
-        axes.legend(loc="upper right")
+    axes.legend(loc="upper right")
 
 
 def _leave_room(axes: Any, x: Any, y: Any) -> None:

@@ -1,4 +1,4 @@
-"""Where the film looks: close to the robot, then ever wider, so that the way back stays seen."""
+"""The film's camera: close to the robot, then ever wider, so that the way back stays seen."""
 
 from dataclasses import dataclass
 

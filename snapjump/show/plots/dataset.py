@@ -56,7 +56,7 @@ def draw_dataset(statistics: Statistics, title: str, path: Path) -> None:
 def draw_status(
     statistics: Statistics, statuses: Mapping[str, int], title: str, path: Path
 ) -> None:
-    """How many jumps ended how, and where those are that failed or are less exact than promised."""
+    """Jumps by status, and where those are that failed or are less exact than promised."""
     page = Page(6.4, (rows_of_maps(statistics) - 1) * MAP_ROW)
     with picture(path, (WIDTH, page.height), title) as figure:
         _heading(figure, page.up(0.88), "Jumps by status")

@@ -80,7 +80,7 @@ def _draw_balance(axes: Any, books: Books) -> None:
 
 
 def _second_scale(axes: Any, books: Books) -> None:
-    """The same energies in millijoule, or microjoule, on the right."""
+    """A scale of millijoule, or microjoule, on the right."""
     name, factor = ("mJ", 1e3) if books.unit_J * np.max(np.abs(books.total)) > 2e-4 else ("µJ", 1e6)
     right = axes.secondary_yaxis(
         "right",

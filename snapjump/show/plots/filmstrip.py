@@ -104,7 +104,7 @@ def _ghosts(motion: Motion, before: int, index: int) -> Array:
 def _draw_key(
     axes: Any, motion: Motion, forces: bool, corner: tuple[float, float], window: Window
 ) -> None:
-    """What the colours mean, and a scale bar, in the last cell (upper left corner given)."""
+    """A key to the colours, and a scale bar, in the last cell (upper left corner given)."""
     entries: list[tuple[str, dict[str, Any]]] = [
         ("beam", {"color": palette.BEAM, "lw": 2.4}),
         ("beam in between", {"color": palette.SKY, "lw": 1.0}),

@@ -1,21 +1,19 @@
 """jump.png and snap.png: what happened, in one picture."""
 
-import math
 import pathlib
 from typing import Any
 
+from snapjump.checks import is_finite_number
 from snapjump.show.plots.filmstrip import draw_filmstrip
 from snapjump.show.plots.motion import Motion
 from snapjump.show.plots.saving import picture
 from snapjump.show.plots.trajectory import draw_trajectory
 
 
-def number(summary: dict[str, Any], key: str, scale: float = 1.0) -> float | None:
-    """A finite number of a summary, scaled, or None."""
+def number(summary: dict[str, Any], key: str) -> float | None:
+    """A finite number of a summary, or None."""
     value = summary.get(key)
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
-        return None
-    return scale * value
+    return value if is_finite_number(value) else None
 
 
 def since_start(result: Any, key: str) -> float | None:
@@ -34,7 +32,7 @@ def apex_of(result: Any) -> tuple[float, float] | None:
 
 
 def headline(result: Any) -> str:
-    """What was simulated: scene, design, environment, and how it ended if not well."""
+    """A title: scene, design, environment, and the status if it did not end well."""
     simulation = result.simulation
     scene, design, environment = simulation.sim.name, simulation.design, simulation.environment
     parts = []

@@ -1,4 +1,4 @@
-"""Which instants of a motion a filmstrip shows, and what they are called."""
+"""Instants of a motion that a filmstrip shows, and their names."""
 
 import itertools
 
@@ -67,7 +67,7 @@ def moments(motion: Motion, liftoff_ms: float | None, wanted: int = 8) -> list[t
 
 
 def travel(motion: Motion) -> Array:
-    """How far the beam has moved in its frame, added up: root mean square, in L (K,)."""
+    """The path length of the beam in its frame: root mean square, in L (K,)."""
     along, above = beam_in_frame(motion)
     steps = np.diff(along, axis=0) ** 2 + np.diff(above, axis=0) ** 2
     way = np.concatenate([[0.0], np.cumsum(np.sqrt(steps.mean(axis=1)))])

@@ -1,4 +1,4 @@
-"""What the pictures show: a result's arrays in units of L and ms, and poses at any time."""
+"""Motion for pictures: a result's arrays in units of L and ms, and poses at any time."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -44,7 +44,6 @@ class Motion(Poses):
 
     @property
     def is_beam(self) -> bool:
-        """Whether it is more than a point."""
         return self.nodes.shape[1] > 2
 
     @property

@@ -25,6 +25,22 @@ def picture(path: pathlib.Path, size: tuple[float, float], title: str) -> Iterat
             figure.savefig(file, format="png", dpi=DPI, pil_kwargs={"compress_level": 4})
 
 
+@contextlib.contextmanager
+def panels(
+    path: pathlib.Path,
+    size: tuple[float, float],
+    title: str,
+    *boxes: tuple[float, float, float, float],
+) -> Iterator[list[Any]]:
+    """The same with axes that have grids, at boxes in shares of the figure: left, bottom, width,
+    height."""
+    with picture(path, size, title) as figure:
+        axes = [figure.add_axes(box) for box in boxes]
+        for one in axes:
+            one.grid(True)
+        yield axes
+
+
 def axes_at(figure: Any, left: float, bottom: float, width: float, height: float) -> Any:
     """Axes of a figure, their box in inches from its lower left corner."""
     across, up = figure.get_size_inches()

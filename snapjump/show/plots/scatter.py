@@ -1,4 +1,4 @@
-"""What tolerances make of a robust design's apex and of a plain one's."""
+"""Scatter of the apex by tolerances, of a robust design and of a plain one."""
 
 from typing import Any
 

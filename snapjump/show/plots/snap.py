@@ -9,18 +9,9 @@ from snapjump.show.plots import palette
 from snapjump.show.plots.filmstrip import draw_filmstrip
 from snapjump.show.plots.jump import headline
 from snapjump.show.plots.moments import middle_height, settled, snap_interval
-from snapjump.show.plots.motion import Array, Motion
+from snapjump.show.plots.motion import Motion
 from snapjump.show.plots.saving import picture
-
-
-def middle_angle(motion: Motion) -> Array:
-    """Tangent angle at the middle in rad (K,): over the two elements that meet there."""
-    count = motion.nodes.shape[1]
-    left, right = max(count // 2 - 1, 0), min(count // 2 + 1, count - 1)
-    if count % 2 == 0:
-        right = count // 2  # an odd number of elements: the middle one
-    along, rise = (motion.nodes[:, right] - motion.nodes[:, left]).T
-    return np.arctan2(rise, along)
+from snapjump.sim.snap import middle_angle
 
 
 def _close_up(motion: Motion) -> tuple[float, float]:
@@ -38,7 +29,11 @@ def snap_picture(result: Any, motion: Motion, path: pathlib.Path) -> None:
         draw_filmstrip(figure, motion, None, (0.015, 0.02, 0.60, 0.91))
         curves = (
             ("height of the middle over the clamps, y / L", middle_height(motion), palette.BEAM),
-            ("tangent angle at the middle (rad)", middle_angle(motion), palette.VIOLET),
+            (
+                "tangent angle at the middle (rad)",
+                middle_angle(*np.moveaxis(motion.nodes, -1, 0)),
+                palette.VIOLET,
+            ),
         )
         for place, (label, values, colour) in enumerate(curves):
             axes = figure.add_axes((0.685, 0.53 - 0.455 * place, 0.3, 0.36))

@@ -1,4 +1,4 @@
-"""How a forward model was trained, how good it is, and where it is less so."""
+"""training.png: learning curves of a forward model, parity, and errors by input."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -92,7 +92,7 @@ def _parity(axes: Any, simulated: Array, predicted: Array, i: int) -> None:
 
 
 def _histogram(axes: Any, errors: Array) -> None:
-    """All but the largest errors."""
+    """A histogram of the errors, but for the largest."""
     end = float(np.quantile(np.abs(errors), TAIL)) or 1.0
     edges = np.linspace(-end, end, 61)
     for i in (0, 1):

@@ -1,1 +1,1 @@
-"""What the terminal shows: the help page, a progress bar, the closing block, tables."""
+"""Text for the terminal: the help page, a progress bar, the closing block, tables."""

@@ -60,7 +60,7 @@ def controls(summary: Mapping[str, Any], prefix: str) -> str:
 
 
 def costs(summary: Mapping[str, Any], length_mm: float) -> str:
-    """What errors of one percent cost."""
+    """Changes of the apex by errors of one percent."""
     told = [
         f"{axis.slope} {length(summary[f'one_percent_{axis.slope}_bar'], length_mm)}"
         for axis in default_axes()
@@ -78,7 +78,7 @@ def others(summary: Mapping[str, Any]) -> str:
 
 
 def robust(summary: Mapping[str, Any], length_mm: float) -> str:
-    """What allowing for the tolerances gains."""
+    """Expected misses with and without allowance for the tolerances."""
     if "robust_radius90_bar" not in summary:
         return ""
     ours, plain = (length(summary[f"{name}_expected_miss_bar"], length_mm) for name in NAMES)

@@ -27,7 +27,7 @@ def scene_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list[
 
 
 def title(config: Mapping[str, Any], scene: SceneOptions) -> str:
-    """What was simulated: the values that the scene tells."""
+    """The title of a simulation: the values that the scene tells."""
     told = []
     for path in scene.tells or [f"sim.{key}" for key in settings(scene)]:
         group, _, key = path.partition(".")

@@ -1,1 +1,1 @@
-"""What surrogates are made of."""
+"""Parts of surrogates."""

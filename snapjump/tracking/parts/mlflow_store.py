@@ -1,4 +1,4 @@
-"""What all MLflow trackers share: one run per record, written in one batch at the end."""
+"""The base of all MLflow trackers: one run per record, written in one batch at the end."""
 
 import json
 import logging
@@ -72,7 +72,6 @@ class MlflowStore(Tracker):
             return self._create(name, None, {"sweep": "true"})
 
     def close_parent(self, run_id: str, record: Record) -> None:
-        """Complete the run of a whole sweep."""
         with tracking_errors(self.place):
             self._complete(run_id, record)
 

@@ -70,7 +70,7 @@ def write_curves(folder: ResultFolder, rows: Sequence[Mapping[str, float]]) -> N
 
 
 def read_curves(folder: ResultFolder) -> Curves:
-    """What a job left with :func:`write_curves`; nothing if it left none."""
+    """The curves that a job left with :func:`write_curves`; nothing if it left none."""
     if not (folder.path / CURVES).exists():
         return {}
     import pandas as pd
@@ -101,7 +101,7 @@ def record_children(
 
 
 def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Record:
-    """What the files of a job say."""
+    """The record of a job, from its files."""
     config = folder.config() or {}
     result = dict(folder.result() or {"status": "interrupted"})
     origin = folder.provenance() or {}
@@ -133,7 +133,7 @@ def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Recor
 
 
 def numbers_of(result: Mapping[str, Any]) -> dict[str, float]:
-    """What is a number in a result."""
+    """The numbers of a result."""
     numbers = {key: v for key, v in result.items() if isinstance(v, (int, float))}
     return {key: float(v) for key, v in numbers.items() if not isinstance(v, bool)}
 

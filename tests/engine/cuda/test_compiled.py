@@ -58,15 +58,12 @@ def ptx_of(monkeypatch: Any, kernel: Any, *arguments: Any) -> str:
 
 def arguments_of(march: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
     """What the kernels that find starts and march are called with, but for arrays on the card."""
-    from snapjump.engine.march import Limits
-
     queue = march.queue._replace(
         counts=np.zeros((1, 2), dtype=np.int64), carried=np.zeros(1, dtype=np.int64)
     )
     model, masses, memory = march.models[0], march.masses, march.memory
     starts = (model, masses, memory, queue, 1)
-    steps = (march.scheme, march.stepping, march.ending, Limits(25.0, 1e6), march.recorder)
-    return starts, (model, masses, *steps, memory, queue, 1)
+    return starts, (model, masses, march.method, march.recorder, memory, queue, 1)
 
 
 def resources(ptx: str, folder: Path) -> dict[str, int]:

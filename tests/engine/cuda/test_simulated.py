@@ -8,7 +8,7 @@ from before_the_strike import go_on, to_the_strike
 from command_line import ROOT, python
 from robots import DESIGNS, small_march
 
-from snapjump.engine import clock as c
+from snapjump.engine import outcome as c
 from snapjump.engine.status import NO_EQUILIBRIUM, OK, TIME_LIMIT
 
 PROGRAM = ROOT / "tests" / "support" / "card_in_simulator.py"

@@ -85,7 +85,8 @@ def test_residual_left_in_a_stage_is_recorded():
     now = Motion(0.1, 20.0, 20.0, 0.0)
     recorder.record_stage(MODEL, MASSES, now, TABLEAU, work, True)
     assert work.clock[LARGEST_RESIDUAL] == 0.0
-    work.drift[:] = 3.0, 1.0  # 4 parts of force in play, 3 of them along x, none balanced
+    # 4 parts of force in play, 3 of them along x, none balanced.
+    work.velocity_predictor[:] = 3.0, 1.0
     recorder.record_stage(MODEL, MASSES, now, TABLEAU, work, True)
     assert work.clock[LARGEST_RESIDUAL] == pytest.approx(0.75)
 

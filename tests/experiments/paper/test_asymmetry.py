@@ -5,23 +5,22 @@ from typing import Any
 
 import numpy as np
 import pytest
-from cells import STANDARD
+from cells import STANDARD, all_done, check_figures
 
-from experiments.paper.asymmetry.compute import sweep_rows
-from experiments.paper.asymmetry.figure import draw_asymmetry
-from experiments.paper.asymmetry.judge import (
-    Saturation,
+from experiments.arches.swings import snap_groups
+from experiments.paper.asymmetry.part import (
+    EPSILONS,
+    SWEEPS,
+    Asymmetry,
     largest_difference,
-    law,
-    linear_statement,
     linear_verdict,
+    mismatches,
     saturation,
-    saturation_statement,
     saturation_verdict,
 )
-from experiments.paper.asymmetry.part import EPSILONS, SWEEPS, Asymmetry, make_section, mismatches
-from experiments.paper.settings import snap_groups
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.trends import Saturation
+from experiments.trends import saturating as law
 
 GOOD = Saturation(
     slope=600.0, level_rad=0.6, threshold_rad=1e-3, other_threshold_rad=1.01e-3, misfit=0.01,
@@ -43,7 +42,7 @@ def made_up(slope: float, threshold: float, rest: float = 0.0) -> list[dict[str,
 
 
 def test_the_law_is_found_again():
-    one = saturation(made_up(600.0, 1e-3), 0.2)
+    one = saturation(made_up(600.0, 1e-3))
     assert one.slope == pytest.approx(600.0) and one.threshold_rad == pytest.approx(1e-3)
     assert one.level_rad == pytest.approx(0.6) and one.misfit < 1e-6
     assert one.other_threshold_rad == pytest.approx(1e-3, rel=0.01)
@@ -54,7 +53,7 @@ def test_the_law_is_found_again():
 
 
 def test_a_tilt_at_rest_is_told_apart():
-    one = saturation(made_up(600.0, 1e-3, rest=0.5), 0.2)
+    one = saturation(made_up(600.0, 1e-3, rest=0.5))
     assert one.rise == pytest.approx(0.5 * 0.19 / 0.6, rel=0.05)
     assert one.rise_untilted < 0.01
 
@@ -64,7 +63,7 @@ def test_what_does_not_saturate_is_misfitted():
         {**row, "theta_max_rad": 10.0 * row["delta_alpha_rad"] ** 0.5}
         for row in made_up(600.0, 1e-3)
     ]
-    one = saturation(rows, 0.2)
+    one = saturation(rows)
     assert one.misfit > 0.3 and one.exponent == pytest.approx(0.5)
     assert linear_verdict({0.1: one}, 1e-6) == NOT_CONFIRMED
     assert saturation_verdict({0.1: one}) == NOT_CONFIRMED
@@ -79,16 +78,15 @@ def test_the_verdicts_can_come_out_each_way():
     assert {r: saturation_verdict({0.1: replace(GOOD, rise=r)}) for r in rises} == rises
 
 
-def test_statements_and_section():
-    found = {setting: dict.fromkeys(EPSILONS, GOOD) for setting in SWEEPS}
-    linear = linear_statement(found, 1e-6, "somehow")
+def test_statements_section_and_figure(tmp_path):
+    cells = all_done(Asymmetry(), STANDARD, lambda cell: made_up(600.0, 1e-3, rest=0.5))
+    found = Asymmetry().conclude(cells)
+    linear, level = found.statements
     assert linear.verdict == LIMITED and "600, 600, 600" in linear.found
-    level = saturation_statement(found, 0.2, "somehow")
-    assert level.verdict == LIMITED and "rises by 15, 15, 15 %" in level.found
-    sweeps = {setting: dict.fromkeys(EPSILONS, made_up(600.0, 1e-3)) for setting in SWEEPS}
-    section = make_section(sweeps, found, 0.2)
-    assert len(section.tables["saturation"].rows) == len(SWEEPS) * len(EPSILONS)
-    assert any("by a factor of 10 at least" in text for text in section.paragraphs)
+    assert level.verdict == LIMITED and "rises by 16, 16, 16 %" in level.found
+    assert len(found.section.tables["saturation"].rows) == len(SWEEPS) * len(EPSILONS)
+    assert any("by a factor of 10 at least" in text for text in found.section.paragraphs)
+    check_figures(found, tmp_path)
 
 
 def test_differences_are_of_the_same_mismatch():
@@ -106,12 +104,6 @@ def test_mismatches_are_shared_among_settings():
 def test_a_sweep_saturates():
     lags = [1e-5, 1e-2, 0.1]
     groups = snap_groups(STANDARD, "standard")
-    rows = sweep_rows({"groups": groups, "epsilon": 0.3, "mismatches_rad": lags})
+    rows = Asymmetry().compute({"groups": groups, "epsilon": 0.3, "mismatches_rad": lags})
     angles = [row["theta_max_rad"] for row in rows]
     assert angles[0] < 0.02 and angles[2] < 1.2 * angles[1]
-
-
-def test_the_figure(tmp_path):
-    sweeps = {setting: dict.fromkeys(EPSILONS, made_up(600.0, 1e-3)) for setting in SWEEPS}
-    draw_asymmetry(sweeps, dict.fromkeys(EPSILONS, GOOD), tmp_path / "asymmetry.png")
-    assert (tmp_path / "asymmetry.png").stat().st_size > 10_000

@@ -10,12 +10,13 @@ import numpy as np
 import pytest
 from cells import STANDARD, all_done, check_figures, done
 
+from experiments.arches import exact
+from experiments.arches import landmarks as exact_arch
+from experiments.arches.branches import branch_rows, shape_rows
 from experiments.compositions import changed, composed
-from experiments.paper import exact
-from experiments.paper.bifurcation import judge
-from experiments.paper.bifurcation.compute import branch_rows, compared_rows, shape_rows
-from experiments.paper.bifurcation.part import TIERS, Bifurcation
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.bifurcation import part as judge
+from experiments.paper.bifurcation.part import TIERS, Bifurcation, compared_rows
 from snapjump.run.studies.base import FAILED
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch, Point
@@ -68,8 +69,8 @@ def test_landmarks_on_a_coarse_mesh(landmarks: Rows) -> None:
         assert row["alpha_back_rad"] == pytest.approx(-row["alpha_critical_rad"], abs=1e-7)
         assert 0.5 < judge.gap_percent(row) < 1.2
         assert row["leaning"] == pytest.approx(1.0, abs=1e-6)
-        assert set(judge.exact_row(row["epsilon"])) == set(judge.NAMES) <= set(row)
-    assert 0.1 < judge.overall(landmarks, judge.STRETCHES)[0] < 2.0
+        assert set(exact_arch.exact_row(row["epsilon"])) == set(exact_arch.NAMES) <= set(row)
+    assert 0.1 < exact_arch.overall(landmarks, exact_arch.STRETCHES)[0] < 2.0
 
 
 def test_a_branch_that_is_lost_is_named() -> None:
@@ -88,28 +89,28 @@ def test_a_branch_that_is_lost_is_named() -> None:
 
 
 def test_a_row_of_exact_numbers_differs_in_nothing() -> None:
-    rows = [{"epsilon": e, **judge.exact_row(e)} for e in exact.COMPARED]
-    for beam in (judge.STRETCHES, judge.RIGID):
-        assert judge.overall(rows, beam)[0] < 1e-10
+    rows = [{"epsilon": e, **exact_arch.exact_row(e)} for e in exact.COMPARED]
+    for beam in (exact_arch.STRETCHES, exact_arch.RIGID):
+        assert exact_arch.overall(rows, beam)[0] < 1e-10
     rows[1]["energy_flat_bar"] *= 0.98
-    assert judge.overall(rows, judge.RIGID) == (pytest.approx(2.0), "energy, flat clamps")
+    assert exact_arch.overall(rows, exact_arch.RIGID) == (pytest.approx(2.0), "energy, flat clamps")
 
 
 def test_errors_that_fall_with_the_square_of_the_mesh_are_of_order_two() -> None:
     tiers = {
         tier: [
             {"epsilon": 0.2, "elements": n}
-            | {key: v * (1.0 + 3.0 / n**2) for key, v in judge.exact_row(0.2).items()}
+            | {key: v * (1.0 + 3.0 / n**2) for key, v in exact_arch.exact_row(0.2).items()}
         ]
-        for tier, n in zip(judge.LADDER, (40, 80, 160), strict=True)
+        for tier, n in zip(exact_arch.LADDER, (40, 80, 160), strict=True)
     }
-    assert judge.orders(tiers) == pytest.approx(2.0)
+    assert exact_arch.orders(tiers) == pytest.approx(2.0)
 
 
 @pytest.fixture
 def exactly(landmarks: Rows) -> Rows:
     """The landmarks, without any error."""
-    return [{**row, **judge.exact_row(row["epsilon"])} for row in landmarks]
+    return [{**row, **exact_arch.exact_row(row["epsilon"])} for row in landmarks]
 
 
 def test_a_snap_without_a_loop_is_none(exactly: Rows) -> None:
@@ -155,17 +156,43 @@ def test_the_fold_may_come_first_in_made_up_arches(exactly: Rows) -> None:
     assert last.verdict == CONFIRMED and "at 0 of 3 pre-compressions" in last.found
 
 
+def stepped(*angles: float) -> Rows:
+    """Snaps at these angles, with the paper's step and a hundredth of it."""
+    return [
+        {"step_s": s, "alpha_snap_rad": a, "theta_max_rad": 0.6, "snap_duration_ms": 1.0}
+        for s, a in zip(judge.STEPS_S, angles, strict=True)
+    ]
+
+
+def test_nodes_and_steps_of_the_static_study(exactly: Rows) -> None:
+    def verdict(error: float, *angles: float) -> str:
+        rows = [{**row, "energy_flat_bar": error * row["energy_flat_bar"]} for row in exactly]
+        return judge.nodes_statement(rows, stepped(*angles)).verdict
+
+    assert verdict(1.0, 0.64, 0.64) == CONFIRMED
+    assert verdict(1.03, 0.64, 0.64) == verdict(1.0, 0.65, 0.64) == LIMITED
+    assert verdict(1.06, 0.64, 0.64) == verdict(1.0, 0.7, 0.64) == NOT_CONFIRMED
+    assert (
+        "(energy, flat clamps)"
+        in judge.nodes_statement(
+            [{**row, "energy_flat_bar": 1.03 * row["energy_flat_bar"]} for row in exactly],
+            stepped(0.65, 0.64),
+        ).found
+    )
+
+
 def test_conclusion_with_its_figures(branches: Rows, landmarks: Rows, tmp_path: Path) -> None:
     part = Bifurcation()
     planned = part.plan(COARSE, 0)
-    assert len(planned) == 9 and json.dumps([dict(cell.inputs) for cell in planned])
+    assert len(planned) == 11 and json.dumps([dict(cell.inputs) for cell in planned])
     shapes = shape_rows({"groups": COARSE, "epsilon": EPSILON})
     kinds = {"branches": branches, "shapes": shapes, "angles": landmarks, "compared": landmarks}
+    kinds["steps"] = stepped(0.65, 0.64)
     cells = all_done(part, COARSE, lambda cell: kinds[cell.inputs["kind"]])
     for tier, elements in zip(TIERS, (56, 104, 224, 66), strict=True):
         cells[tier] = done(tier, [{**row, "elements": elements} for row in landmarks])
     found = part.conclude(cells)
-    assert len(found.statements) == 3
+    assert len(found.statements) == 4
     assert np.isfinite(list(found.summary.values())).all()
     check_figures(found, tmp_path, 20_000)
 

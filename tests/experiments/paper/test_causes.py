@@ -7,24 +7,24 @@ import numpy as np
 import pytest
 from cells import COARSE, STANDARD, all_done, check_figures, done
 
-from experiments.compositions import changed, composed
-from experiments.paper.causes import judge
-from experiments.paper.causes.compute import (
+from experiments.compositions import changed, composed, groups_at
+from experiments.errors import Shift, shift
+from experiments.exchanges import (
     DAMPING,
     ENDS,
     FRAME,
     PAPER,
     REFERENCE,
     choices,
-    planned,
     program,
-    rows_of,
     variants,
 )
-from experiments.paper.causes.judge import Shift, shift
-from experiments.paper.causes.part import Causes, noise
-from experiments.paper.settings import BASELINE, groups_at
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.causes import part as judge
+from experiments.paper.causes import words
+from experiments.paper.causes.part import Causes
+from experiments.paper.causes.words import noise
+from experiments.paper.settings import BASELINE
 from snapjump.run.studies.base import FAILED
 
 
@@ -58,7 +58,7 @@ def test_exchanges_can_be_composed_and_differ_from_their_ends():
     for (end, title), groups in made.items():
         assert composed(groups) != composed(at[end]), (end, title)
     assert program(made[REFERENCE, DAMPING]) == program(at[REFERENCE])
-    names = [cell.name for cell in planned(STANDARD, 0)]
+    names = [cell.name for cell in Causes().plan(STANDARD, 0)]
     assert len(set(names)) == len(names)
 
 
@@ -85,17 +85,20 @@ def test_failures_in_a_frame_are_told():
 
     def found(lost: int) -> str:
         own = ladder[1e3]
-        return judge.frame_statement(own, ladder, (0.2, 0.19), (lost, 32), "").found
+        said = words.frame(32, own, ladder, own, (0.2, 0.19), lost)
+        return said.judged("causes.frame", LIMITED).found
 
     assert "1 of 32 jumps fail and count as infinitely far." in found(1)
     assert "0 of 32 jumps fail." in found(0)
 
 
 def test_steps_that_do_not_help_are_told():
-    slow = judge.step_statement({1e-5: shifted(6.0, 2.0), 1e-6: shifted(4.0, 1.0)}, 1e-7, "")
-    fast = judge.step_statement({1e-5: shifted(6.0, 2.0), 1e-6: shifted(0.6, 0.2)}, 1e-7, "")
-    assert "agree: to 4 % in x_c and 1 % in y_c" in slow.found
-    assert "slowly" in slow.found and "slowly" not in fast.found
+    slow, fast = (
+        words.step(32, {1e-5: shifted(6.0, 2.0), 1e-6: last}, 1e-7).judged("", LIMITED).found
+        for last in (shifted(4.0, 1.0), shifted(0.6, 0.2))
+    )
+    assert "agree: to 4 % in x_c and 1 % in y_c" in slow
+    assert "slowly" in slow and "slowly" not in fast
 
 
 def test_noise_names_what_matters_in_the_papers_settings_alone():
@@ -107,7 +110,7 @@ def test_noise_names_what_matters_in_the_papers_settings_alone():
 
 
 def test_starts_of_a_rigid_frame_keep_their_compression():
-    row = rows_of({"groups": COARSE, "designs": [BASELINE], "kind": "starts"})[0]
+    row = Causes().compute({"groups": COARSE, "designs": [BASELINE], "kind": "starts"})[0]
     assert row["epsilon_left"] == pytest.approx(BASELINE[1], abs=1e-9)
 
 
@@ -124,7 +127,11 @@ def test_report(tmp_path):
 
     cells = all_done(part, STANDARD, rows_of)
     found = part.conclude(cells)
-    assert [one.verdict for one in found.statements] == [LIMITED, LIMITED, CONFIRMED]
+    assert [one.verdict for one in found.statements] == [
+        *[LIMITED] * 4,
+        NOT_CONFIRMED,
+        CONFIRMED,
+    ]
     assert "ε = 0.190" in found.statements[0].found
     check_figures(found, tmp_path)
     assert "Failed jumps" not in " ".join(found.section.paragraphs)

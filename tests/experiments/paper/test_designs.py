@@ -7,11 +7,10 @@ import pytest
 from cells import STANDARD, all_done, check_figures
 
 from experiments.compositions import described
-from experiments.paper.designs import judge
-from experiments.paper.designs.compute import GROUPS, MANY_ROBOTS, METHODS
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.designs import part as judge
 from experiments.paper.designs.figure import flight
-from experiments.paper.designs.part import Designs
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.designs.part import GROUPS, MANY_ROBOTS, METHODS, Designs
 from snapjump.composition import with_tier
 from snapjump.robot.robot import Robot
 from snapjump.run.studies.base import Cell

@@ -5,11 +5,16 @@ from typing import Any
 from cells import STANDARD
 
 from experiments.compositions import described
-from experiments.paper.forward_model import judge
-from experiments.paper.forward_model.compute import DATA_DRIVEN, METHODS, dataset_rows
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.forward_model import part as judge
 from experiments.paper.forward_model.figure import draw_forward_model
-from experiments.paper.forward_model.part import ForwardModels, snake_case
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.forward_model.part import (
+    DATA_DRIVEN,
+    METHODS,
+    ForwardModels,
+    dataset_rows,
+    snake_case,
+)
 from snapjump.simulation import build
 
 
@@ -19,13 +24,17 @@ def made(**changes: Any) -> dict[str, Any]:
 
 
 def method(seconds: float, mean: float = 1.0) -> dict[str, Any]:
-    keys = ("mean_mm_standard", "std_mm_standard", "mean_mm_reference")
-    return {**dict.fromkeys(keys, mean), "seconds_median": seconds, "problems": 10,
-            "simulations_mean": 33.0}  # fmt: skip
+    misses = dict.fromkeys(
+        ("mean_mm_standard", "std_mm_standard", "max_mm_standard", "mean_mm_reference"), mean
+    )
+    times = dict.fromkeys(("seconds_mean", "seconds_median", "seconds_max"), seconds)
+    return {**misses, **times, "problems": 10, "simulations_mean": 33.0}
 
 
-def methods(mean: float = 1.0, search: float = 1000.0) -> dict[str, dict[str, Any]]:
-    times = {DATA_DRIVEN: 0.5, "gauss_newton": 0.01, "physics": 0.4}
+def methods(
+    mean: float = 1.0, search: float = 1000.0, own: float = 0.5
+) -> dict[str, dict[str, Any]]:
+    times = {DATA_DRIVEN: own, "gauss_newton": 0.01, "physics": 0.4}
     found = {name: method(seconds, mean) for name, seconds in times.items()}
     return found | {name: method(search) for name in ("bayesian", "finite_difference")}
 
@@ -49,21 +58,38 @@ def test_the_forward_model_s_error():
 
 
 def test_the_misses_and_the_times_of_designs():
-    assert judge.accuracy_statement(methods(2.0)).verdict == CONFIRMED
-    assert judge.accuracy_statement(methods(4.0)).verdict == LIMITED
-    assert judge.accuracy_statement(methods(9.0)).verdict == NOT_CONFIRMED
-    assert judge.speed_statement(methods(search=2000.0)).verdict == CONFIRMED
-    assert judge.speed_statement(methods(search=1000.0)).verdict == LIMITED
-    told = judge.speed_statement(methods(search=5.0))
-    assert told.verdict == NOT_CONFIRMED
+    def verdicts(*given: float) -> list[str]:
+        return [one.verdict for one in judge.inverse_statements(methods(*given))]
+
+    assert verdicts(2.0, 2000.0, 0.3) == [CONFIRMED] * 4
+    assert verdicts(4.0, 1000.0, 0.5) == [LIMITED, LIMITED, CONFIRMED, LIMITED]
+    assert verdicts(12.0, 5.0, 0.9) == [NOT_CONFIRMED] * 4
+    assert verdicts(9.0, 5.0, 0.6) == [NOT_CONFIRMED, LIMITED, LIMITED, NOT_CONFIRMED]
+    *_, told = judge.inverse_statements(methods(search=5.0))
     assert "1,555 times as long" in told.says and "optimisation 10 times as long" in told.found
+
+
+def test_real_time_or_not():
+    def verdict(taken: float) -> str:
+        row = {"apex_time_s": 0.3, "liftoff_time_s": 0.05, "kernel_seconds": taken}
+        return judge.real_time_statement({"paper": [row], "standard": [row]}).verdict
+
+    assert [verdict(taken) for taken in (0.04, 0.2, 0.4)] == [CONFIRMED, LIMITED, NOT_CONFIRMED]
+
+
+def test_the_pace_is_of_single_jumps():
+    cell = ForwardModels().plan(STANDARD, 0)[-1]
+    rows = ForwardModels().compute({**cell.inputs, "designs": cell.inputs["designs"][:2]})
+    for row in rows:
+        assert row["status"] == "ok" and row["kernel_seconds"] > 0.0
+        assert 0.02 < row["liftoff_time_s"] < row["apex_time_s"] < 1.0
 
 
 def test_the_plan_has_the_paper_s_size():
     cells = ForwardModels().plan(STANDARD, 0)
     assert cells[0].inputs["plan"]["points"] ** 4 == 50_625
     assert cells[1].inputs["surrogate"]["name"] == "mlp"
-    assert len(cells) == 2 + 3 * 10 + 2
+    assert len(cells) == 2 + 3 * 10 + 2 + 2
     assert snake_case(DATA_DRIVEN) == "adam_the_paper_s_network"
 
 

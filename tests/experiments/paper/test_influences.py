@@ -7,23 +7,22 @@ import numpy as np
 import pytest
 from cells import COARSE, all_done, check_figures
 
-from experiments.paper.influences import judge as rules
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.cells import furthest, jump_rows
 from experiments.paper.influences import part as module
-from experiments.paper.influences.compute import MOUNT_HEIGHT, SWEEPS, rows_of
-from experiments.paper.influences.ground import (
-    decline_verdict,
+from experiments.paper.influences import words
+from experiments.paper.influences.part import (
+    MOUNT_HEIGHT,
+    SWEEPS,
+    Height,
+    Influences,
     friction_statements,
     height,
-    kept,
-    plateau_limit,
-    plateau_verdict,
-    stop_verdict,
-    why,
+    height_verdicts,
+    levels_off,
 )
-from experiments.paper.influences.part import Influences
-from experiments.paper.jumps import furthest, jump_rows
+from experiments.paper.limits import judged
 from experiments.paper.settings import BASELINE
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.trends import plateau
 from snapjump.simulation import build
 
@@ -42,65 +41,70 @@ def ramp(last: float) -> Any:
     return np.clip((last - HEIGHTS) / (last - H1), 0.0, 1.0)
 
 
+def found(x: Any, y: Any) -> Height:
+    return height(heights(x, y), H1, H2, ("y_c", "x_c"))
+
+
 def test_height_as_the_paper_says():
-    found = height(heights(5.0 * ramp(H2), 14.0 * ramp(H2) + 0.4), H1, H2)
-    assert plateau_verdict(found) == decline_verdict(found) == CONFIRMED
-    assert stop_verdict(found, H2) == CONFIRMED
-    assert found.close_from == HEIGHTS[0]
+    one = found(5.0 * ramp(H2), 14.0 * ramp(H2) + 0.4)
+    assert set(height_verdicts(one).values()) == {CONFIRMED}
+    assert one.close_from == HEIGHTS[0] and one.best < 1e-12
+    higher = found(5.0 * ramp(H2), 14.0 * ramp(H2) + np.where(HEIGHTS < 0.05, 1.4, 0.4))
+    assert higher.best == pytest.approx(1.0 / 14.4) and higher.best_height < 0.05
+    assert height_verdicts(higher)["best"] == NOT_CONFIRMED
 
 
 def test_height_otherwise():
     waves = 1.0 + np.where(HEIGHTS < H1, 0.04, 0.1) * np.sin(200.0 * (HEIGHTS - H1))
-    found = height(heights(5.0 * ramp(0.29) * waves, 14.0 * ramp(0.29) * waves + 0.4), H1, H2)
-    assert plateau_verdict(found) == decline_verdict(found) == LIMITED
-    assert stop_verdict(found, H2) == LIMITED
+    one = found(5.0 * ramp(0.29) * waves, 14.0 * ramp(0.29) * waves + 0.4)
+    assert [*height_verdicts(one).values()][:3] == [LIMITED] * 3
     tilted = (2.0 - HEIGHTS / H1) * ramp(0.34)
-    found = height(heights(np.sin(40.0 * HEIGHTS), 14.0 * np.abs(tilted) + 0.4), H1, H2)
-    assert plateau_verdict(found) == decline_verdict(found) == NOT_CONFIRMED
-    assert stop_verdict(found, H2) == NOT_CONFIRMED
+    one = found(np.sin(40.0 * HEIGHTS), 14.0 * np.abs(tilted) + 0.4)
+    assert set(height_verdicts(one).values()) == {NOT_CONFIRMED}
 
 
 def test_limits_of_the_plateau_are_told():
     rising = np.where(HEIGHTS < H1, 0.5 + 0.5 * HEIGHTS / H1, 1.0) * ramp(H2)
-    found = height(heights(5.0 * rising, 14.0 * ramp(H2) + 0.4), H1, H2)
-    assert plateau_verdict(found) == LIMITED
-    assert plateau_limit(found).startswith("In y_c only") and "height remains" in kept(found)
-    same = height(heights(5.0 * ramp(H2), 14.0 * ramp(H2) + 0.4), H1, H2)
-    assert plateau_limit(same) == kept(same) == ""
+    pressed = [{MOUNT_HEIGHT: 0.05, "load_over_weight": 3.0, "alpha_snap_rad": 1.0}]
+
+    def told(one: Height) -> str:
+        said = words.heights(height_verdicts(one), one, one, 0.01, "")
+        return words.oblique(said, one, pressed, {"alpha_critical_rad": 0.9})["below_h1"].found
+
+    turned = told(found(5.0 * rising, 14.0 * ramp(H2) + 0.4))
+    assert turned.startswith("In y_c only") and "height remains" in turned
+    same = told(found(5.0 * ramp(H2), 14.0 * ramp(H2) + 0.4))
+    assert same.startswith("Here h1") and "height remains" not in same
 
 
 def test_robots_that_never_jump_confirm_nothing():
-    found = height(heights(0.0 * HEIGHTS + 1.0, 0.0 * HEIGHTS + 0.4), H1, H2)
-    assert np.isnan(found.last_jump) and stop_verdict(found, H2) == NOT_CONFIRMED
+    one = found(0.0 * HEIGHTS + 1.0, 0.0 * HEIGHTS + 0.4)
+    assert np.isnan(one.last_jump) and height_verdicts(one)["beyond_h2"] == NOT_CONFIRMED
 
 
 def test_rules():
-    assert rules.one_way((0.0, 0.01)) == CONFIRMED
-    assert rules.one_way((0.0, 0.05)) == LIMITED
-    assert rules.one_way((0.2, 0.0)) == NOT_CONFIRMED
-    assert rules.one_way((0.0, np.nan)) == rules.one_way((np.nan, 0.0)) == NOT_CONFIRMED
-    assert rules.independent(np.array([10.0, 10.1])) == CONFIRMED
-    assert rules.independent(np.array([10.0, 10.8])) == LIMITED
-    assert rules.independent(np.array([10.0, 12.0])) == NOT_CONFIRMED
+    assert judged("influences.monotone", np.nan, 0.0) == NOT_CONFIRMED
     v = np.linspace(0.0, 1.0, 101)
     level = np.minimum(v, 0.3)
-    assert rules.levels_off(plateau(v, level)) == CONFIRMED
+    assert levels_off(plateau(v, level)) == CONFIRMED
     waves = plateau(v, level + 0.01 * np.sin(60.0 * v))
     storm = plateau(v, level + 0.05 * np.sin(60.0 * v))
-    assert rules.levels_off(waves) == rules.levels_off(waves, storm) == LIMITED
-    assert rules.levels_off(storm) == NOT_CONFIRMED
-    assert rules.limit_of_level(LIMITED, {"x_c": storm, "y_c": waves}).startswith("In y_c only.")
-    assert rules.limit_of_level(LIMITED, {"x_c": waves}).startswith("To within")
-    assert rules.limit_of_level(CONFIRMED, {"x_c": waves}) == ""
-    assert rules.levels_off(plateau(v, level + 0.5 * v)) == NOT_CONFIRMED
-    assert rules.power(v[1:], 3.0 * v[1:] ** -0.7) == pytest.approx(-0.7)
+    assert levels_off(waves) == levels_off(waves, storm) == LIMITED
+    assert levels_off(storm) == NOT_CONFIRMED
+    told = words.limit_of_level
+    assert told(LIMITED, {"x_c": storm, "y_c": waves}).startswith("In y_c only.")
+    assert told(LIMITED, {"x_c": waves}).startswith("To within")
+    assert told(CONFIRMED, {"x_c": waves}) == ""
+    assert levels_off(plateau(v, level + 0.5 * v)) == NOT_CONFIRMED
 
 
 def test_contact_that_sticks_is_said_to():
     row = {"braking_share": 0.1, "sticking_share": 0.001, "friction_over_normal": 0.2}
-    assert "Not because the contact sticks" in why([{"mu": 0.1, **row}, {"mu": 0.4, **row}], 0.2)
+    assert "Not because the contact sticks" in words.why(
+        [{"mu": 0.1, **row}, {"mu": 0.4, **row}], 0.2
+    )
     stuck = {**row, "sticking_share": 0.6, "mu": 0.4}
-    assert why([stuck], 0.2).startswith("The contact sticks under up to 60 %")
+    assert words.why([stuck], 0.2).startswith("The contact sticks under up to 60 %")
 
 
 def test_friction_verdicts():
@@ -117,22 +121,29 @@ def test_friction_verdicts():
     assert verdicts(mus, 14.0 + 10.0 * mus) == [NOT_CONFIRMED, NOT_CONFIRMED]
 
 
+def computed(kind: str, **inputs: Any) -> list[dict[str, Any]]:
+    return Influences().compute({"kind": kind, "groups": COARSE, **inputs})
+
+
 def test_sweeps_are_of_the_jumps_they_name():
-    row = rows_of({"groups": COARSE, "kind": "mu", "values": [0.25]})[0]
     design = (*BASELINE[:3], 0.25)
+    row = computed("jumps", designs=[design])[0]
     assert row["x_bar"] == jump_rows(build(COARSE), [design])[0]["x_bar"]
-    standing = rows_of({"groups": COARSE, "kind": MOUNT_HEIGHT, "values": [0.1, 0.4]})
+    standing = computed("heights", design=BASELINE, heights=[0.1, 0.4])
     assert standing[0]["y_bar"] > 5.0 > 0.5 > standing[1]["y_bar"] > 0.3
     assert furthest([row], [{**row, "x_bar": row["x_bar"] + 0.5}], "x_bar", "mu") == 0.5
+    assert SWEEPS["mu"].inputs("standard")["designs"][25] == design
+    assert len(SWEEPS["mu"].inputs("reference")["designs"]) == 26
 
 
 def test_energies_are_those_of_the_jump_they_name():
-    row = rows_of({"groups": COARSE, "kind": "energies", "values": [1.0]})[0]
-    jump = rows_of({"groups": COARSE, "kind": "mass_bar", "values": [1.0]})[0]
-    standing = rows_of({"groups": COARSE, "kind": MOUNT_HEIGHT, "values": [0.4]})[0]["y_bar"]
+    designs = [(*BASELINE[:2], 1.0, BASELINE[3])]
+    row = computed("energies", designs=designs)[0]
+    jump = computed("jumps", designs=designs)[0]
+    standing = computed("heights", design=BASELINE, heights=[0.4])[0]["y_bar"]
     # A robot of lower mounts stands a little lower.
     rise = row["rise_share"] * row["energy_released_bar"]
-    assert rise == pytest.approx(jump["y_bar"] - standing, abs=0.1)
+    assert row["mass_bar"] == 1.0 and rise == pytest.approx(jump["y_bar"] - standing, abs=0.1)
     told = sum(value for key, value in row.items() if key.endswith("_share"))
     assert 0.9 < told < 1.15
 
@@ -147,7 +158,7 @@ def test_report(monkeypatch, tmp_path):
     part = Influences()
     cells = all_done(part, COARSE)
     found = part.conclude(cells)
-    assert len(found.statements) == 9
+    assert len(found.statements) == 13
     assert "h1 = 0.0" in found.statements[0].found
     swept = cells["epsilon, standard"]
     broken = {**swept.rows[3], "status": "step_underflow", "x_bar": None, "y_bar": None}

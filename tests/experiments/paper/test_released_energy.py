@@ -8,12 +8,21 @@ import numpy as np
 import pytest
 from cells import STANDARD, all_done, check_figures
 
+from experiments.arches import exact
+from experiments.arches.critical import critical_rows, exact_value, largest_difference, within
 from experiments.compositions import changed
-from experiments.paper import exact
-from experiments.paper.released_energy import judge
-from experiments.paper.released_energy.compute import PAPER, arches, snap_rows
-from experiments.paper.released_energy.part import ReleasedEnergy
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.released_energy import words
+from experiments.paper.released_energy.part import (
+    PAPER,
+    ReleasedEnergy,
+    arches,
+    energy_line,
+    energy_verdict,
+    fit_errors,
+    heights_verdict,
+    left_by_quadratics,
+)
 from snapjump.run.studies.base import Cell
 from snapjump.scenes.jump_start import fitted_mount_height_bar
 
@@ -44,30 +53,26 @@ def scaled(h1: float, h2: float, epsilons: Any = EPSILONS) -> Rows:
 
 
 def test_critical_states_are_near_the_exact_ones() -> None:
-    rows = snap_rows({"groups": COARSE, "epsilons": (0.1, 0.3), "delta_alphas_rad": (0.0, 0.1)})
+    rows = critical_rows({"groups": COARSE, "epsilons": (0.1, 0.3), "delta_alphas_rad": (0.0, 0.1)})
     assert [row["delta_alpha_rad"] for row in rows] == [0.0, 0.0, 0.1, 0.1]
-    assert 0.05 < judge.largest_difference(rows, ["energy_released_bar"]) < 1.0
-    assert 0.05 < judge.largest_difference(rows, ["h1_bar", "h2_bar"]) < 1.5
+    assert 0.05 < largest_difference(rows, ["energy_released_bar"]) < 1.0
+    assert 0.05 < largest_difference(rows, ["h1_bar", "h2_bar"]) < 1.5
 
 
 def test_the_difference_from_exact_numbers_is_the_largest() -> None:
     rows = [
-        arch(e, d, energy_released_bar=judge.exact_value(e, d, "energy_released_bar") or 0.0)
+        arch(e, d, energy_released_bar=exact_value(e, d, "energy_released_bar") or 0.0)
         for d in (0.0, 0.1, 0.19)
         for e in exact.COMPARED
     ]
-    assert judge.largest_difference(rows, ["energy_released_bar"]) == 0.0
+    assert largest_difference(rows, ["energy_released_bar"]) == 0.0
     rows[4]["energy_released_bar"] *= 1.03
-    assert judge.largest_difference(rows, ["energy_released_bar"]) == pytest.approx(3.0)
-    assert judge.exact_value(0.2, 0.1, "h1_bar") is None
+    assert largest_difference(rows, ["energy_released_bar"]) == pytest.approx(3.0)
+    assert exact_value(0.2, 0.1, "h1_bar") is None
 
 
-def test_lines() -> None:
-    line = judge.straight_line([arch(e, energy_released_bar=80.0 * e - 1.0) for e in EPSILONS[9:]])
-    assert (line.slope, line.intercept) == (pytest.approx(80.0), pytest.approx(-1.0))
-    assert line.deviation_percent < 1e-9
-    assert len(judge.within(bent(0.0))) == 21
-    assert judge.straight_line(bent(25.0)).worst_epsilon == 0.01
+def test_the_range_of_the_paper() -> None:
+    assert len(within(bent(0.0))) == 21 and energy_line(bent(25.0)).worst_place == 0.01
 
 
 def test_the_released_program_s_polynomials() -> None:
@@ -75,27 +80,26 @@ def test_the_released_program_s_polynomials() -> None:
         fitted_mount_height_bar(0.17)
     )
     assert exact.released_height("h2", 0.2) == pytest.approx(0.2684)
-    assert np.allclose(judge.fit_errors(scaled(0.5, 1.0), "h1"), 100.0)
-    assert judge.left_by_quadratics(scaled(1.0, 1.0), "h2") < 1e-9
+    assert np.allclose(fit_errors(scaled(0.5, 1.0), "h1"), 100.0)
+    assert left_by_quadratics(scaled(1.0, 1.0), "h2") < 1e-9
 
 
 def test_energy_that_is_more_or_less_linear() -> None:
-    own = judge.within(bent(0.0))
+    verdicts = [energy_verdict(bent(curvature)) for curvature in (1.0, 30.0, 200.0)]
+    assert verdicts == [CONFIRMED, LIMITED, NOT_CONFIRMED]
 
-    def verdict(curvature: float) -> str:
-        return judge.energy_statement(bent(curvature), own, "").verdict
+    def told(curvature: float) -> str:
+        rows = bent(curvature)
+        return words.linear(
+            rows, energy_line(within(rows)), energy_line(rows), energy_line(rows), ""
+        ).found
 
-    assert [verdict(c) for c in (1.0, 30.0, 200.0)] == [CONFIRMED, LIMITED, NOT_CONFIRMED]
-    assert "80 ε" in judge.energy_statement(bent(0.0), own, "").found
-    assert "by -" in judge.energy_statement(bent(-200.0), own, "").found
+    assert "80 ε" in told(0.0) and "by -" in told(-200.0)
 
 
 def test_polynomials_that_hold_for_an_arch_or_for_a_mesh() -> None:
-    lagging = [arch(e, 0.05) for e in exact.COMPARED]
-
     def verdict(converged: float, own: float) -> str:
-        alike, meshed = scaled(converged, 1.0), scaled(own, 1.0, exact.COMPARED)
-        return judge.heights_statement(alike, meshed, lagging, "").verdict
+        return heights_verdict(scaled(converged, 1.0), scaled(own, 1.0, exact.COMPARED))
 
     assert verdict(0.995, 1.0) == CONFIRMED
     assert verdict(0.95, 0.99) == LIMITED
@@ -106,7 +110,7 @@ def test_the_plan_and_the_conclusion_with_its_figures(tmp_path: Path) -> None:
     part = ReleasedEnergy()
     planned = part.plan(STANDARD, 0)
     assert json.dumps([dict(cell.inputs) for cell in planned])
-    groups = arches(STANDARD)[PAPER][0]
+    groups = arches(STANDARD)[PAPER]["groups"]
     assert groups["discretization"] == {"name": "der", "elements": 66, "clamp": "two_nodes"}
 
     def rows_of(cell: Cell) -> Rows:

@@ -7,20 +7,19 @@ import numpy as np
 import pytest
 from cells import STANDARD
 
-from experiments.paper.settings import SETTINGS, snap_groups, snap_of
-from experiments.paper.snaps.compute import imperfection_rows, motion_rows
-from experiments.paper.snaps.figure import STYLES, draw_imperfections, draw_snaps
-from experiments.paper.snaps.judge import (
-    agreement,
-    exact_snaps,
-    largest_percent,
-    limit_in_words,
+from experiments.arches.exact_snap import agreement, exact_snaps, largest_percent
+from experiments.arches.swings import SETTINGS, snap_groups, snap_of
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.snaps.figure import STYLES, draw_snaps, draw_tiny
+from experiments.paper.snaps.part import (
+    TINY,
+    Snaps,
+    motion_rows,
+    outcome_rows,
     symmetric_until,
-    symmetry_statement,
     symmetry_verdict,
 )
-from experiments.paper.snaps.part import TINY, Snaps
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.snaps.words import limit_in_words, symmetry
 from snapjump.scenes.swing import follow, outcome
 from snapjump.simulation import simulate
 
@@ -29,7 +28,7 @@ from snapjump.simulation import simulate
 def undamped() -> list[dict[str, Any]]:
     """The two snaps of the figure without damping."""
     inputs = {"groups": snap_groups(STANDARD, "undamped"), "epsilon": 0.1, "rate_rad_s": 20.0}
-    return motion_rows({**inputs, "delta_alpha_rad": [0.0, 0.1]})
+    return motion_rows({**inputs, "mismatches_rad": [0.0, 0.1]})
 
 
 def test_snaps_are_those_of_the_independent_solution(undamped):
@@ -66,7 +65,7 @@ def test_a_beam_that_does_not_snap_has_no_numbers():
 
 def test_a_tiny_mismatch_is_amplified_in_proportion():
     inputs = {"groups": snap_groups(STANDARD, "standard"), "epsilon": 0.1, "rate_rad_s": 20.0}
-    rows = imperfection_rows({**inputs, "imperfections_rad": [1e-6, 1e-5]})
+    rows = outcome_rows({**inputs, "mismatches_rad": [1e-6, 1e-5]})
     tilts = [row["theta_max_rad"] for row in rows]
     assert tilts[1] == pytest.approx(10.0 * tilts[0], rel=1e-2)
     assert 400.0 < tilts[0] / 1e-6 < 800.0
@@ -83,8 +82,8 @@ def test_the_mismatch_that_is_seen():
     assert symmetric_until(tilts((0.0, 1e-14), (1e-4, 0.1))) == pytest.approx(1e-3 * degree)
     assert symmetric_until(tilts((0.0, 0.5), (1e-4, 0.5))) == 0.0
     assert symmetric_until(tilts((0.0, 0.0), (1e-4, 1e-3), (1e-2, None))) == math.inf
-    assert "no mismatch at all" in limit_in_words(0.2, 0.0, tilts((0.0, 0.5)))
-    assert "more than was tried" in limit_in_words(20.0, math.inf, [])
+    assert "no mismatch at all" in limit_in_words(0.2, 0.0, 0.5)
+    assert "more than was tried" in limit_in_words(20.0, math.inf, 0.0)
 
 
 def test_the_verdict_can_come_out_each_way():
@@ -95,11 +94,12 @@ def test_the_verdict_can_come_out_each_way():
 
 
 def test_the_statement_tells_the_limit(undamped):
-    numbers = dict.fromkeys(SETTINGS, [row for row in undamped if row["kind"] == "outcome"])
+    pair = [row for row in undamped if row["kind"] == "outcome"]
+    settings = dict.fromkeys(SETTINGS, pair[1]["theta_max_rad"])
     rates = {20.0: tilts((0.0, 1e-13), (1e-5, 6e-3), (1e-4, 6e-2)), 0.2: tilts((0.0, 0.59))}
-    told = symmetry_statement(numbers, rates, 0.1)
-    assert told.verdict == LIMITED
-    assert "0.2 rad/s (0.59 rad from rounding)" in told.found and "2.9e-05 rad at 20" in told.found
+    by_rate = {r: (symmetric_until(rows), rows[0]["theta_max_rad"]) for r, rows in rates.items()}
+    told = symmetry(pair, settings, 0.1, by_rate, "").found
+    assert "0.2 rad/s (0.59 rad from rounding)" in told and "2.9e-05 rad at 20" in told
 
 
 def test_the_plan():
@@ -114,5 +114,5 @@ def test_the_figures(undamped, tmp_path):
     motions = dict.fromkeys(("standard", "undamped", "paper"), undamped)
     draw_snaps(motions, exact_snaps(), tmp_path / "snaps.png")
     rows = tilts((0.0, 0.0), *((float(lag), float(lag)) for lag in np.logspace(-8, -1, 8)))
-    draw_imperfections(dict.fromkeys(TINY, rows), tmp_path / "tiny.png")
+    draw_tiny(dict.fromkeys(TINY, rows), 0.1, tmp_path / "tiny.png")
     assert all((tmp_path / name).stat().st_size > 10_000 for name in ("snaps.png", "tiny.png"))

@@ -1,35 +1,35 @@
 """Verdicts, and their table."""
 
-import pytest
-
-from experiments.paper.statement import (
+from experiments.paper.base import (
     CONFIRMED,
     LIMITED,
     NOT_CONFIRMED,
-    Statement,
+    Said,
     statement_rows,
     verdict,
+    weakest,
 )
-from experiments.paper.study import readme_block, tally
+from experiments.paper.study import counts, readme_block
 
 
 def test_a_verdict_follows_from_what_holds():
     assert verdict(True) == verdict(True, True) == CONFIRMED
     assert verdict(False, True) == LIMITED
     assert verdict(False) == NOT_CONFIRMED
-    with pytest.raises(AssertionError, match="perhaps"):
-        Statement("It jumps", "perhaps", "It does", "`standard`")
+    assert weakest(CONFIRMED, LIMITED) == LIMITED
+    assert weakest(LIMITED, NOT_CONFIRMED, CONFIRMED) == NOT_CONFIRMED
 
 
 def test_tables_number_the_statements():
     statements = [
-        Statement("It jumps", CONFIRMED, "15 L", "`standard`"),
-        Statement("It flies", NOT_CONFIRMED, "It falls", "`reference`", "task=paper figure=x"),
+        Said("It jumps", "15\n    L", "`standard`").judged("jumps.it", CONFIRMED),
+        Said("It flies", "it falls", "`reference`").judged("flights.it", NOT_CONFIRMED),
     ]
     rows = statement_rows(statements)
     assert [row["no."] for row in rows] == [1, 2]
-    assert rows[1]["command"] == "`python run.py task=paper figure=x`"
+    assert [row["what we find"] for row in rows] == ["15 L", "It falls"]
+    assert rows[1]["command"] == "`python run.py task=paper figure=flights`"
     told = "1 confirmed, 0 confirmed within a limit, 1 not confirmed"
-    assert tally(statements) == f"Of 2 statements: {told}."
+    assert counts(statements) == told
     block = readme_block(statements)
     assert "| 2 | It flies | not confirmed |" in block and told in block

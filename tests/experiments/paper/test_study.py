@@ -8,10 +8,8 @@ import pytest
 from cells import GIVEN, STANDARD, done, run_study
 
 from experiments.paper import study as module
-from experiments.paper.base import Found, Part
-from experiments.paper.parts import PARTS
-from experiments.paper.statement import CONFIRMED, Statement
-from experiments.paper.study import Paper, source_digest
+from experiments.paper.base import CONFIRMED, Found, Part, Statement
+from experiments.paper.study import PARTS, Paper, row_sources, source_digest
 from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
 from snapjump.run.studies.base import FAILED, Cell, Done, Section
@@ -37,7 +35,7 @@ class Letters(Part):
 
     def conclude(self, done: Mapping[str, Done]) -> Found:
         letters = [row["letter"] for one in done.values() for row in one.rows]
-        told = Statement("Letters", CONFIRMED, f"{[*done]}", "")
+        told = Statement("letters.all", "Letters", CONFIRMED, f"{[*done]}", "")
         return Found(Section("Letters", ["".join(letters)]), [told], {"letters": len(letters)})
 
 
@@ -109,9 +107,10 @@ def test_every_part_is_whole(name):
     assert part.name == name
     cells = part.plan(STANDARD, 0)
     assert cells and len({cell.name for cell in cells}) == len(cells)
-    drawn = {f"experiments.paper.{name}.{module}" for module in ("figure", "judge", "part")}
-    assert not drawn & set(part.sources), "drawing and judging must not do cells again"
-    assert f"experiments.paper.{name}.compute" in part.sources
+    used = {source.name for source in row_sources(part)}
+    assert f"experiments.paper.{name}.part" in used and "experiments.paper.limits" not in used
+    told = {f"experiments.paper.{name}.{module}" for module in ("figure", "words")}
+    assert not told & used, "drawing and telling must not do cells again"
     assert len(source_digest(part)) == 16
     broken = done(cells[0], [], FAILED, "it broke")
     found = part.conclude({cells[0].name: broken})

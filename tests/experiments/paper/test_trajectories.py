@@ -7,14 +7,13 @@ import numpy as np
 import pytest
 from cells import COARSE, all_done, check_figures, done
 
-from experiments.paper.jumps import numbers
-from experiments.paper.statement import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
+from experiments.paper.cells import varied
 from experiments.paper.trajectories import part as module
-from experiments.paper.trajectories.compute import rows_of, varied
 from experiments.paper.trajectories.figure import flight
-from experiments.paper.trajectories.judge import limit, slant, tuned
-from experiments.paper.trajectories.part import Trajectories
-from snapjump.run.studies.base import FAILED
+from experiments.paper.trajectories.part import Trajectories, leans_deg, slant, tuned
+from experiments.paper.trajectories.words import tuning
+from snapjump.run.studies.base import FAILED, column
 
 
 def sweep(ratios: list[float], lean: float) -> list[dict[str, Any]]:
@@ -33,8 +32,16 @@ def test_verdicts():
     assert np.isnan(growing.grows_until_rad) and growing.lean_deg == pytest.approx(20.0)
     assert tuned(growing, 60.0) == CONFIRMED
     assert tuned(growing, 30.0) == LIMITED
-    assert limit(LIMITED, 30.0).startswith("Oblique, not near horizontal")
-    assert limit(LIMITED, 60.0).startswith("Not throughout") and limit(CONFIRMED, 60.0) == ""
+    for came, lean, begun in (
+        (LIMITED, 30.0, "Oblique, not near horizontal. Without"),
+        (LIMITED, 60.0, "Not throughout. Without"),
+        (CONFIRMED, 60.0, "Without"),
+    ):
+        spread = sweep([0.0, 0.6], lean)
+        for row in spread:
+            row |= dict.fromkeys(("delta_alpha_rad", "epsilon", "mass_bar", "mu"), 0.1)
+        told = tuning(came, growing, growing, spread, leans_deg(spread), "")
+        assert told.found.startswith(begun)
     turning = slant(sweep([0.0, 0.4, 0.3, 0.5], 20.0))
     assert turning.grows_until_rad == pytest.approx(0.01)
     assert turning.back == pytest.approx(0.2)
@@ -45,11 +52,12 @@ def test_verdicts():
 
 def test_paths_end_where_flights_begin():
     design = varied("delta_alpha_rad", [0.05])[0]
-    path = rows_of({"groups": COARSE, "followed": design})
-    jump = rows_of({"groups": COARSE, "designs": [design]})[0]
+    inputs = {"groups": COARSE, "designs": [design]}
+    path = Trajectories().compute({"kind": "path", **inputs})
+    jump = Trajectories().compute({"kind": "jumps", **inputs})[0]
     x, y = flight(jump)
     assert (x[60], y[60]) == pytest.approx((jump["x_bar"], jump["y_bar"]))
-    last = int(np.flatnonzero(numbers(path, "ground_force_N") > 0.0)[-1])
+    last = int(np.flatnonzero(column(path, "ground_force_N") > 0.0)[-1])
     assert path[last]["x_bar"] == pytest.approx(x[0], abs=0.01)
     assert path[last]["y_bar"] == pytest.approx(y[0], abs=0.02)
 
@@ -58,12 +66,12 @@ def test_report(monkeypatch, tmp_path):
     """The whole part with every tier coarse."""
     monkeypatch.setattr(module, "groups_at", lambda groups, tier: COARSE)
     monkeypatch.setattr(module, "DESIGNS", 8)
-    few = varied("delta_alpha_rad", [0.0, 0.05, 0.1])
-    monkeypatch.setattr(module, "mismatches", lambda stride=1: few)
+    monkeypatch.setattr(module, "MISMATCHES", [0.0, 0.05, 0.1])
     part = Trajectories()
     cells = all_done(part, COARSE)
     found = part.conclude(cells)
-    assert len(found.statements) == 1 and found.summary["trajectories_lean_most_deg"] > 5.0
+    assert [one.verdict for one in found.statements][1] == CONFIRMED
+    assert len(found.statements) == 2 and found.summary["trajectories_lean_most_deg"] > 5.0
     check_figures(found, tmp_path)
     few_rows = [{**cells["ranges"].rows[0], "status": "not_finite", "liftoff_vx_m_s": None}]
     spread = replace(cells["ranges"], rows=[*cells["ranges"].rows, *few_rows])

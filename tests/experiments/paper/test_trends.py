@@ -3,7 +3,16 @@
 import numpy as np
 import pytest
 
-from experiments.trends import counter_step, plateau
+from experiments.trends import (
+    between,
+    counter_step,
+    fit_saturating,
+    plateau,
+    power,
+    relative_range,
+    saturating,
+    straight_line,
+)
 
 
 def test_counter_step():
@@ -25,3 +34,31 @@ def test_plateau():
     assert straight.levelling == pytest.approx(1.0)
     waves = plateau(places, np.minimum(places, 0.4) + 0.02 * np.sin(40.0 * places))
     assert waves.swing == pytest.approx(0.04, rel=0.2)
+
+
+def test_saturating_law_and_its_fit():
+    places = np.logspace(-6, -2, 25)
+    values = saturating(places, 600.0, 1e-3)
+    assert fit_saturating(places, values) == pytest.approx((600.0, 1e-3))
+    assert values[0] == pytest.approx(600.0 * places[0], rel=1e-5)
+    assert values[-1] == pytest.approx(0.6, rel=0.01)
+
+
+def test_between():
+    places = np.array([0.0, 1.0, 2.0, 3.0])
+    assert between(places, places**2, 0.5, 2.5) == pytest.approx([0.5, 1.0, 4.0, 6.5])
+
+
+def test_straight_line():
+    places = np.linspace(0.1, 0.3, 21)
+    line = straight_line(places, 80.0 * places - 1.0)
+    assert (line.slope, line.intercept) == (pytest.approx(80.0), pytest.approx(-1.0))
+    assert line.deviation_percent < 1e-9 and line.at(places)[0] == pytest.approx(7.0)
+    places = np.linspace(0.01, 0.3, 30)
+    assert straight_line(places, 80.0 * places + 25.0 * places**2).worst_place == 0.01
+
+
+def test_power_law_and_range():
+    places = np.linspace(0.3, 2.0, 18)
+    assert power(places, 3.0 * places**-0.7) == pytest.approx(-0.7)
+    assert relative_range(np.array([9.0, 10.0, 11.0])) == pytest.approx(0.2)

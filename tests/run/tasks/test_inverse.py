@@ -16,8 +16,7 @@ from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
 from snapjump.learning.checkpoint import write_checkpoint
 from snapjump.learning.forward_model import open_forward_model
-from snapjump.run.tasks.base import Outcome
-from snapjump.run.tasks.exit_codes import EXIT_UNREACHABLE, exit_code
+from snapjump.run.tasks.base import EXIT_UNREACHABLE, Outcome, exit_code
 from snapjump.run.tasks.export import Export
 from snapjump.run.tasks.inverse import InverseDesign
 

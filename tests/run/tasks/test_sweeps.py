@@ -7,10 +7,16 @@ from pathlib import Path
 import pytest
 
 from snapjump.files.result_folder import ResultFolder
-from snapjump.run.tasks.exit_codes import exit_code, sweep_exit_code
+from snapjump.run.tasks.base import exit_code, sweep_exit_code
 from snapjump.run.tasks.names import cell_name, sweep_name
-from snapjump.run.tasks.sweep_figure import positions, sweep_figure
-from snapjump.run.tasks.sweep_summary import Cell, full_csv, summary_table, swept_inputs
+from snapjump.run.tasks.sweep_summary import (
+    Cell,
+    full_csv,
+    positions,
+    summary_table,
+    sweep_figure,
+    swept_inputs,
+)
 
 
 def cells(path: Path) -> list[Cell]:

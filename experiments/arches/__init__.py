@@ -1,0 +1,1 @@
+"""The beam between its clamps: equilibria, snaps, and independent solutions of both."""

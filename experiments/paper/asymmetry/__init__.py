@@ -1,1 +1,0 @@
-"""How far a mismatch between the clamps turns the midpoint."""

@@ -1,1 +1,0 @@
-"""Equilibria of the arch whose clamps turn alike: branches, their stability, the loop."""

@@ -1,1 +1,0 @@
-"""Where the paper's settings and the converged answer differ, and which choice makes how much."""

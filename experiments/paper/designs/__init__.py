@@ -1,1 +1,0 @@
-"""One robot to many targets, and many robots to theirs."""

@@ -1,1 +1,0 @@
-"""The apex against errors of the robot and of the ground."""

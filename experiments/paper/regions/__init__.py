@@ -1,1 +1,0 @@
-"""The achievable region against mass and friction."""

@@ -1,1 +1,0 @@
-"""The symmetric and the asymmetric snap, and what breaks the symmetry."""

@@ -1,1 +1,0 @@
-"""What executors are made of."""

@@ -1,0 +1,40 @@
+"""Smoothed Coulomb friction: what implicit and lagged friction have in common."""
+
+from typing import Any, ClassVar
+
+from snapjump.declare.fields import number
+from snapjump.friction.base import FrictionLaw, FrictionOptions, regularised_sign
+from snapjump.units import Scales
+
+
+class SmoothedCoulomb(FrictionLaw):
+    """Coefficient mu, and velocity threshold eps_v (in L/T) of the smoothing."""
+
+    mu: Any
+    velocity_threshold: Any
+
+    def holds(self) -> Any:
+        return self.mu > 0.0
+
+    def ratio(self, velocity: Any) -> Any:
+        sign, _ = regularised_sign(velocity, self.velocity_threshold)
+        return self.mu * sign
+
+
+class SmoothedCoulombOptions(FrictionOptions):
+    """Smoothed Coulomb friction: the half width of its stick zone."""
+
+    Law: ClassVar[Any]
+
+    velocity_threshold_m_s: float = number(
+        1.0e-4,
+        above=0.0,
+        unit="m/s",
+        doc="half width of the stick zone",
+        symbol="ε_v",
+        plan=(1e-4, 1e-2),
+    )
+
+    def law(self, scales: Scales, mu: float) -> Any:
+        """The dimensionless law."""
+        return self.Law(mu, self.velocity_threshold_m_s / scales.velocity_m_s)
