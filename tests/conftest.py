@@ -33,7 +33,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
-    """With ``--dist loadgroup``: groups by the files of the tests, without marks in them."""
+    """``--dist loadgroup`` groups tests by their files, without marks in them."""
     return GroupScheduling(config, log) if config.getvalue("dist") == "loadgroup" else None
 
 
@@ -48,7 +48,7 @@ def command(tmp_path) -> Command:
 
 @pytest.fixture
 def process(tmp_path) -> Command:
-    """The same in a process of its own, where it matters that it is one."""
+    """Runs the command in a process of its own, where it matters that it is one."""
     return partial(apart, tmp_path)
 
 

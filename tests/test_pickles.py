@@ -36,7 +36,7 @@ def test_every_member(family: str, name: str) -> None:
 
 
 def bent(simulation: Simulation) -> Result:
-    """The cantilever's result."""
+    """The result of a bent cantilever."""
     return simulate(simulation)
 
 

@@ -34,7 +34,7 @@ def curve():
 
 
 def direct_slopes(base, design):
-    """By the direct path."""
+    """Derivatives of the numbers that are computed directly."""
 
     def numbers(axis, change):
         return numbers_of(jump_model(variant(base, np.array(design) + change * axis)))
@@ -45,7 +45,7 @@ def direct_slopes(base, design):
 
 @pytest.mark.parametrize(("path", "value"), ENDS)
 def test_any_input_against_direct_differences(path, value, curve):
-    """Of every number, to 1e-6 of it: the largest that any change of the input by itself makes."""
+    """Every number's derivative is right to 1e-6 of the number, and some number depends on it."""
     found = model_derivatives(BASE, np.array([[value]]), curve, (path,))[0, :, 0]
 
     def numbers(factor):

@@ -39,6 +39,7 @@ TIMING = {output.name for output in Batch.declared() if output.timing}
 
 @pytest.fixture(scope="module")
 def batch():
+    """What becomes of designs that can be built and of those that cannot."""
     return simulate_designs(BASE, ALL, threads=2, lanes=1)
 
 
@@ -63,7 +64,7 @@ def test_refused_designs_are_rows_with_a_status(batch):
 
 
 def test_rows_are_those_of_the_batch_of_good_designs(batch):
-    """To the last bit, at another width and number of threads."""
+    """They are equal to the last bit, at another width and number of threads."""
     alone = simulate_batch(variants(BASE, GOOD), lanes=8).columns()
     for name, values in batch.columns().items():
         assert name in TIMING or np.array_equal(values[PLACES], alone[name]), name
@@ -77,7 +78,7 @@ def test_rows_are_those_of_single_jumps(batch):
 
 
 def test_the_flight_is_one_parabola(batch):
-    """From lift-off to the apex, in SI units."""
+    """Lift-off and apex lie on one parabola, in SI units."""
     length, gravity = BASE.robot.length_m, BASE.robot.gravity_m_s2
     aloft = batch.apex_time_s - batch.liftoff_time_s
     rise = batch.liftoff_vy_m_s * aloft - 0.5 * gravity * aloft**2

@@ -38,6 +38,7 @@ def curve():
 
 @pytest.fixture(scope="module")
 def batch(curve):
+    """Jumps of the designs, with their derivatives."""
     return simulate_designs(BASE, DESIGNS, curve=curve, threads=1, lanes=8, sensitivities=True)
 
 
@@ -78,7 +79,7 @@ def test_what_physics_asks_of_them(batch):
 
 
 def test_gravity_moves_the_ballistic_flight_too():
-    """Of an apex that is read off as flights are, with made-up slopes of all that it depends on."""
+    """An apex is read off as flights are, with made-up slopes of all that it depends on."""
     slopes = np.array([0.3, -0.2, 1.5, 0.7, 0.9])  # of x, y, vx, vy and gravity
 
     def at(way):
@@ -98,7 +99,7 @@ def test_gravity_moves_the_ballistic_flight_too():
 
 
 def test_inputs_that_are_none_of_the_four():
-    """Without a curve, of one robot and all others alike."""
+    """They are the same for a robot alone and beside others, without a curve."""
     inputs = ("robot.gravity_m_s2", "robot.rotation_rate_rad_s")
     found = simulate_designs(BASE, np.array([[10.0, 20.0]]), inputs=inputs, sensitivities=True)
     assert found.status == ["ok"] and found.sensitivities.dy_bar.shape == (1, 2)

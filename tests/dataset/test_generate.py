@@ -21,7 +21,7 @@ SPECIFICATION = small()
 
 
 @pytest.fixture(scope="module")
-def whole(tmp_path_factory) -> Path:
+def undisturbed(tmp_path_factory) -> Path:
     """A dataset that nobody disturbed."""
     path = tmp_path_factory.mktemp("whole")
     generated(path, SPECIFICATION)
@@ -32,8 +32,8 @@ def same(path: Path, whole: Path) -> bool:
     return (path / "manifest.json").read_bytes() == (whole / "manifest.json").read_bytes()
 
 
-def test_rows_are_those_of_the_batch_of_designs(whole):
-    frame = open_dataset(whole).frame()
+def test_rows_are_those_of_the_batch_of_designs(undisturbed):
+    frame = open_dataset(undisturbed).frame()
     designs = SPECIFICATION.plan.designs(0, 24)
     assert (frame[[axis.column for axis in SPECIFICATION.axes]].to_numpy() == designs).all()
     assert frame["index"].tolist() == list(range(24))
@@ -53,7 +53,7 @@ def test_rows_are_those_of_the_batch_of_designs(whole):
     assert not frame[jumped].drop(columns=[*own]).isna().to_numpy().any()
 
 
-def test_derivatives_of_every_apex(tmp_path, whole):
+def test_derivatives_of_every_apex(tmp_path, undisturbed):
     asked = small(6, 3, friction=WIDE_STICK, sensitivities=True)
     generated(tmp_path / "asked", asked)
     frame = open_dataset(tmp_path / "asked").frame()
@@ -67,11 +67,11 @@ def test_derivatives_of_every_apex(tmp_path, whole):
     flags = frame["differentiable"].astype(bool)
     assert (flags == (jumped & (frame["graze_distance"] > 1e-5))).all()
     # Nobody asked for them in the other one.
-    assert open_dataset(whole).frame()[columns].isna().to_numpy().all()
+    assert open_dataset(undisturbed).frame()[columns].isna().to_numpy().all()
 
 
 def test_any_inputs_are_axes(tmp_path):
-    """Also those that change the beam, its scales, or are words otherwise."""
+    """Inputs that change the beam or its scales, or are words otherwise, are axes as well."""
     ranges = {
         "robot.thickness_m": None,
         "robot.mount_height": [2e-3, 3e-3],
@@ -122,14 +122,14 @@ def test_designs_that_cannot_be_are_rows_with_a_status(tmp_path):
     assert not frame.loc[refused, "within_tier"].any()
 
 
-def test_shards_of_any_size_hold_the_same_rows(whole, tmp_path):
+def test_shards_of_any_size_hold_the_same_rows(undisturbed, tmp_path):
     generated(tmp_path, small(shard_size=24))
-    one, several = (open_dataset(path).frame() for path in (tmp_path, whole))
+    one, several = (open_dataset(path).frame() for path in (tmp_path, undisturbed))
     times = ["kernel_seconds"]
     assert one.drop(columns=times).equals(several.drop(columns=times))
 
 
-def test_what_is_there_is_kept_and_what_is_missing_made(whole, tmp_path):
+def test_what_is_there_is_kept_and_what_is_missing_made(undisturbed, tmp_path):
     told: list[str] = []
     first = generated(tmp_path, SPECIFICATION, progress=lambda done, text: told.append(text))
     assert (first.made, first.kept, first.damaged) == (24, 0, [])
@@ -141,10 +141,10 @@ def test_what_is_there_is_kept_and_what_is_missing_made(whole, tmp_path):
     assert (second.made, second.kept, second.damaged) == (8, 16, [])
     after = {file: file.stat().st_mtime_ns for file in tmp_path.glob("shards/*")}
     changed = {file.stem for file in after if after[file] != before[file]}
-    assert changed == {"shard-00001"} and same(tmp_path, whole)
+    assert changed == {"shard-00001"} and same(tmp_path, undisturbed)
 
 
-def test_damage_is_named_and_repaired(whole, tmp_path):
+def test_damage_is_named_and_repaired(undisturbed, tmp_path):
     generated(tmp_path, SPECIFICATION)
     shard = tmp_path / "shards" / "shard-00002.parquet"
     content = bytearray(shard.read_bytes())
@@ -153,20 +153,20 @@ def test_damage_is_named_and_repaired(whole, tmp_path):
     (tmp_path / "manifest.json").write_text("{")
     again = generated(tmp_path, SPECIFICATION)
     assert again.damaged == ["shard-00002.parquet is not what was written"]
-    assert again.made == 8 and same(tmp_path, whole)
+    assert again.made == 8 and same(tmp_path, undisturbed)
 
 
-def test_parts_make_the_whole(whole, tmp_path):
+def test_parts_make_the_whole(undisturbed, tmp_path):
     first = generated(tmp_path, SPECIFICATION, part=2, parts=2)
     assert first.made == 8 and not first.manifest["complete"]
     assert first.manifest["dataset_sha256"] is None
     with pytest.raises(ParameterError, match="8 of 24 rows"):
         open_dataset(tmp_path)
     second = generated(tmp_path, SPECIFICATION, part=1, parts=2)
-    assert second.made == 16 and same(tmp_path, whole)
+    assert second.made == 16 and same(tmp_path, undisturbed)
 
 
-def test_what_stops_it_leaves_what_is_done_listed(whole, tmp_path):
+def test_what_stops_it_leaves_what_is_done_listed(undisturbed, tmp_path):
     def stop(done: float, text: str) -> None:
         if (tmp_path / "shards" / "shard-00001.json").exists():
             raise KeyboardInterrupt
@@ -175,11 +175,11 @@ def test_what_stops_it_leaves_what_is_done_listed(whole, tmp_path):
         generated(tmp_path, SPECIFICATION, progress=stop)
     manifest = read_sealed(tmp_path / "manifest.json")
     assert manifest is not None and manifest["rows"] == 16 and not manifest["complete"]
-    assert generated(tmp_path, SPECIFICATION).made == 8 and same(tmp_path, whole)
+    assert generated(tmp_path, SPECIFICATION).made == 8 and same(tmp_path, undisturbed)
 
 
-def test_a_shard_that_another_spoils_is_made_again(whole, tmp_path):
-    """As a worker does that was given up too early, and writes all the same."""
+def test_a_shard_that_another_spoils_is_made_again(undisturbed, tmp_path):
+    """A worker that was given up too early may write all the same."""
 
     class Spoiling(LocalExecutor):
         rounds = 0
@@ -194,7 +194,7 @@ def test_a_shard_that_another_spoils_is_made_again(whole, tmp_path):
     executor = Spoiling()
     executor.spoilt = 1
     assert generated(tmp_path, SPECIFICATION, executor).made == 24 + 8
-    assert same(tmp_path, whole)
+    assert same(tmp_path, undisturbed)
     (tmp_path / "shards" / "shard-00001.json").unlink()
     executor.rounds, executor.spoilt = 0, 10
     with pytest.raises(GenerationError, match=r"\[1\]"):

@@ -22,15 +22,16 @@ COLUMNS = [axis.column for axis in default_axes()]
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory):
+def read_and_written(tmp_path_factory):
+    """A dataset of made-up numbers as it is read, and the columns that were written."""
     specification = small(100, 16)
     found = made_up_dataset(tmp_path_factory.mktemp("made_up"), specification)
     rows = [made_up_rows(specification, number) for number in range(specification.shards)]
     return found, {n: np.concatenate([row[n] for row in rows]) for n in NAMES}
 
 
-def test_what_was_written_is_read(dataset):
-    found, written = dataset
+def test_what_was_written_is_read(read_and_written):
+    found, written = read_and_written
     frame = found.frame()
     assert list(frame.columns) == list(NAMES) and len(frame) == found.rows == 100
     for name in NAMES:
@@ -42,8 +43,8 @@ def test_what_was_written_is_read(dataset):
     assert (frame["x_bar"].isna() == (frame["status"] != "ok")).all()
 
 
-def test_some_columns_shard_by_shard(dataset):
-    found, written = dataset
+def test_some_columns_shard_by_shard(read_and_written):
+    found, written = read_and_written
     tables = list(found.shards(["mu", "y_bar"]))
     assert [len(table) for table in tables] == [16] * 6 + [4]
     assert tables[0].column_names == ["mu", "y_bar"]
@@ -88,8 +89,8 @@ def test_a_dataset_that_is_not_complete_is_refused(tmp_path):
         open_dataset(tmp_path)
 
 
-def test_statistics_are_those_of_the_rows(dataset):
-    found, written = dataset
+def test_statistics_are_those_of_the_rows(read_and_written):
+    found, written = read_and_written
     statistics = gather(found)
     ok = written["status"] == "ok"
     for o, name in enumerate(("x_bar", "y_bar")):

@@ -50,7 +50,7 @@ def free(chain: Any) -> slice:
 
 
 def directions(time: float = 0.0) -> tuple[float, float]:
-    """Of the clamps."""
+    """Directions of the clamps."""
     turned = CLAMP.start + CLAMP.rate * time
     return -turned, turned - CLAMP.delta_alpha
 
@@ -62,7 +62,7 @@ def tangents_of(left: float, right: float, left_rate: float, right_rate: float) 
 
 
 def energy_gradient(chain: Any, q: Any, time: float = 0.0) -> Any:
-    """By the strains, in the nodes' coordinates and the two directions of the clamps."""
+    """Gradient of the strains' energy by the nodes' coordinates and the clamps' directions."""
 
     def energy(z: Any) -> Any:
         return 0.5 * np.sum(chain.strains(z[:-2], z[-2], z[-1]) ** 2)
@@ -114,7 +114,7 @@ def test_residual_is_the_gradient_of_the_energy(chain, seed):
 @seeds
 @pytest.mark.parametrize("damping", [ELASTIC, VISCOUS, MassProportional.Law(3.0)])
 def test_band_is_the_derivative_of_the_residual(chain, seed, damping):
-    """Up to a term that damping would make unsymmetric: eta J^T dJ/dt, left out of the band."""
+    """The band leaves out the term that damping would make unsymmetric, eta J^T dJ/dt."""
     q = chain.bent(seed)
     origin, dofs, inner = moved_back(q, seed), chain.dofs, free(chain)
     model, masses = model_of(chain, damping), masses_of(chain, q, LENGTH)

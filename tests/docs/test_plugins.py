@@ -55,7 +55,7 @@ def plain(folder: Path, *arguments: str, code: int = 0) -> Done:
 
 
 def refused(folder: Path, *arguments: str) -> str:
-    """The one line."""
+    """The one line by which the command is refused."""
     done = plain(folder, *arguments, code=2)
     assert done.stderr.count("\n") == 1
     return str(done.stderr)

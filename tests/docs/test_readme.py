@@ -71,7 +71,7 @@ def test_commands_are_found():
 
 @pytest.mark.parametrize("run", RUNS, ids=" ".join)
 def test_every_command_is_accepted(run, tmp_path, monkeypatch):
-    """As far as it is found out before work begins, without the data that only a reader has."""
+    """What is found out before work begins accepts it, but for data that only a reader has."""
     if "--help" in run:
         return
     if "contact=cone" in run:

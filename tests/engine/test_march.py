@@ -81,44 +81,45 @@ def ends(march, passes, **limits):
 
 
 @pytest.fixture
-def one(starts):
+def march_of_one(starts):
+    """Makes marches of one robot from its start."""
     return lambda **changed: small_march(DESIGNS[1:2], 1, [v[1:2] for v in starts], **changed)
 
 
-def test_iteration_limit(one):
-    outcome = ends(one(), 1000, of_a_march=20.0)
+def test_iteration_limit(march_of_one):
+    outcome = ends(march_of_one(), 1000, of_a_march=20.0)
     assert outcome[c.STATUS] == ITERATION_LIMIT
     assert outcome[c.ITERATIONS] == 20.0
 
 
-def test_step_underflow(one):
+def test_step_underflow(march_of_one):
     """If one iteration is never enough, Newton's method fails however small the step; so does the
     estimate of the error for a tolerance that is never met."""
-    march = one()
+    march = march_of_one()
     outcome = ends(march, 1000, of_a_stage=1.0, smallest=1e-5, newton_share=1e-12)
     assert outcome[c.STATUS] == STEP_UNDERFLOW
     assert outcome[c.STEPS] == 0.0
     assert outcome[c.STEP] < 1e-5
     # 0.4^k of the first step: one failure each
     assert outcome[c.FAILURES] == np.ceil(np.log(1e-5 / march.stepping.first) / np.log(0.4))
-    outcome = ends(one(), 1000, tolerance=1e-16, newton_share=1e4, smallest=1e-5)
+    outcome = ends(march_of_one(), 1000, tolerance=1e-16, newton_share=1e4, smallest=1e-5)
     assert outcome[c.STATUS] == STEP_UNDERFLOW
     assert outcome[c.REJECTED] > 0.0
 
 
-def test_time_limit(one):
+def test_time_limit(march_of_one):
     """While the clamps still turn; if they have stopped before the snap, there was no jump."""
-    outcome = ends(one(duration=0.05), 10_000)
+    outcome = ends(march_of_one(duration=0.05), 10_000)
     assert outcome[c.STATUS] == TIME_LIMIT
     assert outcome[c.TIME] == pytest.approx(0.05, rel=1e-9)
     assert outcome[c.STEPS] > 3.0
-    march = one(duration=0.05)
+    march = march_of_one(duration=0.05)
     march.queue.numbers[0, number_of(march.models[0], "clamp", "end")] = march.models[0].clamp.start
     assert ends(march, 10_000)[c.STATUS] == NO_JUMP
 
 
-def test_a_state_that_is_not_finite_is_not_followed(one):
-    march = one()
+def test_a_state_that_is_not_finite_is_not_followed(march_of_one):
+    march = march_of_one()
     march.queue.velocity[0, 10] = np.nan
     assert ends(march, 100_000)[c.STATUS] not in (RUNNING, OK, NO_JUMP)
 

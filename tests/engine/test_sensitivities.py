@@ -7,6 +7,7 @@ from experiments.sensitivities.agreement import frozen_errors
 from snapjump.batch import variant
 from snapjump.composition import with_tier
 from snapjump.contact.logbarrier import LogBarrier
+from snapjump.declare.inputs import DEFAULT_INPUTS, inputs_of, value_at
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.friction.implicit import ImplicitFriction
 from snapjump.statics.threshold_curve import ThresholdCurve
@@ -20,33 +21,11 @@ BASE = with_tier(
     # The kinks of friction, at its true 1e-4 m/s, leave nothing of differences.
     friction=ImplicitFriction(velocity_threshold_m_s=1.0),
 )
-# Values of inputs beside the four, four at a time.
-OTHERS = (
-    {
-        "robot.frame_height_m": 0.01,
-        "robot.thickness_m": 5e-5,
-        "robot.rotation_rate_rad_s": 20.0,
-        "damping.relaxation_time_s": 1e-5,
-    },
-    {
-        "contact.stiffness_N_m": 1e4,
-        "robot.mount_height": 1.4e-3,
-        "robot.gravity_m_s2": 10.0,
-        "robot.length_m": 0.02,
-    },
-    {
-        "robot.youngs_modulus_Pa": 2e11,
-        "robot.density_kg_m3": 5000.0,
-        "contact.distance_m": 1e-3,
-        "friction.velocity_threshold_m_s": 1.0,
-    },
-    {
-        "contact.damping_s": 1e-6,
-        "robot.width_m": 0.01,
-        "design.epsilon": 0.15,
-        "environment.slope_rad": 0.1,
-    },
-)
+# All inputs beside the four, where they are but for some, four at a time.
+VALUES = {path: value_at(BASE, path) for path in inputs_of(BASE) if path not in DEFAULT_INPUTS}
+VALUES |= {"robot.mount_height": 1.4e-3, "contact.damping_s": 1e-6}
+VALUES |= {"design.epsilon": 0.15, "environment.slope_rad": 0.1}
+FOURS = [dict(list(VALUES.items())[k : k + 4]) for k in range(0, len(VALUES), 4)]
 # delta_alpha, epsilon, mass_bar, mu
 DESIGNS = ((0.03, 0.15, 1.3, 0.25), (0.15, 0.18, 1.6, 0.2))
 
@@ -67,7 +46,7 @@ def test_derivatives_are_those_of_the_frozen_steps(design, curve):
 
 
 @pytest.mark.compiles
-@pytest.mark.parametrize("values", OTHERS)
+@pytest.mark.parametrize("values", FOURS)
 def test_derivatives_by_any_inputs(values, curve):
     base = variant(BASE, DESIGNS[0])
     errors = frozen_errors(base, np.array(list(values.values())), curve, (2, 6), tuple(values))

@@ -8,7 +8,7 @@ import pytest
 from cells import COARSE, GIVEN, run_study
 from made_up_maps import RANGES
 from refusals import refused
-from small_datasets import CONFIG, generated, small
+from small_datasets import CONFIG, generated, silent, small
 
 from experiments.inverse_benchmark import region
 from experiments.inverse_benchmark.compute import make_problems
@@ -31,7 +31,7 @@ def checkpoint(tmp_path_factory) -> Path:
     generated(path / "jumps", small(250, 250))
     data = JumpData(open_dataset(path / "jumps"), Training(), 0)
     options = member_class("surrogate", "rbf")()
-    return learn(data, options, lambda share, text: None, place=path).file
+    return learn(data, options, silent, place=path).file
 
 
 def configured(**task: Any) -> dict[str, Any]:
@@ -166,17 +166,13 @@ def test_stretches_cover_everything_once():
     assert stretches(0, 10) == []
 
 
-@pytest.mark.parametrize(
-    ("changes", "key"),
-    [
-        ({"problems": 0}, "task.problems"),
-        ({"environments": -1}, "task.environments"),
-        ({"methods": ["magic"]}, "task.methods"),
-        ({"methods": []}, "task.methods"),
-        ({"methods": [["adam"]]}, "task.methods"),
-        ({"checkpoint": "nowhere.safetensors"}, "checkpoint"),
-    ],
-)
-def test_bad_input_is_named(changes, key):
-    with refused(key):
-        InverseBenchmark().prepare(configured(**changes))
+BAD_INPUT = (
+    ("problems", 0), ("environments", -1), ("methods", ["magic"]), ("methods", []),
+    ("methods", [["adam"]]), ("checkpoint", "nowhere.safetensors"),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "value"), BAD_INPUT)
+def test_bad_input_is_named(name, value):
+    with refused(name if name == "checkpoint" else f"task.{name}"):
+        InverseBenchmark().prepare(configured(**{name: value}))

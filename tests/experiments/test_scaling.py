@@ -23,6 +23,7 @@ BASE = replace(with_tier("draft"), discretization=DiscreteElasticRod(24))
 
 @pytest.fixture(scope="module")
 def robots():
+    """Four coarse simulations and their models."""
     simulations = variants(BASE, spread_designs(4))
     return simulations, [jump_model(simulation) for simulation in simulations]
 

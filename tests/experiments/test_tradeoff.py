@@ -40,7 +40,7 @@ def few_curves(base: Any, full: bool) -> list[Curve]:
 
 
 @pytest.fixture
-def coarse(tmp_path, monkeypatch) -> Path:
+def few_compositions(tmp_path, monkeypatch) -> Path:
     """A folder, with one tier, few curves and few models beside a limit that is none."""
     monkeypatch.chdir(tmp_path)
     draft = {name: TIERS[name] for name in ("draft", "standard")}
@@ -64,8 +64,8 @@ def coarse(tmp_path, monkeypatch) -> Path:
     return tmp_path / "run"
 
 
-def test_tables_and_figures_of_few_compositions(coarse):
-    outcome, folder = run_study(Tradeoff(), CONFIG, coarse)
+def test_tables_and_figures_of_few_compositions(few_compositions):
+    outcome, folder = run_study(Tradeoff(), CONFIG, few_compositions)
     assert outcome.status == "ok", outcome.message
     assert outcome.summary["cells_refused"] == 1 and outcome.summary["compositions"] == 4
     for name in ("precision_p95", "precision_median", "modelling"):

@@ -17,7 +17,7 @@ ALL = {"kernels", "dataset", "study"}
 
 
 @pytest.fixture
-def folder(tmp_path, monkeypatch):
+def copied_sources(tmp_path, monkeypatch):
     """The package's sources, a study's module and plug-ins in folders of their own."""
     kept = shutil.ignore_patterns("__pycache__")
     shutil.copytree(sources.PACKAGE, tmp_path / "snapjump", ignore=kept)
@@ -36,7 +36,7 @@ def put_plugins(place: Path) -> None:
 
 
 def edit(file: Path, old: str, new: str) -> None:
-    """As if a new process had found the file so."""
+    """Edit a file as if a new process had found it so."""
     text = file.read_text()
     assert old in text
     file.write_text(text.replace(old, new, 1))
@@ -78,16 +78,16 @@ EDITS = {
 
 
 @pytest.mark.parametrize("file", EDITS)
-def test_what_an_edit_changes(folder, file):
+def test_what_an_edit_changes(copied_sources, file):
     for old, new, changed in EDITS[file]:
         before = names()
-        edit(folder / file, old, new)
+        edit(copied_sources / file, old, new)
         after = names()
         assert {key for key in ALL if before[key] != after[key]} == changed, (old, new)
 
 
-def test_plugins_count_as_they_are_and_wherever_they_lie(folder, monkeypatch):
-    place, elsewhere, with_them = folder / "plugins", folder / "elsewhere", names()
+def test_plugins_count_as_they_are_and_wherever_they_lie(copied_sources, monkeypatch):
+    place, elsewhere, with_them = copied_sources / "plugins", copied_sources / "elsewhere", names()
     put_plugins(elsewhere)
     monkeypatch.setattr(sources, "PLUGINS", [elsewhere])
     assert names() == with_them
@@ -98,10 +98,10 @@ def test_plugins_count_as_they_are_and_wherever_they_lie(folder, monkeypatch):
         assert all(names()[key] != with_them[key] for key in ALL)
 
 
-def test_a_process_stays_with_what_it_has_imported(folder):
+def test_a_process_stays_with_what_it_has_imported(copied_sources):
     before = names()
-    law = folder / "snapjump" / "contact" / "logbarrier.py"
+    law = copied_sources / "snapjump" / "contact" / "logbarrier.py"
     law.write_text(law.read_text() + "EDITED = 1\n")
     assert names() == before
-    sources.forget(folder / "snapjump")
+    sources.forget(copied_sources / "snapjump")
     assert names() != before

@@ -130,6 +130,7 @@ def test_yaml_counts_by_its_data():
 
 @pytest.fixture
 def source(tmp_path, monkeypatch):
+    """A source file beside a place for kept hashes that is empty."""
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "cache"))
     path = tmp_path / "a.py"
     path.write_text("a = 1\n")

@@ -2,21 +2,19 @@
 
 import numpy as np
 import pytest
-from bare_models import bare_model
+from bare_models import loose_nodes
 from plain_python import assembled, complex_step, dense, residual_of
 
 from snapjump.contact.base import Ground
 from snapjump.contact.logbarrier import LogBarrier
-from snapjump.discretization.parts.loose_nodes import LooseNodes
 from snapjump.engine.assemble import Motion
 from snapjump.engine.load.gravity import Gravity
-from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.friction.implicit import ImplicitFriction
 
 MASSES = np.array([0.3, 0.5, 0.2])
 MOTION = Motion(0.0, 40.0, 40.0, 0.0)
-MODEL = bare_model(
-    LooseNodes(), NoFrame(), contact=LogBarrier.Law(4e3, 0.025, 0.0), load=Gravity(1.0, 20.0, 6.0),
+MODEL = loose_nodes(
+    contact=LogBarrier.Law(4e3, 0.025, 0.0), load=Gravity(1.0, 20.0, 6.0),
     friction=ImplicitFriction.Law(0.4, 0.25), ground=Ground(7.0, 1.5, 0.025),
 )  # fmt: skip
 STATE = np.array([0.0, 0.01, 0.1, 0.02, 0.2, 0.5])  # two in the barrier, one above it

@@ -105,6 +105,7 @@ def motion_of_the_mass(t, q):
 
 @pytest.fixture(scope="module")
 def exact():
+    """Place and velocity of the mass at the end."""
     solution = solve_ivp(motion_of_the_mass, (0.0, DURATION), BEGIN, rtol=1e-12, atol=1e-13)
     return solution.y[:, -1]
 

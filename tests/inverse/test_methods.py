@@ -92,7 +92,7 @@ def test_a_map_that_folds_has_two_solutions(method):
 
 
 def test_gauss_newton_finds_a_root_that_its_grid_does_not_make_out():
-    """Beyond the chord of a coarse grid, on the fold."""
+    """The target lies on the fold, beyond the chord of a coarse grid."""
     target = folded(np.array([[0.1, 0.24, 1.0, 0.3]]))[0] - [1e-3, 0.0]
     found = GaussNewtonOptions(points=4).solve(problem(target, MadeUpModel(folded)))
     assert found[0].miss_bar(target) < 1e-4

@@ -19,19 +19,20 @@ from snapjump.learning.forward_model import ForwardModel, open_forward_model
 
 
 @pytest.fixture
-def file(tmp_path) -> Path:
+def kept_model(tmp_path) -> Path:
+    """The file of a network that has learned nothing."""
     write_checkpoint(tmp_path / "model.safetensors", network(), about())
     return tmp_path / "model.safetensors"
 
 
-def test_what_was_kept_is_read(file):
-    found = read_checkpoint(file)
+def test_what_was_kept_is_read(kept_model):
+    found = read_checkpoint(kept_model)
     assert found.about == json.loads(json.dumps(about()))
     with torch.no_grad():
         designs = jumps(50).designs
         assert torch.equal(found.network(designs), network()(designs))
-    assert np.isfinite(open_forward_model(str(file)).predict(designs.numpy())).all()
-    assert [f.name for f in file.parent.iterdir()] == ["model.safetensors"]
+    assert np.isfinite(open_forward_model(str(kept_model)).predict(designs.numpy())).all()
+    assert [f.name for f in kept_model.parent.iterdir()] == ["model.safetensors"]
 
 
 def unusable(path: Path, why: str) -> None:
@@ -47,19 +48,19 @@ def test_no_file_and_a_folder(tmp_path):
 
 
 @pytest.mark.parametrize("share", [0.0, 0.01, 0.5, 0.999])
-def test_a_file_that_was_cut_off(file, share):
-    os.truncate(file, int(share * file.stat().st_size))
-    unusable(file, "it cannot be read")
+def test_a_file_that_was_cut_off(kept_model, share):
+    os.truncate(kept_model, int(share * kept_model.stat().st_size))
+    unusable(kept_model, "it cannot be read")
 
 
-def test_a_changed_byte_anywhere(file):
-    content = file.read_bytes()
+def test_a_changed_byte_anywhere(kept_model):
+    content = kept_model.read_bytes()
     random = np.random.default_rng(0)
     for place in [9, *random.integers(8, len(content), 100), len(content) - 1]:
         changed = bytearray(content)
         changed[place] ^= 1
-        file.write_bytes(bytes(changed))
-        unusable(file, "a forward model that task=train left")
+        kept_model.write_bytes(bytes(changed))
+        unusable(kept_model, "a forward model that task=train left")
 
 
 def test_foreign_files(tmp_path):
@@ -106,8 +107,8 @@ GROUPS = {
 
 
 @pytest.fixture(scope="module")
-def onnx(tmp_path_factory) -> dict[str, bytes]:
-    """Exported files."""
+def exported(tmp_path_factory) -> dict[str, bytes]:
+    """The ONNX files of the groups."""
     found = {}
     for name, group in GROUPS.items():
         path = tmp_path_factory.mktemp(name) / "model.onnx"
@@ -118,9 +119,9 @@ def onnx(tmp_path_factory) -> dict[str, bytes]:
 
 
 @pytest.mark.parametrize("name", GROUPS)
-def test_onnx_says_what_torch_says(onnx, name):
+def test_onnx_says_what_torch_says(exported, name):
     model = ForwardModel(network(GROUPS[name]), about(GROUPS[name]))
-    session = one_core(onnx[name])
+    session = one_core(exported[name])
     for count in (1, 2, 500):
         designs = jumps(count, 7).designs.numpy()
         (apexes,) = session.run(None, {"designs": designs})
@@ -129,10 +130,10 @@ def test_onnx_says_what_torch_says(onnx, name):
         assert np.allclose(apexes, expected, rtol=1e-4, atol=1e-4 * np.abs(expected).max())
 
 
-def test_a_difference_is_told_and_no_file_left(onnx, tmp_path, monkeypatch):
+def test_a_difference_is_told_and_no_file_left(exported, tmp_path, monkeypatch):
     group = GROUPS["resnet"]
     other = ForwardModel(network(group, seed=1), about(group))
-    monkeypatch.setattr(module, "_onnx", lambda model: onnx["resnet"])
+    monkeypatch.setattr(module, "_onnx", lambda model: exported["resnet"])
     with pytest.raises(ArithmeticError, match="differs from torch"):
         export(other, tmp_path / "model.onnx")
     assert not list(tmp_path.iterdir())

@@ -49,8 +49,8 @@ def test_splits_that_there_are_not(count, training, key):
         split(count, training, 0)
 
 
-def test_the_rows_are_the_dataset_s(data):
-    found = data()
+def test_the_rows_are_the_dataset_s(jump_set):
+    found = jump_set()
     parts = (found.train, found.validation, found.test)
     assert [len(part.designs) for part in parts] == [288, 32, 80]
     for part in parts:
@@ -59,8 +59,8 @@ def test_the_rows_are_the_dataset_s(data):
         assert torch.isnan(part.slopes).all() and part.slopes.shape == (len(apexes), 2, 4)
 
 
-def test_batches_are_all_rows_once_in_an_order_of_seed_and_epoch(data):
-    found = data()
+def test_batches_are_all_rows_once_in_an_order_of_seed_and_epoch(jump_set):
+    found = jump_set()
     batches = found.batches(0)
     assert isinstance(batches, Batches) and len(batches) == len(list(batches)) == 18
     first = torch.cat([rows.designs for rows in batches])

@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 import torch
 from forward_models import RESNET
+from small_datasets import silent
 
 from snapjump.declare.members import make_member
 from snapjump.learning import fit as fitting
@@ -17,10 +18,6 @@ from snapjump.surrogate.base import Surrogate
 
 class Killed(BaseException):
     """What ends a process between two epochs."""
-
-
-def nothing(share: float, text: str) -> None:
-    """No progress."""
 
 
 def dies_after(epochs: int, told: list[str], error: type[BaseException] = Killed) -> Any:
@@ -36,7 +33,7 @@ def dies_after(epochs: int, told: list[str], error: type[BaseException] = Killed
 
 @pytest.fixture
 def steady(monkeypatch) -> None:
-    """A learning rate of nothing, by which nothing becomes better."""
+    """A learning rate of silent, by which nothing becomes better."""
     monkeypatch.setattr(Training, "rate", lambda training, epoch: 0.0)
 
 
@@ -47,7 +44,7 @@ def network(data: JumpData) -> Surrogate:
     return made
 
 
-def fitted(data: JumpData, folder: Path, progress=nothing) -> tuple[Surrogate, Fitted]:
+def fitted(data: JumpData, folder: Path, progress=silent) -> tuple[Surrogate, Fitted]:
     made = network(data)
     folder.mkdir(exist_ok=True)
     return made, descend(made, data, folder, progress)
@@ -64,9 +61,9 @@ def every_epoch(monkeypatch) -> None:
     monkeypatch.setattr(fitting, "SAVE_EVERY_S", 0.0)
 
 
-def test_it_learns_and_says_how_far_it_is(data, tmp_path):
+def test_it_learns_and_says_how_far_it_is(jump_set, tmp_path):
     told: list[tuple[float, str]] = []
-    found = data(epochs=20, patience=20, learning_rate=0.01)
+    found = jump_set(epochs=20, patience=20, learning_rate=0.01)
     _, fit = fitted(found, tmp_path, lambda share, text: told.append((share, text)))
     errors = [row["validation_mae_bar"] for row in fit.curves]
     losses = [row["train_loss"] for row in fit.curves]
@@ -78,8 +75,8 @@ def test_it_learns_and_says_how_far_it_is(data, tmp_path):
     assert told[0][1].startswith("epoch 1, validation MAE") and fit.seconds > 0.0
 
 
-def test_what_is_kept_are_the_best_weights(data, tmp_path, monkeypatch):
-    found = data(epochs=6)
+def test_what_is_kept_are_the_best_weights(jump_set, tmp_path, monkeypatch):
+    found = jump_set(epochs=6)
     monkeypatch.setattr(type(found.training), "rate", lambda training, epoch: 1e-3 * 4.0**epoch)
     made, fit = fitted(found, tmp_path)
     errors = [row["validation_mae_bar"] for row in fit.curves]
@@ -90,67 +87,69 @@ def test_what_is_kept_are_the_best_weights(data, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("after", [1, 2, 5])
-def test_a_training_that_was_killed_goes_on_to_the_same_bits(data, tmp_path, every_epoch, after):
-    whole, expected = fitted(data(), tmp_path / "whole")
+def test_a_training_that_was_killed_goes_on_to_the_same_bits(
+    jump_set, tmp_path, every_epoch, after
+):
+    whole, expected = fitted(jump_set(), tmp_path / "whole")
     epochs: list[str] = []
     with pytest.raises(Killed):
-        fitted(data(), tmp_path / "killed", dies_after(after, epochs))
-    resumed, fit = fitted(data(), tmp_path / "killed", lambda share, text: epochs.append(text))
+        fitted(jump_set(), tmp_path / "killed", dies_after(after, epochs))
+    resumed, fit = fitted(jump_set(), tmp_path / "killed", lambda share, text: epochs.append(text))
     assert len(epochs) == 6  # none of them twice
     assert equal(resumed, whole)
     assert fit.curves == expected.curves
 
 
-def test_a_training_that_had_ended_is_not_gone_on_with(data, tmp_path):
-    complete = data()
+def test_a_training_that_had_ended_is_not_gone_on_with(jump_set, tmp_path):
+    complete = jump_set()
     for _ in range(2):
         _, fit = fitted(complete, tmp_path)
         assert len(fit.curves) == 6
 
 
-def test_it_stops_when_nothing_becomes_better(data, tmp_path, steady):
-    found = data(epochs=50, patience=3)
+def test_it_stops_when_nothing_becomes_better(jump_set, tmp_path, steady):
+    found = jump_set(epochs=50, patience=3)
     for _ in range(2):
         _, fit = fitted(found, tmp_path)
         assert len(fit.curves) == 4
-    _, first = fitted(data(epochs=50, patience=2), tmp_path / "sooner")
-    _, again = fitted(data(epochs=50, patience=2), tmp_path / "sooner")
+    _, first = fitted(jump_set(epochs=50, patience=2), tmp_path / "sooner")
+    _, again = fitted(jump_set(epochs=50, patience=2), tmp_path / "sooner")
     assert len(first.curves) == 3 and again == first
 
 
-def test_patience_goes_on_where_it_was(data, tmp_path, every_epoch, steady):
-    found = data(epochs=50, patience=3)
+def test_patience_goes_on_where_it_was(jump_set, tmp_path, every_epoch, steady):
+    found = jump_set(epochs=50, patience=3)
     with pytest.raises(Killed):
         fitted(found, tmp_path, dies_after(3, []))
     _, fit = fitted(found, tmp_path)
     assert len(fit.curves) == 4
 
 
-def test_ctrl_c_is_not_swallowed(data, tmp_path):
+def test_ctrl_c_is_not_swallowed(jump_set, tmp_path):
     with pytest.raises(KeyboardInterrupt):
-        fitted(data(), tmp_path, dies_after(1, [], KeyboardInterrupt))
+        fitted(jump_set(), tmp_path, dies_after(1, [], KeyboardInterrupt))
 
 
-def test_a_state_that_is_damaged_is_begun_anew(data, tmp_path):
-    whole, _ = fitted(data(), tmp_path)
+def test_a_state_that_is_damaged_is_begun_anew(jump_set, tmp_path):
+    whole, _ = fitted(jump_set(), tmp_path)
     (tmp_path / STATE).write_bytes((tmp_path / STATE).read_bytes()[:1000])
-    again, fit = fitted(data(), tmp_path)
+    again, fit = fitted(jump_set(), tmp_path)
     assert equal(again, whole) and len(fit.curves) == 6
 
 
-def test_a_loss_that_is_no_number_is_told(data, tmp_path):
-    found = data()
+def test_a_loss_that_is_no_number_is_told(jump_set, tmp_path):
+    found = jump_set()
     made = network(found)
     made.loss = lambda rows: torch.nan * made(rows.designs).sum()  # type: ignore[method-assign]
     with pytest.raises(FloatingPointError, match=r"nan after epoch 1.*learning_rate"):
-        descend(made, found, tmp_path, nothing)
+        descend(made, found, tmp_path, silent)
 
 
-def test_torch_has_its_threads_back(data, tmp_path):
+def test_torch_has_its_threads_back(jump_set, tmp_path):
     before = torch.get_num_threads()
     torch.set_num_threads(2)
     try:
-        fitted(data(epochs=1), tmp_path)
+        fitted(jump_set(epochs=1), tmp_path)
         assert torch.get_num_threads() == 2
     finally:
         torch.set_num_threads(before)

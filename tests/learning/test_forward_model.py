@@ -22,6 +22,7 @@ from snapjump.surrogate.resnet import Resnet
 
 @pytest.fixture
 def model() -> ForwardModel:
+    """A forward model that has learned nothing."""
     return ForwardModel(network(), about())
 
 

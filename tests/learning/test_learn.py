@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from forward_models import RANGES, RESNET
 from refusals import refused
-from small_datasets import CONFIG, WIDE_STICK, made_up_dataset, small, smooth_dataset
+from small_datasets import CONFIG, WIDE_STICK, made_up_dataset, silent, small, smooth_dataset
 
 from snapjump.checks import ParameterError
 from snapjump.declare.members import make_member, member_class, member_names
@@ -25,16 +25,12 @@ def test_the_modules_that_determine_the_weights_exist():
     assert set(DETERMINES) <= {source.name for source in package_files()}
 
 
-def silent(share: float, text: str) -> None:
-    """No progress."""
-
-
 def refuse(share: float, text: str) -> None:
     raise AssertionError("trained again")
 
 
-def test_what_a_checkpoint_says(data, tmp_path):
-    found = data()
+def test_what_a_checkpoint_says(jump_set, tmp_path):
+    found = jump_set()
     learned = learn(found, OPTIONS, silent, {"seed": 0}, tmp_path)
     model = open_forward_model(learned.file)
     about = model.about
@@ -50,46 +46,46 @@ def test_what_a_checkpoint_says(data, tmp_path):
     assert about["measures"]["mae_bar"] == pytest.approx(off.mean(), rel=1e-4)
 
 
-def test_nothing_is_trained_twice_and_what_is_damaged_is(data, tmp_path):
-    first = learn(data(), OPTIONS, silent, None, tmp_path)
-    again = learn(data(), OPTIONS, refuse, None, tmp_path)
+def test_nothing_is_trained_twice_and_what_is_damaged_is(jump_set, tmp_path):
+    first = learn(jump_set(), OPTIONS, silent, None, tmp_path)
+    again = learn(jump_set(), OPTIONS, refuse, None, tmp_path)
     assert not first.kept and again.kept
     assert again.file == first.file and again.curves == first.curves
     assert {f.name for f in first.file.parent.iterdir()} == {".lock", FORWARD_MODEL, CURVES}
     content = first.file.read_bytes()
     first.file.write_bytes(content[:-1])
-    assert not learn(data(), OPTIONS, silent, None, tmp_path).kept
+    assert not learn(jump_set(), OPTIONS, silent, None, tmp_path).kept
     changes: list[dict[str, Any]] = [{"seed": 1}, {"epochs": 5}, {"rows": 200}]
-    files = {learn(data(**change), OPTIONS, silent, None, tmp_path).file for change in changes}
+    files = {learn(jump_set(**change), OPTIONS, silent, None, tmp_path).file for change in changes}
     assert len({*files, first.file}) == 4
 
 
-def test_what_needs_no_descent(data, tmp_path):
-    learned = learn(data(), member_class("surrogate", "rbf")(), silent, None, tmp_path)
+def test_what_needs_no_descent(jump_set, tmp_path):
+    learned = learn(jump_set(), member_class("surrogate", "rbf")(), silent, None, tmp_path)
     assert learned.curves == [] and learned.about["epochs"] == 0
     model = open_forward_model(learned.file)
-    found = data()
+    found = jump_set()
     designs = found.test.designs.double().numpy()
     assert np.abs(model.predict(designs) - found.test.apexes.numpy()).mean() < 0.1
     assert model.jacobian(designs[:3]).shape == (3, 2, 4)
 
 
-def test_intervals_come_from_the_validation_set(data, tmp_path):
+def test_intervals_come_from_the_validation_set(jump_set, tmp_path):
     options = member_class("surrogate", "ensemble")(members=3, width=8, blocks=1)
-    learned = learn(data(), options, silent, None, tmp_path)
+    learned = learn(jump_set(), options, silent, None, tmp_path)
     measured = learned.about["measures"]
     assert 0.7 < measured["coverage"] <= 1.0 and measured["half_width_bar"] > 0.0
-    half_widths = open_forward_model(learned.file).half_widths(data().test.designs.numpy())
+    half_widths = open_forward_model(learned.file).half_widths(jump_set().test.designs.numpy())
     assert half_widths is not None and half_widths.mean() == pytest.approx(
         measured["half_width_bar"], rel=1e-4
     )
 
 
-def test_slopes_must_be_there_for_what_needs_them(data, tmp_path):
+def test_slopes_must_be_there_for_what_needs_them(jump_set, tmp_path):
     options = member_class("surrogate", "gradient_mlp")(width=8, layers=1)
     how = "dataset.sensitivities=true friction.velocity_threshold_m_s=0.01"
     with refused("dataset.path", how) as caught:
-        check_slopes(options, data())
+        check_slopes(options, jump_set())
     assert caught.value.value in str(caught.value)
     specification = small(100, 100, sensitivities=True, friction=WIDE_STICK)
     dataset = smooth_dataset(tmp_path / "slopes", specification)

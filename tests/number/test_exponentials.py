@@ -1,4 +1,6 @@
-"""Logarithm and exponential in plain arithmetic, against the library's in extended precision."""
+"""Logarithm and exponential in plain arithmetic, functions for Python code, against libraries'."""
+
+import math
 
 import numpy as np
 import pytest
@@ -7,6 +9,7 @@ from numba import njit
 from snapjump.number.exponentials import exp, log
 from snapjump.number.lane import view_numbers
 from snapjump.number.memory import aligned_zeros
+from snapjump.number.portable import log1p, power
 
 
 @njit
@@ -56,3 +59,14 @@ def test_lanes_have_the_same_bits(near_one, all_sizes):
     for values in (near_one, all_sizes):
         with np.errstate(all="ignore"):
             assert np.array_equal(evaluated(values, 8), evaluated(values, 1), equal_nan=True)
+
+
+@pytest.mark.parametrize("base", [1e-3, 0.3, 1.0, 1.857, 40.0])
+@pytest.mark.parametrize("exponent", [-2.0, 0.5, 1.0, 2.8])
+def test_power(base, exponent):
+    assert power(base, exponent) == pytest.approx(base**exponent, rel=1e-14)
+
+
+@pytest.mark.parametrize("x", [-0.9, -1e-3, -1e-17, 0.0, 1e-17, 1e-9, 0.3, 5.0])
+def test_logarithm_of_one_plus(x):
+    assert log1p(x) == pytest.approx(math.log1p(x), rel=1e-15)

@@ -1,8 +1,11 @@
-"""Processes that need the same kernel at the same time: one compiles it, the others find it."""
+"""Processes that need a kernel at the same time: one compiles it, and says so if it takes long."""
 
 import os
 import subprocess
 import sys
+import time
+
+from snapjump.number import announcement
 
 COMPILE = """
 import sys
@@ -50,3 +53,34 @@ def test_the_lock_is_free_after_a_failure(tmp_path, monkeypatch):
         with pytest.raises(ZeroDivisionError), one_process_compiles(resting_gap, (1.0, 2.0), 1.0):
             raise ZeroDivisionError
     assert len(list((tmp_path / "compiling").iterdir())) == 1
+
+
+class Kernel:
+    """Takes its time; ``compiles`` says whether a signature appears meanwhile."""
+
+    def __init__(self, seconds):
+        self.signatures = []
+        self.seconds = seconds
+        self.calls = []
+
+    def __call__(self, *args):
+        self.calls.append(args)
+        time.sleep(self.seconds)
+
+
+def test_only_a_long_compilation_is_announced(monkeypatch, capsys):
+    monkeypatch.setattr(announcement, "PATIENCE_SECONDS", 0.05)
+    quick, slow, running = Kernel(0.0), Kernel(0.3), Kernel(0.3)
+    announcement.load(quick, 1)
+    assert capsys.readouterr().err == ""
+    announcement.load(slow, 1, 2)
+    assert "compiling kernels, once" in capsys.readouterr().err
+    assert slow.calls == [(1, 2)]
+
+    def starts_at_once(*args):
+        running.signatures.append(args)
+        time.sleep(0.3)
+
+    starts_at_once.signatures = running.signatures
+    announcement.load(starts_at_once, 1)
+    assert capsys.readouterr().err == ""

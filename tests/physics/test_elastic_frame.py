@@ -36,6 +36,7 @@ def elastic(ratio: float, **changes: object) -> Simulation:
 
 @pytest.fixture(scope="module")
 def rigid():
+    """Jumps of the designs on the rigid frame."""
     return simulate_batch(variants(coarse(), DESIGNS))
 
 

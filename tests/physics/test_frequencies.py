@@ -28,7 +28,7 @@ discretizations = pytest.mark.parametrize("name", DISCRETIZATIONS)
 
 
 def frequencies(tangent: np.ndarray, masses: np.ndarray, count: int) -> np.ndarray:
-    """The lowest omega T."""
+    """The lowest frequencies (omega T)."""
     squares = eigh(tangent, np.diag(masses), eigvals_only=True, subset_by_index=[0, count - 1])
     return np.sqrt(np.maximum(squares, 0.0))
 

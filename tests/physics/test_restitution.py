@@ -47,7 +47,7 @@ def test_conservative_laws_give_back_all(law):
 
 @pytest.mark.parametrize("restitution", [0.3, 0.8])
 def test_hunt_crossley_rebounds_as_told(restitution):
-    """At the speed that the restitution is given for, and at others by the exact relation."""
+    """The restitution holds at the speed it is given for, the exact relation at others."""
     law = CONTACT["hunt_crossley"](restitution=restitution, impact_speed_m_s=2.0)
     number = law.law(SCALES).damping * 2.0 / SCALES.velocity_m_s
     for speed in (2.0, 0.5, 4.0):

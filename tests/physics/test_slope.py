@@ -18,7 +18,7 @@ LENGTH_M = 0.02
 
 
 def creep_m_s(simulation):
-    """Where 2 w - w^2 of smoothed Coulomb friction is the slope's tangent over mu."""
+    """The speed at which smoothed Coulomb friction, 2 w - w^2, is the slope's tangent over mu."""
     environment, threshold = simulation.environment, simulation.friction.velocity_threshold_m_s
     share = math.tan(abs(environment.slope_rad)) / environment.mu
     size = threshold * (1.0 - math.sqrt(1.0 - share))
@@ -39,7 +39,7 @@ def test_a_robot_begins_to_creep_as_friction_holds_it(slope):
 
 @pytest.mark.parametrize("slope", SLOPES)
 def test_the_flight_is_the_parabola_of_gravity(slope):
-    """Of level and plumb places: no force but the weight after the last contact."""
+    """In level and plumb places: there is no force but the weight after the last contact."""
     found = jump(environment=Environment(slope_rad=slope))
     c, s = math.cos(slope), math.sin(slope)
     vx, vy = found.liftoff_vx_m_s, found.liftoff_vy_m_s

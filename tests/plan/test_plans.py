@@ -115,15 +115,12 @@ def test_seeds(options):
     assert not (first.designs(0, 64) == other.designs(0, 64)).any()
 
 
-def test_a_latin_hypercube_is_the_same_on_every_machine():
+@pytest.mark.parametrize(
+    ("options", "pinned"), [(LatinHypercube, PINNED_LATIN), (Sobol, PINNED_SOBOL)]
+)
+def test_designs_are_the_same_on_every_machine(options, pinned):
     """Integers and correctly rounded arithmetic alone: these digits hold anywhere."""
-    designs = LatinHypercube(count=1000, seed=7).plan(RANGES).designs(500, 501)
-    assert designs.tolist() == [PINNED_LATIN]
-
-
-def test_sobol_points_are_the_same_on_every_machine():
-    designs = Sobol(count=1000, seed=7).plan(RANGES).designs(500, 501)
-    assert designs.tolist() == [PINNED_SOBOL]
+    assert options(count=1000, seed=7).plan(RANGES).designs(500, 501).tolist() == [pinned]
 
 
 @pytest.mark.parametrize("options", [Grid(points=32), Sobol(count=2**20),

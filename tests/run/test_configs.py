@@ -74,7 +74,7 @@ def test_a_file_has_the_fields_and_defaults_of_its_member(family, name):
 
 
 def plain(value: Any) -> Any:
-    """Lists and tuples alike."""
+    """A value in which tuples are lists."""
     return [plain(v) for v in value] if isinstance(value, (list, tuple)) else value
 
 
@@ -178,7 +178,7 @@ def refused_or(compose: Callable[..., Simulation], *words: str, **members: str) 
 @pytest.mark.parametrize("tier", TIERS)
 @of_simulations
 def test_a_member_at_a_tier(family, name, tier):
-    """The same from Python; every scene can be had at every tier."""
+    """Python and the command line give the same; every scene can be had at every tier."""
     found = refused_or(by_command_line, f"accuracy={tier}", f"{family}={name}")
     assert found == refused_or(with_tier, tier, **{family: name})
     assert family != "sim" or isinstance(found, Simulation)
@@ -186,7 +186,7 @@ def test_a_member_at_a_tier(family, name, tier):
 
 @of_simulations
 def test_a_word_is_the_member_left_to_its_defaults(family, name):
-    """At the tier's values where it has some, as the object without a value is, too."""
+    """Both have the tier's values where it has some."""
     try:
         by_word: Any = with_tier("draft", **{family: name})
     except ParameterError as error:

@@ -20,7 +20,7 @@ NOTHING = {
 
 
 def bare_model(discretization: Any, frame: Any, **members: Any) -> Model:
-    """Without contact, friction, damping and load, but for the members that are given."""
+    """A model without contact, friction, damping and load, but for members that are given."""
     return Model(discretization, frame, **(NOTHING | members))
 
 

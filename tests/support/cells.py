@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Any
 
-from small_datasets import CONFIG
+from small_datasets import CONFIG, silent
 
 from experiments.compositions import described
 from snapjump.composition import with_tier
@@ -41,4 +41,4 @@ def run_study(study: Any, config: Any, path: Path) -> Any:
     study.prepare(config)
     path.mkdir()
     folder = ResultFolder(path)
-    return study.run(folder, lambda share, text: None), folder
+    return study.run(folder, silent), folder

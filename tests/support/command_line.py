@@ -59,7 +59,7 @@ def print_warning(*warning: Any, file: Any = None, line: str | None = None) -> N
 
 
 def apart(folder: Path, *arguments: str, options: tuple[str, ...] = (), code: int = 0) -> Done:
-    """The same by an interpreter of its own with options of its own."""
+    """The command in a folder, by an interpreter of its own with options of its own."""
     return python(*options, str(RUN), *arguments, folder=folder, code=code)
 
 
@@ -111,7 +111,7 @@ def result_in(folder: Path) -> tuple[Path, dict[str, Any]]:
 
 
 def free_port() -> int:
-    """One that nobody listens at on loopback."""
+    """A port that nobody listens at on loopback."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         return int(free.getsockname()[1])

@@ -34,7 +34,7 @@ def jumps(count: int, seed: int = 0) -> Rows:
 
 
 def network(group: dict[str, Any] = RESNET, seed: int = 0) -> Surrogate:
-    """One that has its standardisation, and weights by chance."""
+    """A network that has its standardisation, and weights by chance."""
     torch.manual_seed(seed)
     made: Surrogate = make_member("surrogate", group).network()
     made.fit(jumps(200, seed))

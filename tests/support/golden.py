@@ -59,7 +59,7 @@ class Golden:
         assert self.shaken or found == self._written(name, found), f"{name} has moved"
 
     def near(self, name: str, values: Any, relative: float) -> None:
-        """The same of an array, up to a share of each row's largest number."""
+        """Compare an array so, up to a share of each row's largest number."""
         written = np.array(self._written(name, plain(values)), dtype=float)
         allowed = relative * np.abs(written).max(axis=-1, keepdims=True)
         assert self.shaken or np.all(np.abs(values - written) <= allowed), f"{name} has moved"

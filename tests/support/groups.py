@@ -16,8 +16,8 @@ from xdist.scheduler import LoadScopeScheduling
 # what a process of its own compiles, it has not.
 GROUPS = {
     "single": (
-        "physics", "engine/recorder", "stepping", "run/tasks/test_command_line.py", "tracking",
-        "docs/test_tutorial.py",
+        "physics", "engine/recorder", "stepping", "run/tasks/test_command_line.py", "show/plots",
+        "tracking", "docs/test_tutorial.py",
     ),
     "lanes": ("engine", "batch", "targets", "dataset", "executor", "run/tasks"),
     "studies": ("experiments",),

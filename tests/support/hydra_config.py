@@ -18,5 +18,5 @@ def composed(*overrides: str, **options: Any) -> Any:
 
 
 def hydra_config(*overrides: str) -> Any:
-    """The same as plain values."""
+    """What Hydra composes, as plain values."""
     return OmegaConf.to_container(composed(*overrides), resolve=True)

@@ -61,7 +61,7 @@ class MadeUpModel:
         return np.stack(columns, axis=2)
 
     def check_model(self, simulation: Any) -> None:
-        """Of any physical model."""
+        """It knows any physical model."""
 
 
 @dataclass
@@ -82,7 +82,7 @@ class MadeUpSimulator:
 
 
 def problem(target: Any, forward: Any = None, simulator: Any = None, **changes: Any) -> Problem:
-    """In the environment m_bar = 1, mu = 0.3, over the paper's ranges."""
+    """A problem in the environment m_bar = 1, mu = 0.3, over the paper's ranges."""
     given = {"mass_bar": 1.0, "mu": 0.3, "seed": 0, **changes}
     return Problem(
         target=np.array(target, dtype=float),

@@ -13,5 +13,10 @@ def picture(path: Path) -> np.ndarray:
 
 
 def count(pixels: np.ndarray, colour: str) -> int:
-    """Of the pixels of exactly this colour."""
+    """Number of the pixels of exactly this colour."""
     return int((pixels == palette.rgb(colour)).all(axis=2).sum())
+
+
+def has(pixels: np.ndarray, colour: str, more_than: int = 200) -> bool:
+    """Whether enough of a colour is there for a bar or a line."""
+    return count(pixels, colour) > more_than

@@ -15,12 +15,12 @@ def runs_in(uri: str) -> tuple[list[Any], Any]:
 
 
 def database_in(folder: Path) -> str:
-    """That of the commands that run there."""
+    """The tracking database of the commands that run in a folder."""
     return f"sqlite:///{folder / 'mlruns.db'}"
 
 
 def only_run(folder: Path) -> tuple[Any, Any, set[str]]:
-    """That of the commands there: the run, its dataset and its files."""
+    """The only run of the commands in a folder, its dataset and its files."""
     (run,), client = runs_in(database_in(folder))
     (given,) = run.inputs.dataset_inputs
     return run, given, {file.path for file in client.list_artifacts(run.info.run_id)}

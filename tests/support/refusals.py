@@ -7,6 +7,11 @@ import pytest
 from snapjump.checks import ParameterError
 
 
+def key_in(override):
+    """The key that a word of the command line is about."""
+    return override.lstrip("+~").partition("=")[0]
+
+
 @contextmanager
 def refused(key, *words):
     """The block is refused, with these words in the line; yields what is caught."""

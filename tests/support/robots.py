@@ -6,9 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from snapjump import Design, Environment, Robot
+from snapjump import Design, Environment
 from snapjump.composition import Simulation, with_tier
 from snapjump.contact.logbarrier import LogBarrier
+from snapjump.declare.inputs import value_at, with_inputs
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.load.gravity import Gravity
@@ -76,18 +77,24 @@ def model_at(simulation: Simulation, start: float, mount_height_bar: float) -> M
     )
 
 
-def scaled_robot(larger: float, stiffer: float, denser: float) -> Robot:
-    """The paper's robot with all its dimensionless groups as they are."""
-    robot, time = Robot(), larger * sqrt(denser / stiffer)
+def similar(base: Simulation, larger: float, stiffer: float, denser: float) -> Simulation:
+    """A jump of other scales, with all its dimensionless groups as they are."""
+    time = larger * sqrt(denser / stiffer)
     lengths = ("length_m", "width_m", "thickness_m", "frame_height_m")
-    return replace(
-        robot,
-        **{name: getattr(robot, name) * larger for name in lengths},
-        youngs_modulus_Pa=robot.youngs_modulus_Pa * stiffer,
-        density_kg_m3=robot.density_kg_m3 * denser,
-        gravity_m_s2=robot.gravity_m_s2 * larger / time**2,
-        rotation_rate_rad_s=robot.rotation_rate_rad_s / time,
-    )
+    factors = dict.fromkeys((f"robot.{name}" for name in lengths), larger) | {
+        "robot.youngs_modulus_Pa": stiffer,
+        "robot.density_kg_m3": denser,
+        "robot.gravity_m_s2": larger / time**2,
+        "robot.rotation_rate_rad_s": 1.0 / time,
+        "contact.stiffness_N_m": stiffer * larger,
+        "contact.distance_m": larger,
+        "friction.velocity_threshold_m_s": larger / time,
+        "damping.relaxation_time_s": time,
+    }
+    scaled = with_inputs(base, {path: value_at(base, path) * factors[path] for path in factors})
+    names = ("time_limit_s", "sample_interval_s")
+    times = {name: getattr(base.sim, name) * time for name in names}
+    return replace(scaled, sim=replace(base.sim, **times))
 
 
 def small_march(

@@ -1,5 +1,7 @@
 """Small datasets: real ones of a coarse simulation, and shards of made-up numbers."""
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -35,7 +37,7 @@ OVERRIDES = (
 def small(
     count: int = 24, shard_size: int = 8, sensitivities: bool = False, **changes: Any
 ) -> Specification:
-    """Few coarse jumps."""
+    """The specification of few coarse jumps."""
     plan = {"name": "latin_hypercube", "count": count}
     return specify({**CONFIG, "plan": plan, **changes}, shard_size, sensitivities)
 
@@ -53,7 +55,7 @@ def generated(
             specification,
             executor or LocalExecutor(),
             BACKEND,
-            options.pop("progress", lambda done, text: None),
+            options.pop("progress", silent),
             **options,
         )
     finally:
@@ -84,18 +86,23 @@ def made_up_rows(specification: Specification, number: int) -> Rows:
     return rows
 
 
-def made_up(path: Path, specification: Specification) -> DatasetFolder:
-    """A complete dataset of made-up numbers."""
+def written(path: Path, specification: Specification, rows_of: Callable[[int], Rows]) -> Any:
+    """The folder of a complete dataset with these rows, by the number of their shard."""
     folder = DatasetFolder(path)
     folder.open(specification)
     for number in range(specification.shards):
-        write_shard(folder, specification, number, made_up_rows(specification, number))
+        write_shard(folder, specification, number, rows_of(number))
     write_manifest(folder, specification)
     return folder
 
 
+def made_up(path: Path, specification: Specification) -> DatasetFolder:
+    """A complete dataset of made-up numbers."""
+    return written(path, specification, partial(made_up_rows, specification))
+
+
 def made_up_dataset(path: Path, specification: Specification) -> Dataset:
-    """The same, opened."""
+    """A complete dataset of made-up numbers, opened."""
     return open_dataset(made_up(path, specification).path)
 
 
@@ -106,9 +113,7 @@ def smooth_dataset(path: Path, specification: Specification, **columns: Any) -> 
     """
     from forward_models import law  # needs torch
 
-    folder = DatasetFolder(path)
-    folder.open(specification)
-    for number in range(specification.shards):
+    def rows_of(number: int) -> Rows:
         rows = dict(made_up_rows(specification, number))
         apexes, slopes = law(specification.plan.designs(*specification.stretch(number)))
         rows["status"] = np.full(len(apexes), "ok", dtype=object)
@@ -119,6 +124,10 @@ def smooth_dataset(path: Path, specification: Specification, **columns: Any) -> 
                 rows[name] = np.full(len(apexes), known)
         for name, value in columns.items():
             rows[name] = np.full(len(apexes), value, rows[name].dtype)
-        write_shard(folder, specification, number, rows)
-    write_manifest(folder, specification)
-    return open_dataset(path)
+        return rows
+
+    return open_dataset(written(path, specification, rows_of).path)
+
+
+def silent(share: float, text: str) -> None:
+    """No progress is shown."""

@@ -127,7 +127,7 @@ def fitted(rows: Rows, **options: int) -> Surrogate:
 
 @pytest.mark.parametrize(("count", "options"), [(300, {"neighbours": 40}), (20, {})])
 def test_it_passes_through_the_jumps_it_was_given(count, options):
-    """Also where there are fewer of them than neighbours."""
+    """So it does where there are fewer of them than neighbours."""
     rows = jumps(count)
     network = fitted(rows, **options)
     assert torch.allclose(network(rows.designs), rows.apexes, atol=1e-4)

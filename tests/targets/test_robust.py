@@ -79,7 +79,7 @@ def expected(controls: Any, target: Any) -> float:
 
 
 def test_of_several_solutions_it_takes_the_less_sensitive_branch():
-    """Beyond the fold the apex depends on mu as well."""
+    """Beyond the fold the apex depends on mu as well, which varies."""
     model = MadeUpModel(folded)
     target = folded(np.array([[0.06, 0.2, 1.0, 0.3]]))[0]
     given = problem(target, model)

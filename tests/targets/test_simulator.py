@@ -39,7 +39,7 @@ def test_what_does_not_jump_has_neither_apex_nor_slopes():
 
 
 def test_slopes_are_those_with_a_wider_stick_zone():
-    """Of a mesh that is fine enough for them not to depend on the last digits of a threshold."""
+    """The mesh is so fine that they do not depend on the last digits of a threshold."""
     base = with_tier("standard")
     simulator = JumpSimulator(base)
     wider = replace(base, friction=ImplicitFriction(velocity_threshold_m_s=0.01))

@@ -1,18 +1,94 @@
-"""The kernels compile for a real card, round as the processor does and allocate nothing."""
+"""The kernels compile for a card that is not here, round as processors do and allocate nothing."""
 
 import re
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
-from offline_card import arguments_of, ptx_of, require_compiler, resources
 from robots import DESIGNS, small_march
 
 pytestmark = pytest.mark.slow
 MOST_SPILLED_BYTES = 4096
+# NVIDIA's compiler needs no card; numba-cuda asks for one.
+CAPABILITY = (9, 0)  # of an H100 or H200
+
+
+class Elsewhere:
+    """What numba-cuda wants to know of the device that it compiles for."""
+
+    compute_capability = CAPABILITY
 
 
 @pytest.fixture(scope="module", autouse=True)
-def compiler():
-    require_compiler()
+def compiler() -> None:
+    """Tests are skipped where numba-cuda or NVIDIA's compiler libraries are missing."""
+    pytest.importorskip("numba_cuda", reason="numba-cuda is not installed")
+    try:
+        from cuda.bindings import nvrtc, nvvm
+        from numba.cuda.cudadrv import libs
+
+        nvvm.version()
+        nvrtc.nvrtcGetSupportedArchs()
+        if not libs.get_libdevice():
+            raise RuntimeError("no libdevice")
+    except Exception as error:  # each library has its own way to say so
+        pytest.skip(f"NVIDIA's compiler libraries are missing ({type(error).__name__})")
+
+
+def ptx_of(monkeypatch: Any, kernel: Any, *arguments: Any) -> str:
+    """The kernel's program for a card, compiled for arguments like these."""
+    from numba import cuda
+    from numba.core import types
+    from numba.cuda import dispatcher
+    from numba.cuda.typing.typeof import typeof
+
+    from snapjump.engine.cuda.methods import register_methods
+    from snapjump.engine.cuda.rounding import rounded_as_written
+
+    register_methods()
+    monkeypatch.setattr(dispatcher, "get_current_device", Elsewhere)
+    with rounded_as_written():
+        signature = types.void(*[typeof(argument) for argument in arguments])
+        ptx, _ = cuda.compile_ptx(kernel.py_func, signature, cc=CAPABILITY)
+    return str(ptx)
+
+
+def arguments_of(march: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+    """What the kernels that find starts and march are called with, but for arrays on the card."""
+    queue = march.queue._replace(
+        counts=np.zeros((1, 2), dtype=np.int64), carried=np.zeros(1, dtype=np.int64)
+    )
+    model, masses, memory = march.models[0], march.masses, march.memory
+    starts = (model, masses, memory, queue, 1)
+    return starts, (model, masses, march.method, march.recorder, memory, queue, 1)
+
+
+def resources(ptx: str, folder: Path) -> dict[str, int]:
+    """Registers, stack and spilled bytes of a program's machine code.
+
+    Empty without ptxas, or with one that is older than the program's language.
+    """
+    ptxas = shutil.which("ptxas")
+    if ptxas is None:
+        return {}
+    source = folder / "kernel.ptx"
+    source.write_text(ptx)
+    architecture = "sm_{}{}".format(*CAPABILITY)
+    command = [ptxas, "-v", f"-arch={architecture}", source, "-o", folder / "kernel.cubin"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    told = done.stderr
+    if "Unsupported .version" in told:
+        return {}
+    assert done.returncode == 0, told
+    found = {
+        "registers": r"Used (\d+) registers",
+        "stack_bytes": r"(\d+) bytes stack frame",
+        "spilled_bytes": r"(\d+) bytes spill stores",
+    }
+    return {name: int(re.findall(pattern, told)[-1]) for name, pattern in found.items()}
 
 
 @pytest.mark.parametrize("kernel", ["find_starts", "march"])

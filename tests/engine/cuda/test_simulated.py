@@ -36,6 +36,7 @@ def striking():
 
 @pytest.fixture(scope="module")
 def told(striking, tmp_path_factory):
+    """What the program on a simulated card printed of the robots that strike."""
     pytest.importorskip("numba_cuda", reason="numba-cuda is not installed")
     file = tmp_path_factory.mktemp("striking") / "queue.npz"
     queue = striking[0].queue._asdict()

@@ -50,8 +50,6 @@ JUMP = ("sim=jump", "contact=logbarrier", "accuracy=draft", "figures=false")
         ("stepping={tolerance: -1}", ["stepping.tolerance = -1"]),
         ("contact.name=foo", ["contact", "'foo'", "logbarrier"]),
         ("discretization.elements=2.5", ["discretization.elements = 2.5"]),
-        ("seed=-1", ["seed = -1"]),
-        ("figures=maybe", ["figures = 'maybe'"]),
         ("tracking.path=''", ["tracking.path = ''"]),
         ("hydra.run.dir=/proc/nowhere", ["/proc/nowhere"]),
     ],

@@ -5,8 +5,6 @@ import json
 import math
 import signal
 from collections.abc import Mapping
-from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -45,20 +43,21 @@ class StandIn:
 
 @pytest.fixture(autouse=True)
 def stand_in(monkeypatch) -> None:
+    """The task is registered, in this module."""
     monkeypatch.setitem(registry.TASKS, "stand_in", f"{__name__}:StandIn")
     monkeypatch.setattr(registry, "import_module", lambda name: __import__("sys").modules[name])
 
 
-def run(monkeypatch: pytest.MonkeyPatch, path: Path, action: Any) -> tuple[Outcome, dict[str, Any]]:
-    """What becomes of a task that does this with its folder and progress, and its result."""
-    monkeypatch.setattr(StandIn, "run", lambda self, *given: action(*given))
-    outcome, _ = execute(CONFIG, ResultFolder(path), "python run.py", ProgressBar())
-    return outcome, json.loads((path / "result.json").read_text())
-
-
 @pytest.fixture
 def becomes(monkeypatch, tmp_path) -> Any:
-    return partial(run, monkeypatch, tmp_path)
+    """Outcome and result of a task that does what is given with its folder and progress."""
+
+    def run(action: Any) -> tuple[Outcome, dict[str, Any]]:
+        monkeypatch.setattr(StandIn, "run", lambda self, *given: action(*given))
+        outcome, _ = execute(CONFIG, ResultFolder(tmp_path), "python run.py", ProgressBar())
+        return outcome, json.loads((tmp_path / "result.json").read_text())
+
+    return run
 
 
 def raises(error: BaseException) -> Any:

@@ -9,8 +9,8 @@ import pytest
 from command_line import result_in
 from forward_models import RBF, about, network
 from hydra_config import hydra_config
-from refusals import refused
-from small_datasets import OVERRIDES
+from refusals import key_in, refused
+from small_datasets import OVERRIDES, silent
 
 from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
@@ -40,18 +40,18 @@ def checkpoint(tmp_path_factory) -> Path:
 
 @pytest.fixture(scope="module")
 def target(checkpoint) -> list[float]:
-    """One that the forward model believes it can reach."""
+    """A target that the forward model believes it can reach."""
     found: list[float] = open_forward_model(checkpoint).predict(DESIGN)[0].tolist()
     return found
 
 
 @pytest.fixture
-def run(checkpoint, tmp_path) -> Callable[..., tuple[Outcome, dict[str, str]]]:
+def run_task(checkpoint, tmp_path) -> Callable[..., tuple[Outcome, dict[str, str]]]:
     """The task in this process: its outcome and its closing block."""
 
     def do(*overrides: str) -> tuple[Outcome, dict[str, str]]:
         task, config = prepared(checkpoint, *overrides)
-        outcome = task.run(ResultFolder(tmp_path), lambda done, text: None)
+        outcome = task.run(ResultFolder(tmp_path), silent)
         return outcome, dict(task.report(outcome))
 
     return do
@@ -82,8 +82,8 @@ def test_the_command_line(command, checkpoint, target, tmp_path):
         assert word in done.stdout
 
 
-def test_out_of_reach(run, target, tmp_path):
-    outcome, lines = run(f"target=[{target[0] + 500.0},{target[1]}]")
+def test_out_of_reach(run_task, target, tmp_path):
+    outcome, lines = run_task(f"target=[{target[0] + 500.0},{target[1]}]")
     assert outcome.status == "unreachable"
     assert exit_code(outcome.status) == EXIT_UNREACHABLE == 4
     assert "nearest predicted apex is x" in outcome.message and "\n" not in outcome.message
@@ -92,16 +92,16 @@ def test_out_of_reach(run, target, tmp_path):
     assert "predicted" in lines and (tmp_path / "inverse.png").exists()
 
 
-def test_a_robust_design(run, target, tmp_path):
-    outcome, lines = run(f"target={target}", "inverse.robust=true")
+def test_a_robust_design(run_task, target, tmp_path):
+    outcome, lines = run_task(f"target={target}", "inverse.robust=true")
     found = outcome.summary
     assert found["robust_expected_miss_bar"] <= 1.02 * found["plain_expected_miss_bar"]
     assert "instead of" in lines["robust"]
     assert (tmp_path / "inverse.png").exists()
 
 
-def test_outside_of_what_was_trained_a_simulator_goes_on(run, capsys):
-    outcome, lines = run(
+def test_outside_of_what_was_trained_a_simulator_goes_on(run_task, capsys):
+    outcome, lines = run_task(
         "target=[2.0,5.0]",
         "environment.mu=0.9",
         "inverse=finite_difference",
@@ -115,34 +115,26 @@ def test_outside_of_what_was_trained_a_simulator_goes_on(run, capsys):
     assert warning.startswith("warning: environment.mu = 0.9") and "0.6" in warning
 
 
-@pytest.mark.parametrize(
-    ("overrides", "key"),
-    [
-        ((), "target"),
-        (("target=[5]",), "target"),
-        (("target=[nan,5]",), "target"),
-        (("target=[5,-1]",), "target"),
-        (("target=far",), "target"),
-        (("target=[5,14]", "environment.mu=0.7"), "environment.mu"),
-        (("target=[5,14]", "environment.mass_bar=2.5"), "environment.mass_bar"),
-        (
-            ("target=[5,14]", "environment.mu=0.7", "inverse=bayesian", "inverse.robust=true"),
-            "environment.mu",
-        ),
-        (("target=[5,14]", "inverse.points=1"), "inverse.points"),
-        (("target=[5,14]", "inverse.robust=2"), "inverse.robust"),
-        (("target=[5,14]", "tolerance.mu=-1"), "tolerance.mu"),
-        (("target=[5,14]", "tolerance=0"), "tolerance"),
-        (("target=[5,14]", "sim=bounce"), "sim"),
-        (("target=[5,14]", "checkpoint=nowhere.safetensors"), "checkpoint"),
-        (("target=[5,14]", f"checkpoint={Path(__file__)}"), "checkpoint"),
-        (("target=[5,14]", "robot.length_m=0.03"), "robot.length_m"),
-        (("target=[5,14]", "damping.relaxation_time_s=1e-6"), "damping.relaxation_time_s"),
-    ],
-)
-def test_bad_input_is_one_line(checkpoint, overrides, key):
-    with refused(key):
-        prepared(checkpoint, *overrides)
+BAD_INPUT = (
+    "target=[5]", "target=[nan,5]", "target=[5,-1]", "target=far", "environment.mu=0.7",
+    "environment.mass_bar=2.5", "inverse.points=1", "inverse.robust=2", "tolerance.mu=-1",
+    "tolerance=0", "sim=bounce", "checkpoint=nowhere.safetensors", f"checkpoint={__file__}",
+    "robot.length_m=0.03", "damping.relaxation_time_s=1e-6",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("override", BAD_INPUT)
+def test_bad_input_is_one_line(checkpoint, override):
+    with refused(key_in(override)):
+        prepared(checkpoint, *{"target": "target=[5,14]", key_in(override): override}.values())
+
+
+def test_a_target_must_be_given_and_a_robust_design_be_within_what_was_trained(checkpoint):
+    with refused("target"):
+        prepared(checkpoint)
+    robust = ("inverse=bayesian", "inverse.robust=true")
+    with refused("environment.mu"):
+        prepared(checkpoint, "target=[5,14]", "environment.mu=0.7", *robust)
 
 
 def test_a_forward_model_becomes_onnx(command, tmp_path):

@@ -14,7 +14,8 @@ README = "before\n<!-- tiers:begin -->\nold\n<!-- tiers:end -->\nafter\n"
 
 
 @pytest.fixture
-def folder(tmp_path, monkeypatch) -> ResultFolder:
+def finished_run(tmp_path, monkeypatch) -> ResultFolder:
+    """The folder of a study that is done, below an empty folder where commands run."""
     monkeypatch.chdir(tmp_path)
     (tmp_path / "run").mkdir()
     folder = ResultFolder(tmp_path / "run")
@@ -33,9 +34,9 @@ def folder(tmp_path, monkeypatch) -> ResultFolder:
     return folder
 
 
-def test_report_figures_and_section_of_the_readme(folder):
+def test_report_figures_and_section_of_the_readme(finished_run):
     Path("README.md").write_text(README)
-    publish(CONFIG, folder)
+    publish(CONFIG, finished_run)
     page = Path("docs/studies/tradeoff.md").read_text()
     assert page.startswith("# Title\n\n`python run.py task=tradeoff`\n\nRevision 0123456789 and")
     assert "2026-01-02, A processor." in page and "![what](tradeoff-front.png)" in page
@@ -44,21 +45,21 @@ def test_report_figures_and_section_of_the_readme(folder):
     assert Path("README.md").read_text() == README.replace("old", "| new |")
 
 
-def test_sections_of_guides(folder):
+def test_sections_of_guides(finished_run):
     Path("docs").mkdir()
     Path("docs/guide.md").write_text(README)
-    assert Path("docs/guide.md") in publish(CONFIG, folder)
+    assert Path("docs/guide.md") in publish(CONFIG, finished_run)
     assert Path("docs/guide.md").read_text() == README.replace("old", "| new |")
 
 
-def test_a_readme_without_markers_stays_as_it_is(folder):
+def test_a_readme_without_markers_stays_as_it_is(finished_run):
     Path("README.md").write_text("nothing\n")
-    assert Path("README.md") not in publish(CONFIG, folder)
+    assert Path("README.md") not in publish(CONFIG, finished_run)
     assert Path("README.md").read_text() == "nothing\n"
 
 
 @pytest.mark.parametrize("target", [3, "", "run/report.md"])
-def test_what_cannot_be_a_folder(folder, target):
+def test_what_cannot_be_a_folder(finished_run, target):
     with pytest.raises(ParameterError, match="publish = "):
         check_publish({**CONFIG, "publish": target})
 

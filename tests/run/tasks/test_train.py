@@ -13,8 +13,8 @@ from forward_models import RBF
 from hydra_config import hydra_config
 from PIL import Image
 from records import database_in, only_run, runs_in
-from refusals import refused
-from small_datasets import small, smooth_dataset
+from refusals import key_in, refused
+from small_datasets import silent, small, smooth_dataset
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.folder import default_path
@@ -39,7 +39,7 @@ def dataset(tmp_path_factory) -> Path:
 
 
 @pytest.fixture
-def config(dataset, tmp_path, monkeypatch) -> Config:
+def configured(dataset, tmp_path, monkeypatch) -> Config:
     """What Hydra would compose, for a run in a folder of its own."""
     monkeypatch.chdir(tmp_path)
     return partial(hydra_config, *SMALL, f"dataset.path={dataset}")
@@ -50,18 +50,18 @@ def trained(config: Config, path: Path, **groups: Any) -> tuple[Train, Any]:
     task = Train()
     task.prepare({**config(), **groups})
     path.mkdir(exist_ok=True)
-    return task, task.run(ResultFolder(path), lambda share, text: None)
+    return task, task.run(ResultFolder(path), silent)
 
 
-def test_what_has_no_epochs_has_a_figure_and_no_curves(config, tmp_path):
-    _, outcome = trained(config, tmp_path, surrogate=RBF)
+def test_what_has_no_epochs_has_a_figure_and_no_curves(configured, tmp_path):
+    _, outcome = trained(configured, tmp_path, surrogate=RBF)
     assert outcome.status == "ok" and outcome.summary["epochs"] == 0
     assert (tmp_path / "training.png").exists() and not (tmp_path / "curves.csv").exists()
 
 
-def test_a_training_that_diverges_is_told(config, tmp_path, monkeypatch):
+def test_a_training_that_diverges_is_told(configured, tmp_path, monkeypatch):
     monkeypatch.setattr(Resnet, "loss", lambda network, rows: np.nan * network(rows.designs).sum())
-    _, outcome = trained(config, tmp_path)
+    _, outcome = trained(configured, tmp_path)
     assert outcome.status == "not_finite" and "training.learning_rate" in outcome.message
     assert not (tmp_path / "forward_model.safetensors").exists()
 
@@ -110,10 +110,10 @@ def test_a_killed_training_goes_on(command, dataset, tmp_path):
     assert "trained" in done.stdout and not list(folder.glob(".last*"))
 
 
-def test_what_was_trained_is_found_again(config, tmp_path):
+def test_what_was_trained_is_found_again(configured, tmp_path):
     kept = []
     for name in ("first", "second"):
-        task, outcome = trained(config, tmp_path / name, figures=False)
+        task, outcome = trained(configured, tmp_path / name, figures=False)
         kept.append(outcome.summary["trained_before"])
         assert ("before this run" in str(task.report(outcome))) == kept[-1]
     assert kept == [False, True]
@@ -121,46 +121,36 @@ def test_what_was_trained_is_found_again(config, tmp_path):
     assert one.read_bytes() == other.read_bytes()
 
 
-@pytest.mark.parametrize(
-    ("override", "key"),
-    [
-        ("training.rows=161", "training.rows"),
-        ("training.rows=20", "training.rows"),
-        ("training.test_share=0.99", "training.test_share"),
-        ("training.epochs=0", "training.epochs"),
-        ("+training.optimizer=sgd", "training.optimizer"),
-        ("~training.epochs", "training.epochs"),
-        ("surrogate.width=0", "surrogate.width"),
-        ("dataset.path=''", "dataset.path"),
-        ("dataset.path=3", "dataset.path"),
-        ("+dataset.part=1", "dataset.part"),
-        ("~dataset.shard_size", "dataset.shard_size"),
-    ],
-)
-def test_bad_input(config, override, key):
-    with refused(key):
-        Train().prepare(config(override))
+BAD_INPUT = (
+    "training.rows=161", "training.rows=20", "training.test_share=0.99", "training.epochs=0",
+    "+training.optimizer=sgd", "~training.epochs", "surrogate.width=0", "dataset.path=''",
+    "dataset.path=3", "+dataset.part=1", "~dataset.shard_size",
+)  # fmt: skip
 
 
-def test_a_surrogate_that_needs_slopes_names_the_dataset_without(config, dataset):
-    values = config()
+@pytest.mark.parametrize("override", BAD_INPUT)
+def test_bad_input(configured, override):
+    with refused(key_in(override)):
+        Train().prepare(configured(override))
+
+
+def test_a_surrogate_that_needs_slopes_names_the_dataset_without(configured, dataset):
+    values = configured()
     values["surrogate"] = {"name": "gradient_mlp", "width": 8, "layers": 1, "slope_weight": 0.1}
     with refused("dataset.path", "dataset.sensitivities=true") as caught:
         Train().prepare(values)
     assert caught.value.value == str(dataset)
 
 
-def test_a_dataset_that_is_not_there_is_named_with_the_command_that_makes_it(
-    config, tmp_path, monkeypatch
-):
-    values = config("dataset.path=null", "accuracy=draft", "plan=sobol", "plan.count=64")
+def test_a_dataset_that_is_not_there_is_named_with_the_command_that_makes_it(configured, tmp_path):
+    values = configured("dataset.path=null", "accuracy=draft", "plan=sobol", "plan.count=64")
     with pytest.raises(ParameterError, match=r"make it with: python run\.py task=dataset") as error:
         Train().prepare(values)
     assert error.value.value == str(default_path(specify(values, 1024)))
     empty = tmp_path / "empty"
     empty.mkdir()
     with pytest.raises(ParameterError, match=r"dataset\.path"):
-        Train().prepare(config(f"dataset.path={empty}"))
+        Train().prepare(configured(f"dataset.path={empty}"))
 
 
 def test_the_command_that_makes_a_dataset_has_all_that_determines_it(refusal):

@@ -9,9 +9,11 @@ import pytest
 from command_line import python
 from PIL import Image
 
+from snapjump.composition import with_tier
 from snapjump.show.plots import figures
 from snapjump.show.plots.branches import stable_runs
 from snapjump.show.plots.film import ACTION, FLIGHT, LEAD, SIZE
+from snapjump.simulation import simulate
 
 from .conftest import of
 
@@ -83,15 +85,20 @@ def test_no_finite_samples_no_figures(jump, tmp_path):
 
 
 @pytest.mark.parametrize("scene", ["bounce", "slide"])
-def test_one_node_is_drawn_against_time(scene, jump, tmp_path):
-    time = np.linspace(0.0, 1e-3, 50)
-    column = np.abs(np.sin(3e3 * time))[:, None]
-    arrays = {"time_s": time, "node_x_m": 0.01 * time[:, None], "node_y_m": 0.01 * column}
-    arrays |= {"node_normal_N": 1.0 - column, "node_friction_N": 0.3 * column}
-    arrays |= {"node_vx_m_s": 1.0 + 0.0 * column, "node_vy_m_s": column}
-    arrays |= {"kinetic_J": column[:, 0], "contact_J": 1.0 - column[:, 0]}
-    result = of(jump, scene, summary={}, arrays=arrays)
+def test_one_node_is_drawn_against_time(scene, tmp_path):
+    result = simulate(with_tier("draft", sim=scene))
     assert names(figures(result, tmp_path)) == {f"{scene}.png", "energy.png"}
+
+
+@pytest.mark.parametrize(
+    ("scene", "kept"), [("static", ""), ("cantilever", "shapes"), ("static", "branch")]
+)
+def test_branches_and_shapes(scene, kept, tmp_path):
+    result = simulate(with_tier("draft", sim=scene))
+    arrays = {name: values for name, values in result.arrays.items() if name.startswith(kept)}
+    (path,) = figures(of(result, arrays=arrays), tmp_path)
+    with Image.open(path) as image:
+        assert path.name == f"{scene}.png" and image.size == (1440, 780)
 
 
 def test_pictures_are_lazy():
@@ -106,26 +113,3 @@ def test_runs_part_at_another_branch_and_join_at_a_change_of_stability():
     runs = [(run.start, run.stop, stable) for run, stable in stable_runs(number, negative)]
     assert runs == [(0, 3, True), (2, 4, False), (4, 7, True)]
     assert list(stable_runs(np.array([]), np.array([]))) == []
-
-
-def test_static_and_cantilever(jump, tmp_path):
-    alpha = np.linspace(0.0, 1.2, 60)
-    arch = 0.28 - 0.05 * alpha**2
-    arrays = {
-        "branch_alpha_rad": np.concatenate([alpha, alpha]),
-        "branch_midpoint_bar": np.concatenate([arch, -0.3 - 0.05 * alpha]),
-        "branch_energy_bar": np.concatenate([5.0 + 3.0 * alpha, 9.0 - 3.0 * alpha]),
-        "branch_negative_pivots": np.concatenate([alpha > 0.9, 0 * alpha]),
-        "branch_number": np.repeat([0, 1], len(alpha)),
-    }
-    x = np.linspace(-0.4, 0.4, 50)
-    arrays["shapes_x_bar"] = np.stack([x, x])
-    arrays["shapes_y_bar"] = np.stack([0.2 * np.cos(4 * x) ** 2, -0.3 * np.cos(3.9 * x)])
-    arrays["shapes_label"] = np.array(["critical, 0.9117 rad", "snapped"])
-    for scene, keep in (("static", ""), ("cantilever", "shapes"), ("static", "branch")):
-        kept = {name: values for name, values in arrays.items() if name.startswith(keep)}
-        result = of(jump, scene, summary={"alpha_critical_rad": 0.911665}, arrays=kept)
-        paths = figures(result, tmp_path / f"{scene}{keep}")
-        assert [path.name for path in paths] == [f"{scene}.png"]
-        with Image.open(paths[0]) as image:
-            assert image.size == (1440, 780)

@@ -1,17 +1,15 @@
 """inverse.png: with and without a forward model, of several solutions, robust, out of reach."""
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from forward_models import about
 from made_up_maps import MadeUpModel, folded, problem
-from pictures import count, picture
+from pictures import has, picture
 
 from snapjump.inverse.base import Solution
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
-from snapjump.results import Result
 from snapjump.show.plots import palette
 from snapjump.show.plots.achievable import compound
 from snapjump.show.plots.inverse import inverse_picture
@@ -24,52 +22,46 @@ MODEL = MadeUpModel(folded)
 TARGET = folded(np.array([[0.06, 0.2, 1.0, 0.3]]))[0]
 
 
-@pytest.fixture
-def flight(jump) -> Any:
-    """The made-up jump as a result."""
-    return Result(jump.status, "", jump.summary, jump.arrays, jump.simulation)
-
-
 def drawn(designed: Designed, region: AchievableRegion | None, folder: Path) -> np.ndarray:
     return picture(inverse_picture(designed, region, folder / "inverse.png"))
 
 
-def has(pixels: np.ndarray, colour: str) -> bool:
-    return count(pixels, colour) > 40
+def shows(pixels: np.ndarray, colour: str) -> bool:
+    return has(pixels, colour, 40)
 
 
 @pytest.mark.parametrize("target", [TARGET, TARGET + 30.0])
-def test_region_solutions_and_flight(flight, tmp_path, target):
+def test_region_solutions_and_flight(jump, tmp_path, target):
     given = problem(target, MODEL)
     found = answer(given, GaussNewtonOptions())
-    designed = Designed(given, found, found.solutions[0], np.zeros(4), flight, None, about(), "")
+    designed = Designed(given, found, found.solutions[0], np.zeros(4), jump, None, about(), "")
     picture = drawn(designed, AchievableRegion.of(given, MODEL), tmp_path)
     for colour in (palette.BEAM, palette.PLUM, palette.CENTRE, palette.FORCE, palette.INK):
-        assert has(picture, colour)
-    assert not has(picture, palette.CLAMP)
+        assert shows(picture, colour)
+    assert not shows(picture, palette.CLAMP)
 
 
-def test_a_robust_design_has_clouds(flight, tmp_path):
+def test_a_robust_design_has_clouds(jump, tmp_path):
     given = problem(TARGET, MODEL)
     found = answer(given, GaussNewtonOptions())
     robust = compare(given, MODEL, Tolerance(), found.solutions)
-    designed = Designed(given, found, robust.robust, np.zeros(4), flight, robust, about(), "")
+    designed = Designed(given, found, robust.robust, np.zeros(4), jump, robust, about(), "")
     picture = drawn(designed, AchievableRegion.of(given, MODEL), tmp_path)
-    assert has(picture, palette.CLAMP)
+    assert shows(picture, palette.CLAMP)
     assert picture.shape[0] > 1000
 
 
-def test_without_a_forward_model(flight, tmp_path):
+def test_without_a_forward_model(jump, tmp_path):
     found = Answer(True, [Solution(np.array([0.1, 0.2]), TARGET, True)], 1.0, 60)
     designed = Designed(
-        problem(TARGET), found, found.solutions[0], np.zeros(4), flight, None, about(), ""
+        problem(TARGET), found, found.solutions[0], np.zeros(4), jump, None, about(), ""
     )
     picture = drawn(designed, None, tmp_path)
-    assert has(picture, palette.CENTRE) and not has(picture, palette.PLUM)
+    assert shows(picture, palette.CENTRE) and not shows(picture, palette.PLUM)
 
 
 def test_holes_run_the_other_way_round():
-    """Then they are not filled, and the areas within all rings add up to that of the geometry."""
+    """So they are not filled, and the areas within all rings add up to that of the geometry."""
     import shapely
 
     ring = shapely.Point(0.0, 0.0).buffer(2.0).difference(shapely.Point(0.0, 0.0).buffer(1.0))

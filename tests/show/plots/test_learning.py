@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pictures import count, picture
+from pictures import has, picture
 from small_datasets import made_up_dataset, small, smooth_dataset
 
 from snapjump.dataset.read import Dataset
@@ -19,11 +19,6 @@ def drawn_dataset(dataset: Dataset, path: Path) -> dict[str, np.ndarray]:
     draw_dataset(statistics, "title", path / "dataset.png")
     draw_status(statistics, dataset.statuses, "title", path / "status.png")
     return {name: picture(path / f"{name}.png") for name in ("dataset", "status")}
-
-
-def has(pixels: np.ndarray, colour: str) -> bool:
-    """Whether enough of a colour is there for a bar or a line."""
-    return count(pixels, colour) > 200
 
 
 @pytest.mark.parametrize("plan", ["grid", "latin_hypercube"])
@@ -78,8 +73,8 @@ def test_it_is_drawn(tmp_path, curves, points):
     if points:
         designs = np.round(designs * (points - 1)) / (points - 1)
     pixels = picture(drawn_training(tmp_path, curves, designs, 0.05))
-    assert count(pixels, palette.BEAM) > 500 and count(pixels, palette.FORCE) > 500
-    assert (count(pixels, palette.CENTRE) > 200) == bool(curves)
+    assert has(pixels, palette.BEAM, 500) and has(pixels, palette.FORCE, 500)
+    assert has(pixels, palette.CENTRE) == bool(curves)
 
 
 def test_a_model_without_errors_is_drawn(tmp_path):

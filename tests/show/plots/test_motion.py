@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from snapjump.show.plots.instants import instants, middle_height, snap_interval
-from snapjump.show.plots.jump import apex_of
+from snapjump.show.plots.jump import apex_of, since_start
 from snapjump.show.plots.ledger import Ledger, read_ledger
 from snapjump.show.plots.motion import Motion, poses, read_motion
 from snapjump.show.plots.trajectory import flight_end
@@ -39,9 +39,11 @@ def test_samples_are_met_and_halfway_is_the_mean(jump):
 
 def test_flight_ends_at_the_apex_and_keeps_shape_and_turning(jump):
     motion = motion_of(jump)
-    assert motion.turning == pytest.approx(-0.06, rel=1e-6)
+    late = motion.time >= 0.9 * motion.time[-1]
+    turns = np.polyfit(motion.time[late], jump.arrays["frame_angle_rad"][late], 1)
+    assert motion.turning == pytest.approx(turns[0], rel=1e-6) and abs(motion.turning) > 0.01
     end = flight_end(motion, None)
-    assert end == pytest.approx(1e3 * jump.summary["apex_time_s"])
+    assert end == pytest.approx(since_start(jump, "apex_time_s"))
     flown = poses(motion, np.array([motion.time[-1], end]))
     assert flown.centre is not None and flown.corners is not None
     assert flown.centre[1] == pytest.approx([jump.summary["x_bar"], jump.summary["y_bar"]])
@@ -57,7 +59,7 @@ def test_middle_height_is_measured_in_the_frame(jump):
     """Turning and moving everything changes nothing."""
     motion = motion_of(jump)
     height = middle_height(motion)
-    assert height[0] == pytest.approx(motion.nodes[0, 32, 1] - motion.nodes[0, 0, 1])
+    assert height[0] == pytest.approx(motion.nodes[0, 28, 1] - motion.nodes[0, 0, 1])
     flown = poses(motion, np.array([motion.time[-1], motion.time[-1] + 50.0]))
     both = motion_of(jump)
     object.__setattr__(both, "nodes", flown.nodes)
@@ -68,10 +70,10 @@ def test_moments_are_named_in_order_and_eight(jump):
     motion = motion_of(jump)
     snap = snap_interval(motion)
     assert snap is not None and snap[0] < snap[1]
-    chosen = instants(motion, 6.0)
+    chosen = instants(motion, since_start(jump, "liftoff_time_s"))
     assert len(chosen) == 8
     assert [index for index, _ in chosen] == sorted({index for index, _ in chosen})
-    wanted = ["start", "snap begins", "beam touches", "hardest push", "lift-off"]
+    wanted = ["start", "beam touches", "snap begins", "hardest push", "lift-off"]
     assert [name for _, name in chosen if name] == [*wanted, "in flight"]
     assert len(instants(motion, None, wanted=3)) >= 3
 
@@ -92,26 +94,18 @@ def test_balance_of_kept_books_is_zero(jump):
     assert books.total[-1] != pytest.approx(books.total[0])
 
 
-@pytest.mark.parametrize(
-    ("name", "sign"),
-    [
-        ("elastic_J", 1),
-        ("kinetic_J", 1),
-        ("gravitational_J", 1),
-        ("contact_J", 1),
-        ("clamp_work_J", -1),
-        ("friction_loss_J", 1),
-        ("damping_loss_J", 1),
-        ("numerical_loss_J", 1),
-    ],
-)
-def test_balance_shows_what_is_missing(jump, name, sign):
+STORED = ("elastic_J", "kinetic_J", "gravitational_J", "contact_J")
+LOST = ("friction_loss_J", "damping_loss_J", "numerical_loss_J")
+
+
+@pytest.mark.parametrize("name", [*STORED, *LOST, "clamp_work_J"])
+def test_balance_shows_what_is_missing(jump, name):
     wrong = copy.deepcopy(jump)
     unit = 2e11 * 1e-2 * 5e-5**3 / 12 / 0.02
     wrong.arrays[name][5:] += 0.1 * unit
     books = books_of(wrong)
     assert books.balance[:5] == pytest.approx(0.0, abs=1e-12)
-    assert books.balance[5:] == pytest.approx(sign * 0.1)
+    assert books.balance[5:] == pytest.approx(-0.1 if name == "clamp_work_J" else 0.1)
 
 
 def test_books_without_losses_still_balance(snap):
