@@ -10,11 +10,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from snapjump.arrays import Array
 from snapjump.run.studies.base import Row, column
-
-Array = NDArray[np.float64]
 
 
 def scale_of_x(x: Any, y: Any) -> Any:

@@ -64,9 +64,7 @@ def run_through(path: Path, overrides: Sequence[str]) -> tuple[float, float]:
 
 def run_killed(path: Path, overrides: Sequence[str], shards: int, after_s: float) -> bool:
     """Start to make the dataset, and kill it some time after there are so many more shards.
-
-    False if it ended before.
-    """
+    False if it ended before."""
     enough = listed(path) + shards
     process = started(path, overrides, stderr=subprocess.DEVNULL, start_new_session=True)
     while listed(path) < enough and process.poll() is None:

@@ -5,9 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
 HIGHEST = 12.0
 LOWEST = 0.05
 # Two successive orders that differ by more are no sign of a limit that is being approached.
@@ -40,9 +38,7 @@ def fitted_order(sizes: Sequence[float], errors: Sequence[float]) -> float:
 
 def observed_order(sizes: Sequence[float], values: Sequence[float]) -> float:
     """The p for which three values are a + b h^p exactly; NaN if they are not monotone.
-
-    Celik et al., J. Fluids Eng. 130 (2008) 078001, for any two ratios of sizes.
-    """
+    Celik et al., J. Fluids Eng. 130 (2008) 078001, for any two ratios of sizes."""
     from scipy.optimize import brentq
 
     (h1, h2, h3), (f1, f2, f3) = sizes, values
@@ -68,9 +64,7 @@ def extrapolated(sizes: Sequence[float], values: Sequence[float], order: float) 
 
 def richardson(sizes: Sequence[float], values: Sequence[float]) -> Limit:
     """The limit of values whose sizes fall, coarsest first; needs four for a verdict.
-
-    The uncertainty is the change between the last two extrapolations, each with its own order.
-    """
+    The uncertainty is the change between the last two extrapolations, each with its own order."""
     last = [float(v) for v in values[-3:]]
     order = observed_order(sizes[-3:], last) if len(last) == 3 else math.nan
     before = observed_order(sizes[-4:-1], values[-4:-1]) if len(values) > 3 else math.nan

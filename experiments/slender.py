@@ -28,9 +28,9 @@ MESHES = (DiscreteElasticRod, Corotational, GeometricallyExact)
 Arch = tuple[Robot, Any, float]
 
 
-def slender_arches(count: int, seed: int = 14) -> list[Arch]:
+def slender_arches(count: int) -> list[Arch]:
     """Robots, meshes and pre-compressions."""
-    random = np.random.default_rng(seed)
+    random = np.random.default_rng(14)
     arches = []
     for k in range(count):
         ratio, elements = 5e-5 * 20.0 ** random.uniform(), 40.0 * 16.0 ** random.uniform()

@@ -3,17 +3,14 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import curve_fit
 
-Array = NDArray[np.float64]
+from snapjump.arrays import Array
 
 
 def counter_step(values: Array, rising: bool) -> float:
     """The largest way back that the curve ever goes, as a share of all its change.
-
-    0 for a monotone curve; 1 or more for one that ends no further than it has come back.
-    """
+    0 for a monotone curve; 1 or more for one that ends no further than it has come back."""
     upward = values if rising else -values
     back = float(np.max(np.maximum.accumulate(upward) - upward))
     change = float(upward[-1] - upward[0])

@@ -11,13 +11,13 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from snapjump.checks import ParameterError
-    from snapjump.declare.plugins import load_plugins
-    from snapjump.results import Result
-    from snapjump.robot.design import Design
-    from snapjump.robot.environment import Environment
-    from snapjump.robot.robot import Robot
-    from snapjump.simulation import simulate_jump
+    from snapjump.checks import ParameterError as ParameterError
+    from snapjump.declare.plugins import load_plugins as load_plugins
+    from snapjump.results import Result as Result
+    from snapjump.robot.design import Design as Design
+    from snapjump.robot.environment import Environment as Environment
+    from snapjump.robot.robot import Robot as Robot
+    from snapjump.simulation import simulate_jump as simulate_jump
 
 _HOMES = {
     "Design": "snapjump.robot.design",
@@ -29,15 +29,7 @@ _HOMES = {
     "simulate_jump": "snapjump.simulation",
 }
 
-__all__ = [
-    "Design",
-    "Environment",
-    "ParameterError",
-    "Result",
-    "Robot",
-    "load_plugins",
-    "simulate_jump",
-]
+__all__ = [*_HOMES]
 
 
 def __getattr__(name: str) -> Any:

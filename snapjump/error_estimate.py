@@ -10,13 +10,11 @@ twice the estimate. Errors of x are relative to max(|x|, 0.1 y), those of y to y
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from snapjump.arrays import Array, Flags
 from snapjump.composition import Simulation
 from snapjump.number.portable import power
 from snapjump.tiers import TIERS
-
-Array = NDArray[np.float64]
 
 # Percent of x per L of summed estimates, with fixed and with adaptive steps.
 FACTORS = {
@@ -49,7 +47,7 @@ class ErrorEstimate(NamedTuple):
 
     x_percent: Array
     y_percent: Array
-    within_tier: NDArray[np.bool_]
+    within_tier: Flags
 
     @property
     def percent(self) -> Array:

@@ -7,7 +7,8 @@ import numpy as np
 
 from experiments.convergence.ladders import Ladder
 from experiments.errors import scale_of_x
-from experiments.order import Array, Limit, fitted_order, richardson
+from experiments.order import Limit, fitted_order, richardson
+from snapjump.arrays import Array
 from snapjump.run.studies.base import Done, Row
 
 # Errors this close to the reference's own uncertainty say nothing about an order.

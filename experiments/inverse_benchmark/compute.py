@@ -6,12 +6,12 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats.qmc import Sobol
 
 from experiments.compositions import composed
 from experiments.designs import COLUMNS
 from experiments.inverse_benchmark.methods import LENGTH_MM, SOLVED_MM, TIERS
+from snapjump.arrays import Array
 from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation
 from snapjump.declare.members import make_member
@@ -28,7 +28,6 @@ from snapjump.targets.warm_up import warm_up
 # Designs about one that missed its target, and the share of the controls' ranges they lie within.
 AROUND, WITHIN = 64, 2.0e-3
 
-Array = NDArray[np.float64]
 opened = cache(open_forward_model)
 
 
@@ -43,9 +42,7 @@ def make_problems(
     base: Simulation, ranges: tuple[Range, ...], seed: int, first: int, last: int
 ) -> Problems:
     """Problems first to last - 1 of a seed; the same whichever others are asked for.
-
-    Raises RuntimeError if a hidden design does not jump, for then its target is none.
-    """
+    Raises RuntimeError if a hidden design does not jump, for then its target is none."""
     unit = np.array([np.random.default_rng([seed, k]).random(4) for k in range(first, last)])
     hidden = stretched(unit, ranges)
     batch = simulate_designs(base, hidden, threads=1)
@@ -98,9 +95,7 @@ def misses_mm(simulator: JumpSimulator, designs: Array, targets: Array) -> Array
 
 def nearest_around(simulator: JumpSimulator, design: Array, target: Array, forward: Any) -> float:
     """The least miss (mm) of many designs about one that does not hit its target.
-
-    If it is no smaller than that one's own, the map jumps over the target there.
-    """
+    If it is no smaller than that one's own, the map jumps over the target there."""
     low, high = np.array(forward.ranges).T
     offsets = 2.0 * Sobol(2, rng=0).random(AROUND) - 1.0
     designs = np.tile(design, (AROUND, 1))

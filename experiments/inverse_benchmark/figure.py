@@ -12,8 +12,7 @@ from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import picture
 
-COLOURS = (palette.QUIET, palette.BEAM, palette.CENTRE, palette.SKY, palette.FORCE, palette.CLAMP,
-           palette.VIOLET)  # fmt: skip
+COLOURS = (palette.QUIET, *palette.SERIES)
 LIMITS_MM = (3e-4, 60.0)
 
 

@@ -8,7 +8,8 @@ import numpy as np
 import shapely
 
 from experiments.compositions import composed
-from experiments.inverse_benchmark.compute import Array, make_problem, opened
+from experiments.inverse_benchmark.compute import make_problem, opened
+from snapjump.arrays import Array
 from snapjump.composition import Simulation
 from snapjump.plan.base import Range, stretched
 from snapjump.run.studies.base import Row
@@ -38,9 +39,7 @@ class Simulated:
 
 def region_rows(inputs: Mapping[str, Any]) -> list[Row]:
     """A row for each environment: how many of its random targets were decided wrongly.
-
-    The truth is the region of simulated apexes; a decision is that of ``task=inverse``.
-    """
+    The truth is the region of simulated apexes; a decision is that of ``task=inverse``."""
     forward, base = opened(inputs["checkpoint"]), composed(inputs["groups"])
     return [
         one_environment(forward, base, inputs["seed"], k)

@@ -77,9 +77,7 @@ def readme_block(table: Sequence[Row], problems: int) -> str:
 
 def unsolved(methods: Mapping[str, Sequence[Row]]) -> list[Row]:
     """Every target that ``physics`` did not hit, with what was found when looking about its answer.
-
-    Where even the nearest of those designs misses, the map jumps over the target.
-    """
+    Where even the nearest of those designs misses, the map jumps over the target."""
     keys = ("problem", "reachable", "target_x_bar", "target_y_bar", "mass_bar", "mu",
             "hidden_delta_alpha_rad", "hidden_epsilon", "delta_alpha_rad", "epsilon",
             "miss_own_mm", "miss_standard_mm", "miss_reference_mm", "simulations")  # fmt: skip

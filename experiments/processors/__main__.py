@@ -38,9 +38,7 @@ FORBIDDEN = {"avx2": ("X86_V4", "AVX512F"), "sse": ("X86_V3", "AVX2")}
 
 def check_imitation(name: str) -> None:
     """Require that numpy, in this process, uses nothing that the processor lacks.
-
-    numpy passes over names that it does not know in silence.
-    """
+    numpy passes over names that it does not know in silence."""
     umath = import_module("numpy._core._multiarray_umath")
     features: Mapping[str, bool] = umath.__cpu_features__
 

@@ -11,12 +11,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from experiments.designs import COLUMNS, Design
 from experiments.errors import scale_of_x
+from snapjump.arrays import Array
 
-Array = NDArray[np.float64]
 ROWS = Path(__file__).resolve().parents[1] / "data" / "released_rows.csv"
 
 

@@ -26,9 +26,7 @@ NOT_FINITE = (math.nan, math.inf, -math.inf)
 @dataclass(frozen=True)
 class Field:
     """A value of a group (of the member ``name`` of a family), its default and its range.
-
-    ``low``, ``high``: of a number, NaN for anything else; ``open_low``: ``low`` is not allowed.
-    """
+    ``low``, ``high``: of a number, NaN for anything else; ``open_low``: ``low`` is not allowed."""
 
     group: str
     name: str

@@ -1,6 +1,6 @@
 """Random configurations that make no sense, and whether each is refused in one clear line."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -43,27 +43,22 @@ def groups_with(field: Field, value: Any) -> dict[str, Any]:
     return {field.group: {**name, field.key: value}}
 
 
-def wrong(kind: str, field: Field, value: Any) -> Invalid:
-    """A field with a value that it must not have."""
-    return Invalid(kind, f"{field.group}.{field.key}", groups_with(field, value))
+def wrong_value(
+    kind: str, make: Callable[[Field, np.random.Generator], Any], of_numbers: bool = True
+) -> Callable[[list[Field], np.random.Generator], Invalid]:
+    """What makes a field with a value that it must not have, of a number if not of any field."""
+
+    def invalid(listed: list[Field], random: np.random.Generator) -> Invalid:
+        field = one_of(random, [f for f in listed if f.is_number or not of_numbers])
+        key = f"{field.group}.{field.key}"
+        return Invalid(kind, key, groups_with(field, make(field, random)))
+
+    return invalid
 
 
-def of_wrong_type(listed: list[Field], random: np.random.Generator) -> Invalid:
-    """A value of a wrong type."""
-    field = one_of(random, listed)
-    return wrong("wrong type", field, wrong_type(field, random))
-
-
-def not_finite(listed: list[Field], random: np.random.Generator) -> Invalid:
-    """NaN or infinity."""
-    field = one_of(random, [f for f in listed if f.is_number])
-    return wrong("not finite", field, one_of(random, NOT_FINITE))
-
-
-def out_of_range(listed: list[Field], random: np.random.Generator) -> Invalid:
-    """A number outside the range that errors state."""
-    field = one_of(random, [f for f in listed if f.is_number])
-    return wrong("out of range", field, outside(field, random))
+of_wrong_type = wrong_value("wrong type", wrong_type, of_numbers=False)
+not_finite = wrong_value("not finite", lambda field, random: one_of(random, NOT_FINITE))
+out_of_range = wrong_value("out of range", outside)
 
 
 def unknown_key(listed: list[Field], random: np.random.Generator) -> Invalid:

@@ -22,7 +22,7 @@ from snapjump.number.dual import PARAMETERS, constant
 from snapjump.scenes.flight import flight
 from snapjump.scenes.runner import March
 
-MOST_ITERATIONS = 200
+MOST_ITERATIONS, TOLERANCE = 200, 1e-14
 GAP_LEFT = 0.15
 
 
@@ -108,7 +108,7 @@ def load(jump: March) -> None:
     memory.clock[c.STAGE] = 1.0
 
 
-def solve_stage(jump: March, tangent: Any, tolerance: float) -> None:
+def solve_stage(jump: March, tangent: Any) -> None:
     """Newton's method at the current guess, gaps kept open, until rounding is all that is left."""
     memory = jump.memory
     size = len(memory.state)
@@ -129,17 +129,15 @@ def solve_stage(jump: March, tangent: Any, tolerance: float) -> None:
         if closing.any():
             share = min(share, float(((1.0 - GAP_LEFT) * gaps[closing] / falls[closing]).min()))
         memory.state[free, 0] -= share * change
-        if largest < tolerance or (largest < 1e-11 and largest >= before):
+        if largest < TOLERANCE or (largest < 1e-11 and largest >= before):
             return
         before = largest
     raise ArithmeticError(f"no solution: the last correction was {largest:.2g}")
 
 
-def exact_jump(jump: March, steps: Any, guide: Any = None, tolerance: float = 1e-14) -> Any:
+def exact_jump(jump: March, steps: Any, guide: Any = None) -> Any:
     """March the robot through the steps; returns the state (stages, D) that solves every stage.
-
-    ``guide``: solutions of a robot nearby, to begin from.
-    """
+    ``guide``: solutions of a robot nearby, to begin from."""
     load(jump)
     tangent = make_tangent_state(jump.memory)
     arguments = (jump.models[0], jump.scheme, jump.masses, jump.memory)
@@ -151,7 +149,7 @@ def exact_jump(jump: March, steps: Any, guide: Any = None, tolerance: float = 1e
             guess_stage(*arguments)
             if guide is not None:
                 jump.memory.state[:, 0] = guide[len(solutions)]
-            solve_stage(jump, tangent, tolerance)
+            solve_stage(jump, tangent)
             last = finish_stage(*arguments)
             solutions.append(jump.memory.state[:, 0].copy())
     return np.array(solutions)
@@ -175,9 +173,7 @@ def apex(jump: March) -> Any:
 
 def march_along(jump: March, steps: Any, solutions: Any) -> None:
     """March with the recorder that the march has, through given steps and solutions of stages.
-
-    Its stepping must accept everything, and its ending the end of the last step.
-    """
+    Its stepping must accept everything, and its ending the end of the last step."""
     arguments = jump.arguments(jump.crew[0])
     march(*arguments, 0)
     memory, count = jump.memory, 0

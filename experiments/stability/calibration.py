@@ -4,15 +4,14 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from experiments.compositions import Groups, changed
 from experiments.errors import percentile
 from experiments.tradeoff.tiers import tier_groups
+from snapjump.arrays import Array
 from snapjump.run.studies.base import Row
 from snapjump.scenes.jump_outputs import ENDED
 
-Array = NDArray[np.float64]
 TIERS = ("draft", "standard")
 FIXED_STEPS = (1e-6, 3e-6, 1e-5, 3e-5, 1e-4)
 TOLERANCES = (1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3)

@@ -104,10 +104,6 @@ def _ticks(axes: Any, found: Map, named: bool) -> None:
     axes.tick_params(length=0)
 
 
-COLOURS = (
-    palette.BEAM, palette.CENTRE, palette.FORCE, palette.PLUM, palette.CLAMP, palette.SKY,
-    palette.VIOLET, palette.FRAME, "#8c510a", "#01665e", "#b2182b", "#4d9221",
-)  # fmt: skip
 LIMITS = (2e-4, 3e2)
 
 
@@ -117,7 +113,7 @@ def draw_calibration(by_kind: Mapping[str, Sequence[Row]], path: Path) -> None:
     with picture(path, (14.2, 5.9), headline) as figure:
         for k, name in enumerate(("x", "y")):
             axes = figure.add_axes((0.06 + 0.365 * k, 0.12, 0.3, 0.74))
-            for colour, (kind, rows) in zip(COLOURS, by_kind.items(), strict=False):
+            for colour, (kind, rows) in zip(palette.SERIES, by_kind.items(), strict=False):
                 true, estimate = compared(rows, name)
                 axes.plot(estimate, np.maximum(true, 1.2 * LIMITS[0]), ".", ms=3.5, color=colour,
                           alpha=0.55, mew=0, label=kind)  # fmt: skip

@@ -6,10 +6,10 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from experiments.compositions import composed
 from experiments.surrogates.floor import floor_rows
+from snapjump.arrays import Array
 from snapjump.dataset.read import Dataset, open_dataset
 from snapjump.declare.members import make_member
 from snapjump.learning.data import JumpData
@@ -21,7 +21,6 @@ from snapjump.learning.training import Training
 from snapjump.plan.parts.axes import Axis
 from snapjump.run.studies.base import Row
 
-Array = NDArray[np.float64]
 TRAINED, PLACE, FLOOR = "trained", "place", "floor"
 BINS = 5
 SHARES = (0.5, 0.1, 0.01)

@@ -8,25 +8,22 @@ roughness of the tier) below the distance of the grid's points.
 from itertools import combinations_with_replacement
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats.qmc import Sobol
 
 from experiments.designs import COLUMNS
+from snapjump.arrays import Array
 from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation
 from snapjump.plan.base import Range
 from snapjump.run.studies.base import Row
 from snapjump.statics.threshold_curve import ThresholdCurve
 
-Array = NDArray[np.float64]
 INTERVALS = 14  # of the paper's grid along each input
 JUMPS, FEWEST = 128, 60  # in a cell; a cubic of four variables has 35 coefficients
 DEGREE = 3
 
 
-def floor_rows(
-    base: Simulation, ranges: tuple[Range, ...], cells: int, seed: int, threads: int | None = 1
-) -> list[Row]:
+def floor_rows(base: Simulation, ranges: tuple[Range, ...], cells: int, seed: int) -> list[Row]:
     """For each of so many random cells: its lowest corner, and the mean absolute error of the cubic
     in x and y (L). Jumps that fail are left out."""
     low, high = np.array(ranges).T
@@ -36,7 +33,7 @@ def floor_rows(
     unit = np.array([Sobol(len(low), rng=rng).random(JUMPS) for _ in range(cells)])
     designs = (corners[:, None] + size * unit).reshape(-1, len(low))
     curve = ThresholdCurve.over(base.robot, base.discretization, np.array(ranges[1]))
-    batch = simulate_designs(base, designs, curve=curve, threads=threads)
+    batch = simulate_designs(base, designs, curve=curve, threads=1)
     apexes = np.column_stack([batch.x_bar, batch.y_bar]).reshape(cells, JUMPS, 2)
     rows = []
     for corner, points, found in zip(corners, unit, apexes, strict=True):

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import cycle
 from pathlib import Path
 from typing import Any
 
@@ -21,10 +22,6 @@ ERRORS_MEDIAN = {
     "y_median_percent": "error of y (%), median",
     "y_roughness_bar": "roughness of y (L)",
 }
-COLOURS = (
-    palette.BEAM, palette.CENTRE, palette.FORCE, palette.PLUM, palette.CLAMP, palette.SKY,
-    palette.VIOLET, palette.FRAME, "#8c510a", "#01665e", "#4d9221", "#999999",
-)  # fmt: skip
 # Of lines, by what follows the method in a curve's name; of all other curves.
 LOOKS = {
     "adaptive": {"ls": "-", "lw": 1.6, "alpha": 0.9},
@@ -51,7 +48,7 @@ class Compared:
     @property
     def colours(self) -> dict[str, str]:
         names = dict.fromkeys(self.methods.values())
-        return {name: COLOURS[k % len(COLOURS)] for k, name in enumerate(names)}
+        return dict(zip(names, cycle(palette.SERIES), strict=False))
 
 
 def draw_precision(

@@ -13,12 +13,10 @@ from snapjump.run.studies.base import OK, Done
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import picture
 
-# Family, key, symbol, and its values: factors of the configured value, or values as such.
-FACTORS = (
-    ("contact", "distance_m", "d_hat", (0.5, 2.0)),
-    ("contact", "stiffness_N_m", "K", (0.1, 10.0)),
-)
-VALUES = (
+# Family, key, symbol, and its values: factors of the configured one, or values in a unit.
+NUMBERS = (
+    ("contact", "distance_m", "d_hat", (0.5, 2.0), "factors"),
+    ("contact", "stiffness_N_m", "K", (0.1, 10.0), "factors"),
     ("damping", "relaxation_time_s", "eta", (0.0, 1e-6, 1e-5, 1e-4), "s"),
     ("friction", "velocity_threshold_m_s", "eps_v", (1e-5, 1e-4, 1e-3), "m/s"),
     ("contact", "damping_s", "contact damping", (0.0, 1e-7, 1e-6, 1e-5), "s"),
@@ -32,17 +30,16 @@ COORDINATES = {"x": "change or error of x (%)", "y": "change or error of y (%)"}
 def models(base: Groups) -> dict[str, Groups]:
     """The configured model first, then each that differs from it in one number."""
     found = {DEFAULT: base}
-    for family, key, symbol, factors in FACTORS:
-        if has_field(base, family, key):
-            for factor in factors:
-                value = float(base[family][key]) * factor
-                found[f"{symbol} x {factor:g}"] = changed(base, {family: {key: value}})
-    for family, key, symbol, values, unit in VALUES:
-        if has_field(base, family, key):
-            for value in values:
-                if value != base[family].get(key, 0.0):
-                    name = f"{symbol} = {value:g} {unit}"
-                    found[name] = changed(base, {family: {key: value}})
+    for family, key, symbol, values, unit in NUMBERS:
+        if not has_field(base, family, key):
+            continue
+        configured = base[family].get(key, 0.0)
+        for value in values:
+            name = f"{symbol} = {value:g} {unit}"
+            if unit == "factors":
+                name, value = f"{symbol} x {value:g}", float(configured) * value
+            if value != configured:
+                found[name] = changed(base, {family: {key: value}})
     return found
 
 

@@ -10,9 +10,7 @@ LARGEST_BLOCK = 256  # whose threads still find registers
 
 class CudaBackend(BackendOptions):
     """One robot a thread of an NVIDIA card: for batches, outcomes only.
-
-    As many robots at once as fit ``memory_gib`` of the card's memory, the others follow.
-    """
+    As many robots at once as fit ``memory_gib`` of the card's memory, the others follow."""
 
     processor = "cuda"
     differentiable = False

@@ -15,9 +15,7 @@ def available_cores() -> int:
 
 class LanesBackend(BackendOptions):
     """Robots side by side in the lanes of SIMD instructions: for batches, outcomes only.
-
-    ``width`` robots in each of ``threads``; None: as many threads as there are cores to use.
-    """
+    ``width`` robots in each of ``threads``; None: as many threads as there are cores to use."""
 
     width: int = choice(8, WIDTHS)
     threads: int | None = integer(None, least=1, most=MOST_THREADS)

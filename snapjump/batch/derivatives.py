@@ -3,8 +3,8 @@
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from snapjump.arrays import Array
 from snapjump.batch.prepare import beam_of, check_curve, covered, thresholds
 from snapjump.batch.variants import variant
 from snapjump.checks import ParameterError
@@ -21,7 +21,6 @@ from snapjump.scenes.jump_start import (
 from snapjump.statics.threshold import Threshold
 from snapjump.statics.threshold_curve import ThresholdCurve
 
-Array = NDArray[np.float64]
 # Of an input, between the points of a difference of fourth order. A computed threshold is known to
 # 1e-11 or so only, and asks for a longer one.
 STEP, LONG_STEP = 1e-3, 1e-2
@@ -51,17 +50,12 @@ def model_derivatives(
         raise ParameterError("frame", base.frame.name, "rigid with sensitivities")
     if not len(designs):
         return np.zeros((0, 0, len(inputs)))
-    return np.array([number_slopes(variant(base, row, inputs), curve, inputs) for row in designs])
-
-
-def number_slopes(
-    simulation: Simulation, curve: ThresholdCurve | None, inputs: Sequence[str] = DEFAULT_INPUTS
-) -> Array:
-    """Derivatives (P, I) of the numbers of one robot's model."""
-    (known,) = thresholds([simulation], curve)
-    threshold = known or critical(simulation)
-    columns = [input_slopes(simulation, path, threshold, curve) for path in inputs]
-    return np.array(columns).T
+    simulations = [variant(base, row, inputs) for row in designs]
+    found = []
+    for one, known in zip(simulations, thresholds(simulations, curve), strict=True):
+        threshold = known or critical(one)
+        found.append([input_slopes(one, path, threshold, curve) for path in inputs])
+    return np.array(found).transpose(0, 2, 1)
 
 
 def input_slopes(

@@ -5,8 +5,8 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from snapjump.arrays import Array
 from snapjump.batch.prepare import Prepared
 from snapjump.batch.sensitivities import Sensitivities, Slopes, apex_sensitivities
 from snapjump.composition import Simulation
@@ -17,8 +17,6 @@ from snapjump.scenes.jump_outputs import JumpOutputs
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.march_outputs import side_by_side
 from snapjump.units import Scales
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

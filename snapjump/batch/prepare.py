@@ -1,12 +1,13 @@
 """Robots of many designs: their models, or why there is none."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.arrays import Array
 from snapjump.batch.variants import variant
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
@@ -17,8 +18,6 @@ from snapjump.scenes.frame_body import compression
 from snapjump.scenes.jump_start import NoThresholdError, jump_model
 from snapjump.statics.threshold import Threshold
 from snapjump.statics.threshold_curve import ThresholdCurve
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -66,17 +65,17 @@ def covered(simulation: Simulation, curve: ThresholdCurve | None) -> bool:
 
 def thresholds(
     simulations: list[Simulation], curve: ThresholdCurve | None
-) -> Iterator[Threshold | None]:
+) -> list[Threshold | None]:
     """The threshold of each from the curve; None where that does not reach, or is of another
     beam."""
     if curve is None:
-        yield from (None for _ in simulations)
-        return
+        return [None] * len(simulations)
     shortenings = np.array([compression(simulation) for simulation in simulations])
     angles, depths = curve.values(np.clip(shortenings, curve.low, curve.high))
-    for simulation, angle, depth in zip(simulations, angles, depths, strict=True):
-        known = Threshold(float(angle), float(depth), curve.angle_error)
-        yield known if covered(simulation, curve) else None
+    return [
+        Threshold(float(angle), float(depth), curve.angle_error) if covered(one, curve) else None
+        for one, angle, depth in zip(simulations, angles, depths, strict=True)
+    ]
 
 
 def prepare_designs(
@@ -92,7 +91,7 @@ def prepare_designs(
     """
     check_curve(base, curve)
     status = np.full(len(designs), RUNNING)
-    possible, places = [], []
+    possible: dict[int, Simulation] = {}
     for k, design in enumerate(designs):
         try:
             simulation = variant(base, design, inputs)
@@ -100,18 +99,15 @@ def prepare_designs(
         except ParameterError:
             status[k] = BAD_DESIGN
         else:
-            possible.append(simulation)
-            places.append(k)
-    simulations, models, chosen = [], [], []
-    for k, simulation, known in zip(places, possible, thresholds(possible, curve), strict=True):
+            possible[k] = simulation
+    models: dict[int, Model] = {}
+    known = thresholds(list(possible.values()), curve)
+    for (k, simulation), threshold in zip(possible.items(), known, strict=True):
         try:
-            model = jump_model(simulation, known)
+            models[k] = jump_model(simulation, threshold)
         except NoThresholdError:
             status[k] = NO_THRESHOLD
         except ParameterError:
             status[k] = BAD_DESIGN
-        else:
-            simulations.append(simulation)
-            models.append(model)
-            chosen.append(k)
-    return Prepared(simulations, models, np.array(chosen, dtype=np.int64), status)
+    chosen = np.array(list(models), dtype=np.int64)
+    return Prepared([possible[k] for k in models], list(models.values()), chosen, status)

@@ -4,13 +4,12 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from snapjump.arrays import Array, Flags
 from snapjump.engine import outcome as c
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.status import NO_JUMP, OK
 
-Array = NDArray[np.float64]
 # A change of a parameter that makes or breaks a contact: nearer than this, on one side only are
 # the derivatives those of the map.
 NEAREST = 1e-5
@@ -29,7 +28,7 @@ class Sensitivities:
     dx_bar: Array
     dy_bar: Array
     graze_distance: Array
-    differentiable: NDArray[np.bool_]
+    differentiable: Flags
 
 
 class Slopes(NamedTuple):

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from snapjump.arrays import Array
 from snapjump.backend.base import MOST_THREADS, WIDTHS
 from snapjump.backend.lanes import LanesBackend
 from snapjump.batch.alike import check_alike
@@ -27,8 +27,6 @@ from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.runner import MOST_ITERATIONS, March
 from snapjump.scenes.sensitivities import check_differentiable, record_sensitivities
 from snapjump.statics.threshold_curve import ThresholdCurve
-
-Array = NDArray[np.float64]
 
 
 def marches(
@@ -122,7 +120,7 @@ def simulate_batch(
 
 def simulate_designs(
     base: Simulation,
-    designs: NDArray[np.float64],
+    designs: Array,
     *,
     inputs: Sequence[str] = DEFAULT_INPUTS,
     curve: ThresholdCurve | None = None,

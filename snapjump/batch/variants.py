@@ -13,9 +13,7 @@ Row = Sequence[float] | NDArray[np.float64]
 
 def variant(base: Simulation, row: Row, paths: Sequence[str] = DEFAULT_INPUTS) -> Simulation:
     """The simulation with other values of some inputs, by default of the four.
-
-    Raises ParameterError for a value out of its range.
-    """
+    Raises ParameterError for a value out of its range."""
     return with_inputs(base, dict(zip(paths, row, strict=True)))
 
 

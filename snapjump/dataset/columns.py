@@ -18,9 +18,7 @@ Rows = Mapping[str, NDArray[Any]]
 
 class Column(NamedTuple):
     """``kind``: NUMBER (float64), INTEGER (int64), FLAG (bool), WORD (text).
-
-    ``timing``: differs from run to run, and is left out of the hash of the content.
-    """
+    ``timing``: differs from run to run, and is left out of the hash of the content."""
 
     name: str
     unit: str

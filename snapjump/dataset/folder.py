@@ -42,9 +42,7 @@ class DatasetFolder:
 
     def claim(self, part: int, parts: int) -> list[FileLock]:
         """Locks of one who generates the whole, or one of several parts.
-
-        Raises ParameterError if another process is at it.
-        """
+        Raises ParameterError if another process is at it."""
         locks = [FileLock(self.path / ".lock", shared=parts > 1)]
         if parts > 1:
             locks.append(FileLock(self.path / f".lock-{part}-of-{parts}"))

@@ -44,9 +44,7 @@ def generate(
     parts: int = 1,
 ) -> Generation:
     """Make the shards of a part that are missing or damaged; the caller has claimed the folder.
-
-    Whatever stops it, shards that are done stay, and the manifest lists them.
-    """
+    Whatever stops it, shards that are done stay, and the manifest lists them."""
     folder.open(specification)
     numbers = list(range(part - 1, specification.shards, parts))
     folder.sweep(numbers)

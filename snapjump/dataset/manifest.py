@@ -19,9 +19,7 @@ Manifest = dict[str, Any]
 
 def dataset_sha256(plain: Mapping[str, Any], contents: Sequence[str]) -> str:
     """The hash of a dataset: of its plan and configuration, and of its shards' contents.
-
-    Not of the sources: those that give the same numbers give the same dataset.
-    """
+    Not of the sources: those that give the same numbers give the same dataset."""
     determined = {key: value for key, value in plain.items() if key != "source_sha256"}
     return sha256_of({"specification": determined, "contents": list(contents)})
 

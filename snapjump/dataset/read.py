@@ -100,11 +100,5 @@ def open_dataset(path: str | Path) -> Dataset:
         if entry["content_sha256"] != listed["content_sha256"]:
             raise folder.refused(f"a manifest of these shards (shard {number} is another)")
     contents = [listed["content_sha256"] for listed in manifest["shards"]]
-    return Dataset(
-        folder,
-        dataset_sha256(specification, contents),
-        manifest["rows"],
-        manifest["statuses"],
-        specification,
-        len(contents),
-    )
+    told = dataset_sha256(specification, contents), manifest["rows"], manifest["statuses"]
+    return Dataset(folder, *told, specification, len(contents))

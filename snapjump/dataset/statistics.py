@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from snapjump.arrays import Array
 from snapjump.dataset.columns import APEX
 from snapjump.dataset.read import Dataset
-from snapjump.plan.parts.axes import Array, Axis, Range
+from snapjump.plan.parts.axes import Axis, Range
 
 KNOWN = ("ok", "no_jump")  # statuses with an apex
 FEWEST_BINS, MOST_BINS = 5, 24

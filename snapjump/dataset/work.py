@@ -32,9 +32,7 @@ def job_of(
 
 def make_shard(job: Mapping[str, Any], progress: Progress | None) -> Entry:
     """Simulate the designs of a shard and write it; returns its entry.
-
-    Raises ParameterError where the sources are not those of the process that asks.
-    """
+    Raises ParameterError where the sources are not those of the process that asks."""
     for plugins in job.get("plugins", ()):
         load_plugins(plugins)
     asked = job["specification"]

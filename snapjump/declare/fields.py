@@ -98,9 +98,9 @@ def choice(default: str | int, words: Sequence[str | int], doc: str = "") -> Any
     return field(default=default, metadata={"allowed": Choice(tuple(words)), "doc": doc})
 
 
-def flag(default: bool, doc: str = "") -> Any:
+def flag(default: bool) -> Any:
     """A field that is true or false."""
-    return field(default=default, metadata={"allowed": Flag(), "doc": doc})
+    return field(default=default, metadata={"allowed": Flag()})
 
 
 def hidden(default: Any) -> Any:
@@ -183,9 +183,7 @@ def settings(part: Any) -> list[str]:
 
 def construct(group: str, cls: Any, values: Any) -> Any:
     """A part, or any dataclass, from a group's values; what is left out has its default.
-
-    Raises ParameterError for an unknown key, and for a missing one that has no default.
-    """
+    Raises ParameterError for an unknown key, and for a missing one that has no default."""
     check_group(group, values)
     declared = {f.name: f for f in fields(cls) if "hidden" not in f.metadata}
     for key, value in values.items():

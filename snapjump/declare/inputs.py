@@ -14,12 +14,7 @@ from snapjump.declare.fields import Number
 S = TypeVar("S")
 # The parts of a simulation whose numbers are inputs.
 PARTS = ("robot", "design", "environment", "frame", "contact", "friction", "damping")
-DEFAULT_INPUTS = (
-    "design.delta_alpha",
-    "design.epsilon",
-    "environment.mass_bar",
-    "environment.mu",
-)
+DEFAULT_INPUTS = ("design.delta_alpha", "design.epsilon", "environment.mass_bar", "environment.mu")
 
 
 @dataclass(frozen=True)
@@ -58,18 +53,11 @@ def inputs_of(parts: Mapping[str, Any] | Any) -> dict[str, Input]:
         for field in () if part is None else fields(part):
             allowed = field.metadata.get("allowed")
             if isinstance(allowed, Number):
-                about = field.metadata["about"]
-                path = f"{group}.{field.name}"
-                found[path] = Input(
-                    path,
-                    about.get("column", field.name),
-                    allowed,
-                    field.metadata["doc"] or field.name,
-                    about.get("symbol", field.name),
-                    about.get("plan"),
-                    about.get("kind", "property"),
-                    field.default,
-                )
+                path, name, get = f"{group}.{field.name}", field.name, field.metadata["about"].get
+                told = field.metadata["doc"] or name, get("symbol", name)
+                kind = get("plan"), get("kind", "property")
+                column = get("column", name)
+                found[path] = Input(path, column, allowed, *told, *kind, field.default)
     return found
 
 
@@ -105,9 +93,7 @@ def value_at(simulation: Any, path: str) -> Any:
 
 def with_inputs(simulation: S, values: Mapping[str, float]) -> S:
     """The simulation with other values of some inputs, by path.
-
-    Raises ParameterError for a value out of its range, or one that does not go with the others.
-    """
+    Raises ParameterError for a value out of its range, or one that does not go with the others."""
     changes: dict[str, dict[str, float]] = {}
     for path, value in values.items():
         group, _, name = path.partition(".")

@@ -45,9 +45,7 @@ def members_with(family: str, capability: str) -> tuple[str, ...]:
 
 def make_member(family: str, group: Any) -> Any:
     """Checked options from a group: a ``name``, and fields. Raises ParameterError.
-
-    An integrator that is not known but has ``rows`` is a Runge-Kutta method of that tableau.
-    """
+    An integrator that is not known but has ``rows`` is a Runge-Kutta method of that tableau."""
     check_group(family, group)
     values = dict(group)
     name = values.pop("name", None)

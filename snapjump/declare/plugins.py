@@ -41,13 +41,16 @@ def load_plugins(folder: str | Path) -> None:
         raise ParameterError("plugins", str(folder), "a folder of plug-ins: <group>/<member>.py")
     load_installed()
     if place in _loaded:
-        _check_unchanged(place)
+        if _hash(place) != _loaded[place]:
+            changed = "files have changed since, which a new process sees"
+            allowed = f"a folder as it was loaded; {changed}"
+            raise ParameterError("plugins", str(place), allowed)
         return
     groups = [group for group in sorted(place.iterdir()) if members_in(group)]
     for group in groups:
         _check_group(group)
     sources.PLUGINS.append(place)
-    paths = [_package(group).__path__ for group in groups]
+    paths: Any = [importlib.import_module(f"snapjump.{one.name}").__path__ for one in groups]
     for path, group in zip(paths, groups, strict=True):
         path.append(str(group))
     importlib.invalidate_caches()
@@ -100,20 +103,10 @@ def _is_family(group: Path) -> bool:
     return (sources.PACKAGE / group.name / "base.py").exists()
 
 
-def _package(group: Path) -> Any:
-    return importlib.import_module(f"snapjump.{group.name}")
-
-
 def _hash(place: Path) -> str:
     sources.forget(place)
     own = (source for source in sources.plugin_files() if place in source.path.parents)
     return sources.combined_hash(own)
-
-
-def _check_unchanged(place: Path) -> None:
-    if _hash(place) != _loaded[place]:
-        allowed = "a folder as it was loaded; files have changed since, which a new process sees"
-        raise ParameterError("plugins", str(place), allowed)
 
 
 def _refresh_kernels() -> None:

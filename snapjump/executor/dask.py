@@ -115,9 +115,7 @@ def own_cores() -> tuple[str, list[int]]:
 
 class Dask(ExecutorOptions):
     """Workers of dask.distributed: of a scheduler, or processes on this machine.
-
-    ``scheduler``: its address, None to start ``workers`` processes here.
-    """
+    ``scheduler``: its address, None to start ``workers`` processes here."""
 
     scheduler: str | None = None
     workers: int = integer(2, least=1, most=1024)

@@ -23,9 +23,7 @@ def cache_root() -> Path:
 @contextmanager
 def kept_hashes() -> Iterator[Callable[[Path], str]]:
     """A function that hashes a file, or finds the hash that was kept of the same bytes.
-
-    What is new is kept at the end of the block. Hashes of another rule do not count.
-    """
+    What is new is kept at the end of the block. Hashes of another rule do not count."""
     rule = hashlib.sha256(Path(tokens.__file__).read_bytes()).hexdigest()
     kept = _read(rule)
     used: dict[str, str] = {}

@@ -7,9 +7,7 @@ from typing import IO
 
 class FileLock:
     """Exclusive use of a path, or one shared with others that share it.
-
-    The lock file itself stays, and means nothing on its own.
-    """
+    The lock file itself stays, and means nothing on its own."""
 
     def __init__(self, path: Path, shared: bool = False):
         self.path = path

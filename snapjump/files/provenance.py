@@ -12,17 +12,8 @@ from typing import Any
 from snapjump.files.sources import PACKAGE, combined_hash, package_files, plugin_files
 
 PACKAGES = (
-    "snapjump",
-    "numpy",
-    "scipy",
-    "numba",
-    "llvmlite",
-    "hydra-core",
-    "omegaconf",
-    "mlflow",
-    "matplotlib",
-    "pyarrow",
-    "torch",
+    *("snapjump", "numpy", "scipy", "numba", "llvmlite", "hydra-core", "omegaconf"),
+    *("mlflow", "matplotlib", "pyarrow", "torch"),
 )
 # Packages that only show, keep or ask for results: a change in them changes no number.
 NOT_PHYSICS = ("executor", "files", "run", "show", "tracking")
@@ -37,26 +28,18 @@ def now() -> str:
 
 def provenance(command: str, seed: int, started_at: str) -> dict[str, Any]:
     """Everything that is needed to tell how a result came about, and to repeat it."""
-    return {
-        "command": command,
-        "seed": seed,
-        "started_at": started_at,
-        "finished_at": now(),
-        **origin(),
-    }
+    times = {"started_at": started_at, "finished_at": now()}
+    return {"command": command, "seed": seed, **times, **origin()}
 
 
 def origin() -> dict[str, Any]:
     """The code, its versions and the machine."""
+    machine = {"system": platform.platform(), "processor": _processor(), "cores": os.cpu_count()}
     return {
         **git_state(),
         "source_sha256": source_hash(),
         "versions": {"python": platform.python_version(), **{p: _version(p) for p in PACKAGES}},
-        "machine": {
-            "system": platform.platform(),
-            "processor": _processor(),
-            "cores": os.cpu_count(),
-        },
+        "machine": machine,
     }
 
 

@@ -18,9 +18,7 @@ NOT_PHYSICS = ("tracking",)
 
 class ResultFolder:
     """``config.yaml``, ``provenance.json``, ``trajectory.npz``, figures, and ``result.json``.
-
-    ``result.json`` is written last: where it says that a job is finished, all else is there.
-    """
+    ``result.json`` is written last: where it says that a job is finished, all else is there."""
 
     def __init__(self, path: Path):
         self.path = Path(path)
@@ -38,9 +36,7 @@ class ResultFolder:
 
     def write_arrays(self, name: str, arrays: Mapping[str, Any]) -> list[str]:
         """Write ``<name>.npz``; arrays that are not finite are left out, and their names returned.
-
-        Writes no file if nothing is left.
-        """
+        Writes no file if nothing is left."""
         kept = {
             key: array
             for key, array in arrays.items()

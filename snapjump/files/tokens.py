@@ -36,9 +36,7 @@ def content_hash(content: bytes, suffix: str) -> str:
 
 def token_hash(text: str) -> str:
     """A hash of Python's tokens without comments, docstrings, blank lines and layout.
-
-    Raises SyntaxError or tokenize.TokenError for what is no Python.
-    """
+    Raises SyntaxError or tokenize.TokenError for what is no Python."""
     return hashlib.sha256("\0".join(_words(text)).encode()).hexdigest()
 
 

@@ -5,9 +5,10 @@ from typing import ClassVar, Protocol
 
 import numpy as np
 
+from snapjump.arrays import Array
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import Part, flag, required
-from snapjump.plan.parts.axes import Array, Range, default_axes
+from snapjump.plan.parts.axes import Range, default_axes
 
 CONTROLS = tuple(axis.column for axis in default_axes() if axis.kind == "control")
 # Apexes nearer to the target than this (L) have reached it, for a forward model's solutions.

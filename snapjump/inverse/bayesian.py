@@ -23,13 +23,8 @@ class BayesianOptions(InverseOptions):
 
     def solve(self, problem: Problem) -> list[Solution]:
         """The best of all simulated designs: ``first`` random ones, then one after the other."""
-        optimizer = BayesianOptimization(
-            None,
-            {name: (0.0, 1.0) for name in CONTROLS},
-            random_state=problem.seed,
-            verbose=0,
-            allow_duplicate_points=True,
-        )
+        how = {"random_state": problem.seed, "verbose": 0, "allow_duplicate_points": True}
+        optimizer = BayesianOptimization(None, dict.fromkeys(CONTROLS, (0.0, 1.0)), **how)
         search = Search(problem, problem.simulator)
         # What does not jump is farther away than the start.
         farthest = 1.0 + float(np.hypot(*problem.target))

@@ -7,8 +7,9 @@ from typing import ClassVar
 import numpy as np
 from scipy.optimize import Bounds, minimize
 
+from snapjump.arrays import Array
 from snapjump.declare.fields import integer, number
-from snapjump.inverse.base import Array, InverseOptions, Problem, Search, Solution
+from snapjump.inverse.base import InverseOptions, Problem, Search, Solution
 
 SIDE = 4  # of the grid of simulations that the search begins with
 DIRECTIONS = np.array([[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]])

@@ -16,8 +16,9 @@ from typing import ClassVar
 import numpy as np
 from scipy.optimize import lsq_linear
 
+from snapjump.arrays import Array
 from snapjump.declare.fields import choice, integer, number
-from snapjump.inverse.base import Array, InverseOptions, Problem, Search, Solution
+from snapjump.inverse.base import InverseOptions, Problem, Search, Solution
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
 
 CANDIDATES = 8  # a round: as many as the simulator has lanes
@@ -125,9 +126,7 @@ def fitted_rounds(search: Search, start: Solution) -> Iterator[Solution]:
 
 def fit(search: Search, drawn_to: Array) -> tuple[Array, Array, Array]:
     """Middle (2) of the points nearest to the target, their mean apex (2), and slopes (2, 2).
-
-    Ridge regression, drawn to given slopes as far as roughness leaves the points undecided.
-    """
+    Ridge regression, drawn to given slopes as far as roughness leaves the points undecided."""
     misses = search.misses()
     nearest = np.argsort(misses)[:NEAREST]
     weights = 1.0 / (misses[nearest] + CLOSE_BAR)

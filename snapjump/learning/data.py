@@ -73,9 +73,7 @@ class Batches:
 
 class JumpData:
     """``train``, ``validation`` and ``test`` rows of a dataset, by a seed.
-
-    Raises ParameterError for a dataset that has too few jumps that are ok.
-    """
+    Raises ParameterError for a dataset that has too few jumps that are ok."""
 
     def __init__(self, dataset: Dataset, training: Training, seed: int):
         self.dataset, self.training, self.seed = dataset, training, seed

@@ -43,9 +43,7 @@ def check_exportable(model: ForwardModel, path: str) -> None:
 
 def export(model: ForwardModel, path: Path, seed: int = 0) -> Exported:
     """Write it, standardisation included, and compare it with torch on random designs.
-
-    Raises ArithmeticError if they differ by more than :data:`TOLERANCE`.
-    """
+    Raises ArithmeticError if they differ by more than :data:`TOLERANCE`."""
     content = _onnx(model)
     session = one_core(content)
     low, high = np.array(model.ranges).T

@@ -10,13 +10,14 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from snapjump.arrays import Array
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.dataset.specification import first_difference
 from snapjump.declare.inputs import PARTS
 from snapjump.learning.checkpoint import read_checkpoint
 from snapjump.learning.fit import torch_threads
-from snapjump.plan.parts.axes import Array, Range, recorded_axes
+from snapjump.plan.parts.axes import Range, recorded_axes
 from snapjump.surrogate.base import Surrogate
 
 CHUNK = 4096  # designs at a time, so that their activations stay in the processor's cache
@@ -61,9 +62,7 @@ class ForwardModel:
 
     def check_model(self, simulation: Simulation) -> None:
         """Raise ParameterError if a simulation has another physical model than the dataset had.
-
-        Mesh, integrator and step control may differ: they are errors, and no other robot.
-        """
+        Mesh, integrator and step control may differ: they are errors, and no other robot."""
         configuration = self.about["dataset"]["specification"]["configuration"]
         inputs = {axis.path for axis in self.axes}
         given: dict[str, Any] = {"sim": simulation.sim.name}

@@ -36,11 +36,8 @@ DIGITS = 16
 FORWARD_MODEL, CURVES = "forward_model.safetensors", "curves.json"
 # The modules that determine the weights, beside that of the surrogate and the dataset.
 DETERMINES = (
-    "learning/data.py",
-    "learning/fit.py",
-    "learning/training.py",
-    "surrogate/base.py",
-    "surrogate/parts/layers.py",
+    *("learning/data.py", "learning/fit.py", "learning/training.py"),
+    *("surrogate/base.py", "surrogate/parts/layers.py"),
 )
 PARTS = ("train", "validation", "test")  # of the jumps
 

@@ -6,9 +6,9 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from snapjump.arrays import Array
 from snapjump.dataset.columns import APEX
 from snapjump.learning.data import WHOLE
-from snapjump.plan.parts.axes import Array
 from snapjump.surrogate.base import Rows, Surrogate
 
 

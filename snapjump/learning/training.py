@@ -11,9 +11,7 @@ WARM_UP = 0.02  # of the epochs, in which the learning rate rises
 
 class Training(Part):
     """Shares of a dataset, and gradient descent by Adam.
-
-    ``rows``: jumps that are learned from, those of the validation included; None for all.
-    """
+    ``rows``: jumps that are learned from, those of the validation included; None for all."""
 
     group = "training"
 

@@ -6,10 +6,11 @@ from typing import Any
 
 import numpy as np
 
+from snapjump.arrays import Array
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import Part, integer, required, settings
 from snapjump.declare.members import member_group
-from snapjump.plan.parts.axes import Array, Axis, Range, checked_range, default_axes, planned
+from snapjump.plan.parts.axes import Axis, Range, checked_range, default_axes, planned
 
 
 def stretched(unit: Array, ranges: tuple[Range, ...]) -> Array:

@@ -2,10 +2,11 @@
 
 import numpy as np
 
+from snapjump.arrays import Array
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import integer
 from snapjump.plan.base import Plan, PlanOptions
-from snapjump.plan.parts.axes import Array, Range
+from snapjump.plan.parts.axes import Range
 
 MOST_POINTS = 1000
 MOST_OF_A_GRID = 2**40
@@ -13,9 +14,7 @@ MOST_OF_A_GRID = 2**40
 
 class Grid(PlanOptions):
     """Every combination of evenly spaced values; by default the paper's 15^4.
-
-    The ends of each range are among its values; the last input runs fastest.
-    """
+    The ends of each range are among its values; the last input runs fastest."""
 
     points: int = integer(15, least=2, most=MOST_POINTS)
 

@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from snapjump.arrays import Array
 from snapjump.plan.base import RandomPlanOptions, stretched
-from snapjump.plan.parts.axes import Array, Range
+from snapjump.plan.parts.axes import Range
 from snapjump.plan.parts.shuffle import keyed, shuffled
 
 FIRST_JITTER = 1000  # streams of random bits beyond those that shuffle
@@ -12,9 +13,7 @@ MANTISSA_BITS = 53
 
 class LatinHypercube(RandomPlanOptions):
     """Random points, one in each of as many equal intervals of every input.
-
-    The order of the intervals is computed point by point.
-    """
+    The order of the intervals is computed point by point."""
 
     def designs(self, ranges: tuple[Range, ...], first: int, last: int) -> Array:
         numbers = np.arange(first, last, dtype=np.uint64)

@@ -2,8 +2,9 @@
 
 import warnings
 
+from snapjump.arrays import Array
 from snapjump.plan.base import RandomPlanOptions, stretched
-from snapjump.plan.parts.axes import Array, Range
+from snapjump.plan.parts.axes import Range
 
 
 class Sobol(RandomPlanOptions):

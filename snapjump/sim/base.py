@@ -21,3 +21,11 @@ def check_samples(duration_s: float, interval_s: float) -> None:
         least = f"{duration_s / MOST_SAMPLES:g} s for {duration_s:g} s"
         allowed = f"at least {least}, which are {MOST_SAMPLES} samples"
         raise ParameterError("sim.sample_interval_s", interval_s, allowed)
+
+
+class SampledScene(SceneOptions):
+    """A scene of ``duration_s``, whose states are kept ``sample_interval_s`` apart."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_samples(self.duration_s, self.sample_interval_s)

@@ -7,7 +7,7 @@ from snapjump.declare.fields import number
 from snapjump.declare.outputs import output
 from snapjump.results import Result
 from snapjump.scenes.mass import MassOutputs, march_mass, mass_model
-from snapjump.sim.base import NEEDS_A_GROUND, Progress, SceneOptions, check_samples
+from snapjump.sim.base import NEEDS_A_GROUND, Progress, SampledScene
 
 
 class BounceOutputs(MassOutputs):
@@ -25,7 +25,7 @@ class BounceOutputs(MassOutputs):
         return self.rebound_speed_m_s / speed if speed else math.nan
 
 
-class Bounce(SceneOptions):
+class Bounce(SampledScene):
     """Verification: one mass falls onto the barrier at a given speed and bounces off."""
 
     chooses = {"frame": "fixed", "friction": "none", "damping": "none"}
@@ -36,10 +36,6 @@ class Bounce(SceneOptions):
     speed_m_s: float = number(10.0, least=0.0, unit="m/s")
     duration_s: float = number(1.0e-4, above=0.0, unit="s")
     sample_interval_s: float = number(1.0e-7, above=0.0, unit="s")
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        check_samples(self.duration_s, self.sample_interval_s)
 
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
         """Drop a mass into the barrier without gravity: a conservative bounce has restitution 1."""

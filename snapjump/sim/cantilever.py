@@ -31,18 +31,10 @@ def bend_cantilever(
     rod: Any, elements: int, force_x: float, force_y: float, moment: float
 ) -> tuple[np.ndarray, float, int]:
     """Nodes (N + 1, 2) in L, elastic energy (EI/L) and negative pivots under a tip load.
-
-    Force in EI/L^2, moment in EI/L. Raises ArithmeticError where Newton's method fails.
-    """
-    model = Model(
-        rod,
-        CantileverFrame(),
-        ConstantRate(0.0, 1.0, 1.0, 0.0),
-        NoContact.Law(),
-        NoFriction.Law(),
-        NoDamping.Law(),
-        TipLoad(0.0, 0.0, 0.0),
-    )
+    Force in EI/L^2, moment in EI/L. Raises ArithmeticError where Newton's method fails."""
+    clamp, load = ConstantRate(0.0, 1.0, 1.0, 0.0), TipLoad(0.0, 0.0, 0.0)
+    laws = NoContact.Law(), NoFriction.Law(), NoDamping.Law()
+    model = Model(rod, CantileverFrame(), clamp, *laws, load)
     dofs = rod.node_dofs()
     memory = make_memory(sizes_of(model, elements + 1))
     memory.state[0::dofs, 0] = np.linspace(0.0, 1.0, elements + 1)

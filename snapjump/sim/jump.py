@@ -24,12 +24,7 @@ class Jump(SceneOptions):
     """
 
     moves_a_beam = True
-    tells = (
-        "design.epsilon",
-        "design.delta_alpha",
-        "environment.mu",
-        "environment.mass_bar",
-    )
+    tells = ("design.epsilon", "design.delta_alpha", "environment.mu", "environment.mass_bar")
     outputs = RecordedJump
     needs = (Need("frame", "flies"), Need("contact", "pushes"))
 

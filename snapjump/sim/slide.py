@@ -5,7 +5,7 @@ from snapjump.declare.fields import number
 from snapjump.declare.outputs import output
 from snapjump.results import Result
 from snapjump.scenes.mass import MassOutputs, march_mass, mass_model
-from snapjump.sim.base import NEEDS_A_GROUND, Progress, SceneOptions, check_samples
+from snapjump.sim.base import NEEDS_A_GROUND, Progress, SampledScene
 from snapjump.statics.resting_gap import resting_gap
 
 
@@ -28,11 +28,9 @@ class SlideOutputs(MassOutputs):
         return self.arrays["node_y_m"][0, 0]
 
 
-class Slide(SceneOptions):
+class Slide(SampledScene):
     """Verification: one mass slides on the ground until friction stops it.
-
-    On a slope of the environment, of any steepness, gravity pulls it downhill too.
-    """
+    On a slope of the environment, of any steepness, gravity pulls it downhill too."""
 
     chooses = {"frame": "fixed", "friction": "implicit", "damping": "none"}
     tells = ("environment.slope_rad", "sim.mass_kg", "sim.speed_m_s", "sim.duration_s")
@@ -43,10 +41,6 @@ class Slide(SceneOptions):
     speed_m_s: float = number(0.1, least=0.0, unit="m/s")
     duration_s: float = number(0.05, above=0.0, unit="s")
     sample_interval_s: float = number(1.0e-5, above=0.0, unit="s")
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        check_samples(self.duration_s, self.sample_interval_s)
 
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
         """Let a mass slide from its resting gap; smoothed Coulomb friction brings it to a creep."""

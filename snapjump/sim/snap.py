@@ -7,8 +7,8 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from snapjump.arrays import Array
 from snapjump.composition import Simulation
 from snapjump.declare.fields import number
 from snapjump.declare.outputs import output
@@ -17,17 +17,13 @@ from snapjump.results import Result
 from snapjump.scenes.march_outputs import RecordedOutputs, side_by_side
 from snapjump.scenes.snap_march import snap_march
 from snapjump.scenes.trajectory import trajectory_arrays
-from snapjump.sim.base import NEEDS_NO_GROUND, WITHOUT_GROUND, Progress, SceneOptions, check_samples
-
-Array = NDArray[np.float64]
+from snapjump.sim.base import NEEDS_NO_GROUND, WITHOUT_GROUND, Progress, SampledScene
 
 
 @dataclass(frozen=True)
 class SnapOutputs(RecordedOutputs):
     """When and how the midpoint crosses the line of the clamps; NaN if it does not.
-
-    ``arrays``: the trajectory (S samples).
-    """
+    ``arrays``: the trajectory (S samples)."""
 
     arrays: dict[str, Any]
 
@@ -101,11 +97,9 @@ def middle_angle(x: Array, y: Array) -> Array:
     return np.asarray(np.arctan2(y[:, after] - y[:, before], x[:, after] - x[:, before]))
 
 
-class Snap(SceneOptions):
+class Snap(SampledScene):
     """The beam alone snaps in a frame that is held still, without gravity or ground.
-
-    The clamps start from flat and reach their rate within about ``rise_time_s``.
-    """
+    The clamps start from flat and reach their rate within about ``rise_time_s``."""
 
     moves_a_beam = True
     tells = ("design.epsilon", "design.delta_alpha")
@@ -116,10 +110,6 @@ class Snap(SceneOptions):
     duration_s: float = number(0.06, above=0.0, unit="s")
     rise_time_s: float = number(1.0e-3, above=0.0, unit="s")
     sample_interval_s: float = number(5.0e-5, above=1e-7, unit="s")
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        check_samples(self.duration_s, self.sample_interval_s)
 
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
         """Turn the clamps of the arch at rest from flat and follow it through the snap."""

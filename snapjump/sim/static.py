@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.arrays import Array
 from snapjump.composition import Simulation
 from snapjump.declare.fields import integer
 from snapjump.declare.outputs import output
@@ -19,7 +20,6 @@ from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch, Point
 from snapjump.statics.critical import Snap, find_snap, start_point
 
-Array = NDArray[np.float64]
 LENGTH = 6.0  # of a branch, in the norm of its free coordinates and angle
 
 
@@ -91,9 +91,7 @@ def _points(arch: StaticArch, branch: Branch, points: Iterable[Point], farthest:
 
 def _asymmetric(arch: StaticArch, snap: Any, steps: int) -> Array:
     """Points of the branch of leaning arches that meets the symmetric one at the pitchfork.
-
-    It is entered along the critical mode: the tangent's null vector there.
-    """
+    It is entered along the critical mode: the tangent's null vector there."""
     branch = Branch(arch, 0.0, symmetric=False)
     state = snap.before.state
     arch.residual(state, snap.alpha_rad, snap.alpha_rad)
@@ -104,9 +102,7 @@ def _asymmetric(arch: StaticArch, snap: Any, steps: int) -> Array:
 
 class Static(SceneOptions):
     """Slow loading: branches, stability, critical angle and snapped state.
-
-    ``steps``: points along each branch.
-    """
+    ``steps``: points along each branch."""
 
     tells = ("design.epsilon", "design.delta_alpha")
     chooses = AT_REST

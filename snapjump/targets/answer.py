@@ -32,9 +32,7 @@ class Answer:
 
 def answer(problem: Problem, method: InverseOptions) -> Answer:
     """Decide whether the target is in the achievable region, and let a method search if it is.
-
-    Without a forward model the method alone decides.
-    """
+    Without a forward model the method alone decides."""
     begun, before = time.perf_counter(), problem.simulator.simulations
     nearest = None if problem.forward is None else out_of_reach(problem, problem.forward)
     solutions = method.solve(problem) if nearest is None else [nearest]

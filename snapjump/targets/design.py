@@ -5,9 +5,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from snapjump.arrays import Array
 from snapjump.checks import check_choice
 from snapjump.composition import Simulation, with_tier
-from snapjump.inverse.base import Array, ForwardModel, InverseOptions, Problem
+from snapjump.inverse.base import ForwardModel, InverseOptions, Problem
 from snapjump.inverse.physics import PhysicsOptions
 from snapjump.robot.environment import Environment
 from snapjump.targets import request
@@ -17,11 +18,7 @@ from snapjump.tiers import TIERS
 
 
 def problem_of(
-    base: Simulation,
-    target: Array,
-    trained: ForwardModel,
-    forward: ForwardModel | None,
-    seed: int,
+    base: Simulation, target: Array, trained: ForwardModel, forward: ForwardModel | None, seed: int
 ) -> Problem:
     """The problem of a target (2,) in L in the environment of a simulation.
 
@@ -29,16 +26,8 @@ def problem_of(
     same, or None.
     """
     low, high = np.array(trained.ranges[:2]).T
-    return Problem(
-        target=target,
-        mass_bar=base.environment.mass_bar,
-        mu=base.environment.mu,
-        low=low,
-        high=high,
-        forward=forward,
-        simulator=JumpSimulator(base),
-        seed=seed,
-    )
+    mass_bar, mu = base.environment.mass_bar, base.environment.mu
+    return Problem(target, mass_bar, mu, low, high, forward, JumpSimulator(base), seed)
 
 
 def design_for(

@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.inverse.base import Array, Problem, Solution
+from snapjump.arrays import Array
+from snapjump.inverse.base import Problem, Solution
 from snapjump.plan.parts.axes import default_axes
 from snapjump.results import Result
 from snapjump.targets.answer import Answer

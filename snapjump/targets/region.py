@@ -8,7 +8,8 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from snapjump.inverse.base import Array, ForwardModel, Problem
+from snapjump.arrays import Array
+from snapjump.inverse.base import ForwardModel, Problem
 from snapjump.inverse.gauss_newton import grid_triangles
 
 # Per control: enough that the forward model's own error is what decides at the boundary.

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from snapjump import learning
+from snapjump.arrays import Array
 from snapjump.checks import ParameterError, check_text, is_finite_number
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS, value_at
-from snapjump.inverse.base import Array, InverseOptions
+from snapjump.inverse.base import InverseOptions
 
 if TYPE_CHECKING:
     from snapjump.learning.forward_model import ForwardModel
@@ -75,9 +76,7 @@ def usable_forward(
     base: Simulation, forward: "ForwardModel", method: InverseOptions
 ) -> tuple["ForwardModel | None", str]:
     """The forward model, or None and a warning for a method that can do without it there.
-
-    Raises ParameterError where it cannot: a forward model never extrapolates.
-    """
+    Raises ParameterError where it cannot: a forward model never extrapolates."""
     wrong = outside(base, forward)
     if wrong is None:
         return forward, ""

@@ -8,8 +8,9 @@ from scipy.optimize import minimize
 from scipy.special import ndtr, ndtri
 from scipy.stats import qmc
 
+from snapjump.arrays import Array
 from snapjump.declare.fields import Part, number
-from snapjump.inverse.base import Array, ForwardModel, Problem, Solution
+from snapjump.inverse.base import ForwardModel, Problem, Solution
 
 SAMPLES, REPORTED = 256, 2048  # powers of two, as Sobol's points ask for
 MOST_STARTS = 6
@@ -97,13 +98,8 @@ def scatter(
     points = sobol_points(REPORTED, problem.seed + 1)
     apexes = forward.predict(built(problem, forward, tolerance, controls, points))
     misses = problem.misses(apexes)
-    return Scatter(
-        apexes,
-        apexes.mean(axis=0),
-        apexes.std(axis=0),
-        float(misses.mean()),
-        float(np.quantile(misses, 0.9)),
-    )
+    expected, radius90 = float(misses.mean()), float(np.quantile(misses, 0.9))
+    return Scatter(apexes, apexes.mean(axis=0), apexes.std(axis=0), expected, radius90)
 
 
 def robust_solution(

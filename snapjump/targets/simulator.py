@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from snapjump.arrays import Array
 from snapjump.batch import simulate_designs
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
 from snapjump.declare.inputs import DEFAULT_INPUTS, PARTS
-from snapjump.plan.parts.axes import Array
 from snapjump.scenes.sensitivities import SMALLEST_STICK_ZONE_M_S, check_differentiable
 from snapjump.statics.threshold_curve import ThresholdCurve
 

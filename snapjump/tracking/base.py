@@ -67,9 +67,7 @@ class Tracker(Part):
 
     def record(self, record: Record, run_id: str | None = None) -> str | None:
         """Write one record, in place of an earlier one if it can be; returns its id.
-
-        Raises TrackingError.
-        """
+        Raises TrackingError."""
         return None
 
     def open_parent(self, name: str, run_id: str | None) -> str | None:

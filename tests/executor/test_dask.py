@@ -129,7 +129,7 @@ def test_what_a_worker_raises_comes_here(cluster):
         with pytest.raises(KeyError, match="specification"):
             from snapjump.dataset.work import make_shard
 
-            list(executor.answers(make_shard, [{"backend": BACKEND}], lambda share: None))
+            list(executor.answers(make_shard, [{"backend": BACKEND}], lambda share, text: None))
 
 
 def test_no_scheduler_is_bad_input():

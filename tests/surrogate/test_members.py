@@ -71,7 +71,7 @@ def test_where_the_law_is_smooth_slopes_are_worth_many_jumps():
 
 def ensemble() -> Ensemble:
     torch.manual_seed(0)
-    network = Ensemble(members=4, width=8, blocks=1)
+    network = Ensemble(networks=4, width=8, blocks=1)
     network.fit(jumps(200))
     return network
 

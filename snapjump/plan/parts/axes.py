@@ -4,9 +4,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from snapjump.checks import ParameterError, is_finite_number
 from snapjump.declare.inputs import (
     DEFAULT_INPUTS,
@@ -20,7 +17,6 @@ from snapjump.declare.inputs import (
 from snapjump.robot.design import Design
 from snapjump.robot.environment import Environment
 
-Array = NDArray[np.float64]
 Range = tuple[float, float]
 LABELS_IN_A_ROW = 140  # characters of labels of one length that have room side by side
 

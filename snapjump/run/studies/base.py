@@ -26,9 +26,7 @@ class Cell:
 @dataclass(frozen=True)
 class Done:
     """A finished cell: its table of rows, null where a number is not finite.
-
-    ``run``: the run that did it; ``started_at``, ``finished_at``: UTC, ISO 8601.
-    """
+    ``run``: the run that did it; ``started_at``, ``finished_at``: UTC, ISO 8601."""
 
     cell: Cell
     status: str
@@ -52,9 +50,7 @@ def column(rows: Sequence[Row], key: str) -> NDArray[np.float64]:
 @dataclass(frozen=True)
 class Table:
     """Rows under a caption; units stand in the keys of the rows.
-
-    ``digits``: significant digits for reading, by column, where four are not right.
-    """
+    ``digits``: significant digits for reading, by column, where four are not right."""
 
     caption: str
     rows: Sequence[Row]

@@ -14,9 +14,7 @@ def children(
     cells: Iterable[Done], metrics: Mapping[str, Mapping[str, float]]
 ) -> list[dict[str, Any]]:
     """One record a cell: its inputs, its status, and its numbers.
-
-    Of each numeric column the median is recorded; ``metrics`` adds what the study made of it.
-    """
+    Of each numeric column the median is recorded; ``metrics`` adds what the study made of it."""
     return [
         {
             "name": done.cell.name,
@@ -30,19 +28,10 @@ def children(
 
 def medians(done: Done) -> dict[str, float]:
     """The median of every column whose entries are numbers or null; columns of nulls are left."""
-    found = {}
-    for key in dict.fromkeys(key for row in done.rows for key in row):
-        values = [row.get(key) for row in done.rows]
-        if all(value is None or _is_number(value) for value in values):
-            column = done.column(key)
-            if np.isfinite(column).any():
-                found[key] = float(np.nanmedian(column))
-    return found
+    import pandas as pd
+
+    return pd.DataFrame(done.rows).select_dtypes("number").median().dropna().to_dict()
 
 
 def _finite(metrics: Mapping[str, float]) -> dict[str, float]:
     return {key: float(value) for key, value in metrics.items() if np.isfinite(value)}
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool)

@@ -19,9 +19,7 @@ DIGITS = 16
 
 def fingerprint(config: Mapping[str, Any], roots: Iterable[str]) -> str:
     """A hash of the resolved configuration, of the library and of the modules of a study.
-
-    ``roots``: the modules, as in ``experiments.designs``, that cells are computed by.
-    """
+    ``roots``: the modules, as in ``experiments.designs``, that cells are computed by."""
     physics, _ = finite({key: value for key, value in config.items() if key not in NOT_PHYSICS})
     configuration = json.dumps(physics, sort_keys=True)
     return combined_hash(sources(roots), configuration, source_hash())[:DIGITS]

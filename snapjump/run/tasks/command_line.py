@@ -49,9 +49,7 @@ def check_flags(arguments: Sequence[str]) -> None:
 
 def named_plugins(arguments: Sequence[str]) -> list[str]:
     """The folders of ``plugins=<folder>`` or ``plugins=[<folder>,...]``.
-
-    Hydra finds their members when it composes, before any key has a value.
-    """
+    Hydra finds their members when it composes, before any key has a value."""
     found: list[str] = []
     for argument in arguments:
         key, _, value = argument.partition("=")

@@ -10,9 +10,7 @@ from snapjump.declare.fields import construct, settings
 
 def check_complete(config: Mapping[str, Any], simulation: object, **others: Any) -> None:
     """Raise ParameterError for a key that was deleted.
-
-    ``others``: options beside the simulation's, by their groups.
-    """
+    ``others``: options beside the simulation's, by their groups."""
     for group, values in config.items():
         options = others.get(group, getattr(simulation, group, None))
         for key in settings(options) if is_dataclass(options) else ():

@@ -10,11 +10,10 @@ from snapjump.dataset.folder import DatasetFolder, default_path
 from snapjump.dataset.generate import Generation, generate
 from snapjump.dataset.options import SharedDataset
 from snapjump.dataset.read import open_dataset
-from snapjump.dataset.specification import Specification, specify
+from snapjump.dataset.specification import specify
 from snapjump.dataset.statistics import gather
 from snapjump.declare.members import make_member
 from snapjump.executor.base import Executor
-from snapjump.files.lock import FileLock
 from snapjump.files.result_folder import ResultFolder
 from snapjump.run.tasks.base import INTERRUPTED, OK, Outcome, Progress, stretch
 from snapjump.run.tasks.complete import check_complete, whole
@@ -31,20 +30,14 @@ GENERATION_SHARE = 0.95
 class GenerateDataset:
     """Generates what is missing, then looks at all of it."""
 
-    _config: Mapping[str, Any]
-    _options: SharedDataset
-    _specification: Specification
-    _executor: Executor
-    _folder: DatasetFolder
-    _locks: list[FileLock]
     _damaged: Sequence[str] = ()
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         self._config = config
-        self._options = whole(SharedDataset, config.get("dataset"))
+        self._options: SharedDataset = whole(SharedDataset, config.get("dataset"))
         self._specification = specify(config, self._options.shard_size, self._options.sensitivities)
         check_complete(config, self._specification.simulation)
-        self._executor = make_member("executor", config.get("executor")).executor()
+        self._executor: Executor = make_member("executor", config.get("executor")).executor()
         self._executor.check()
         path = self._options.path or default_path(self._specification)
         self._folder = DatasetFolder(Path(path))
@@ -58,15 +51,9 @@ class GenerateDataset:
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         shown = GENERATION_SHARE if self._config["figures"] else 1.0
         try:
-            generation = generate(
-                self._folder,
-                self._specification,
-                self._executor,
-                self._config["backend"],
-                stretch(progress, 0.0, shown),
-                self._options.part,
-                self._options.parts,
-            )
+            work = self._folder, self._specification, self._executor, self._config["backend"]
+            part = self._options.part, self._options.parts
+            generation = generate(*work, stretch(progress, 0.0, shown), *part)
         finally:
             for lock in self._locks:
                 lock.release()

@@ -33,9 +33,7 @@ def execute(
     config: Mapping[str, Any], folder: ResultFolder, command: str, bar: ProgressBar
 ) -> tuple[Outcome, Task | None]:
     """Do one job and leave its files; never raises for what happens inside the task.
-
-    A job with bad input has done nothing and leaves nothing: what becomes of it is the caller's.
-    """
+    A job with bad input has done nothing and leaves nothing: what becomes of it is the caller's."""
     started_at, clock = now(), time.perf_counter()
     task: Task | None = None
     try:

@@ -5,7 +5,7 @@ from typing import Any
 
 from snapjump.files.result_folder import ResultFolder
 from snapjump.learning.export import check_exportable, export
-from snapjump.learning.forward_model import ForwardModel, open_forward_model
+from snapjump.learning.forward_model import open_forward_model
 from snapjump.run.tasks.base import OK, Outcome, Progress
 from snapjump.show.terminal.block import number
 from snapjump.targets.request import checkpoint_path
@@ -16,13 +16,9 @@ FILE = "forward_model.onnx"
 class Export:
     """Reads a checkpoint, writes ONNX, and compares the two."""
 
-    _path: str
-    _seed: int
-    _model: ForwardModel
-
     def prepare(self, config: Mapping[str, Any]) -> None:
         self._path = str(checkpoint_path(config.get("checkpoint")))
-        self._seed = config["seed"]
+        self._seed: int = config["seed"]
         self._model = open_forward_model(self._path)
         check_exportable(self._model, self._path)
 

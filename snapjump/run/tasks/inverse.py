@@ -4,15 +4,14 @@ import math
 import sys
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from snapjump.backend.scalar import ScalarBackend
 from snapjump.checks import ParameterError
-from snapjump.composition import Simulation
 from snapjump.declare.fields import construct
 from snapjump.declare.members import make_member
 from snapjump.files.result_folder import ResultFolder
-from snapjump.inverse.base import Array, InverseOptions, Solution
+from snapjump.inverse.base import InverseOptions, Solution
 from snapjump.results import Result
 from snapjump.robot.design import Design
 from snapjump.run.tasks.base import OK, UNREACHABLE, Outcome, Progress, stretch
@@ -30,9 +29,6 @@ from snapjump.targets.robust import Tolerance, compare
 from snapjump.targets.simulator import differentiable
 from snapjump.targets.warm_up import warm_up
 
-if TYPE_CHECKING:  # bad input is found before torch is loaded
-    from snapjump.learning.forward_model import ForwardModel
-
 # Shares of the progress bar that are done as the search, the simulation and the drawing begin.
 SEARCH, SIMULATION, DRAWING = 0.1, 0.6, 0.8
 DRAWN_POINTS = 81  # of the region in the figure, per control
@@ -41,20 +37,11 @@ DRAWN_POINTS = 81  # of the region in the figure, per control
 class InverseDesign:
     """Decides, searches, simulates what was found, and draws it."""
 
-    _config: Mapping[str, Any]
-    _base: Simulation
-    _method: InverseOptions
-    _tolerance: Tolerance
-    _trained: "ForwardModel"
-    _forward: "ForwardModel | None"
-    _target: Array
-    _warning: str
-
     def prepare(self, config: Mapping[str, Any]) -> None:
         self._config = config
         self._target = request.checked_target(config.get("target"))
-        self._method = make_member("inverse", config.get("inverse"))
-        self._tolerance = construct("tolerance", Tolerance, config.get("tolerance"))
+        self._method: InverseOptions = make_member("inverse", config.get("inverse"))
+        self._tolerance: Tolerance = construct("tolerance", Tolerance, config.get("tolerance"))
         path = request.checkpoint_path(config.get("checkpoint"))
         scene = config["sim"].get("name")
         if scene != "jump":

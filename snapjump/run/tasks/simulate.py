@@ -8,7 +8,7 @@ from snapjump.run.tasks.base import NOT_FINITE, OK, Outcome, Progress, stretch
 from snapjump.run.tasks.complete import check_complete
 from snapjump.show.plots import figures
 from snapjump.show.terminal.scene_report import scene_report
-from snapjump.simulation import Simulation, build, simulate
+from snapjump.simulation import build, simulate
 
 # Share of the progress bar for the simulation; the rest is for drawing.
 SIMULATION_SHARE = 0.6
@@ -16,9 +16,6 @@ SIMULATION_SHARE = 0.6
 
 class Simulate:
     """Builds the scene, simulates it and draws what happened."""
-
-    _config: Mapping[str, Any]
-    _simulation: Simulation
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         self._config = config

@@ -39,14 +39,10 @@ OF_TRAINING = ("task", "surrogate", "training", "tracking", "figures")
 class Train:
     """Trains a surrogate on all of a dataset but the test set, which it is measured on."""
 
-    _config: Mapping[str, Any]
-    _options: SurrogateOptions
-    _data: JumpData
-
     def prepare(self, config: Mapping[str, Any]) -> None:
         self._config = config
         training = whole(Training, config.get("training"))
-        self._options = make_member("surrogate", config.get("surrogate"))
+        self._options: SurrogateOptions = make_member("surrogate", config.get("surrogate"))
         path = dataset_path(config)
         if not path.is_dir():
             allowed = f"a folder with a dataset; make it with: {command_of_dataset()}"
@@ -120,9 +116,7 @@ class Train:
 
 def dataset_path(config: Mapping[str, Any]) -> Path:
     """The folder that is given, or that of the dataset this configuration would make.
-
-    Raises ParameterError.
-    """
+    Raises ParameterError."""
     given: DatasetOptions = whole(DatasetOptions, config.get("dataset"))
     if given.path is not None:
         return Path(given.path)

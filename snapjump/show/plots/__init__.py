@@ -9,7 +9,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from snapjump.show.plots.books import Books, read_books
+from snapjump.show.plots.ledger import Ledger, read_ledger
 from snapjump.show.plots.motion import Motion, read_motion
 
 
@@ -53,21 +53,21 @@ def _pictures(result: Any, film: bool) -> list[tuple[str, Draw]]:
         critical = number(result.summary, "alpha_critical_rad")
         return [(f"{scene}.png", partial(branches_picture, result.arrays, title, critical))]
     chosen: list[tuple[str, Draw]] = []
-    motion, books = read_motion(result), read_books(result)
+    motion, ledger = read_motion(result), read_ledger(result)
     if motion is not None:
         picture = jump_picture if motion.centre is not None else snap_picture
         picture = picture if motion.is_beam else point_picture
         chosen.append((f"{scene}.png", partial(picture, result, motion)))
         if film and motion.is_beam and motion.count > 1:
             chosen.append((f"{scene}.gif", partial(draw_film, result, motion)))
-    if books is not None:
-        chosen.append(("energy.png", partial(energy_picture, books, title, _busy(motion, books))))
+    if ledger is not None:
+        chosen.append(("energy.png", partial(energy_picture, ledger, title, _busy(motion, ledger))))
     return chosen
 
 
-def _busy(motion: Motion | None, books: Books) -> tuple[float, float] | None:
+def _busy(motion: Motion | None, ledger: Ledger) -> tuple[float, float] | None:
     """From the snap to the end of the strike (ms), if that is a part of the run worth a panel."""
-    from snapjump.show.plots.moments import settled, snap_interval
+    from snapjump.show.plots.instants import settled, snap_interval
 
     if motion is None or not motion.is_beam:
         return None
@@ -76,6 +76,6 @@ def _busy(motion: Motion | None, books: Books) -> tuple[float, float] | None:
     pushed = motion.time[motion.push > 2.0]
     end = float(pushed[-1]) if len(pushed) else float(motion.time[settled(motion)])
     room = 0.08 * max(end - begin, 0.0)
-    begin, end = max(begin - room, 0.0), min(end + room, float(books.time[-1]))
-    whole = float(books.time[-1] - books.time[0])
+    begin, end = max(begin - room, 0.0), min(end + room, float(ledger.time[-1]))
+    whole = float(ledger.time[-1] - ledger.time[0])
     return (begin, end) if 0.0 < end - begin < 0.8 * whole else None

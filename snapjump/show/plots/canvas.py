@@ -16,18 +16,8 @@ import numpy as np
 from snapjump.show.plots import palette
 
 COLOURS = (
-    palette.PAPER,
-    palette.GROUND,
-    palette.INK,
-    palette.QUIET,
-    palette.PALE,
-    palette.FRAME,
-    palette.BEAM,
-    palette.SKY,
-    palette.CLAMP,
-    palette.FORCE,
-    palette.CENTRE,
-    palette.SHADE,
+    *(palette.PAPER, palette.GROUND, palette.INK, palette.QUIET, palette.PALE, palette.FRAME),
+    *(palette.BEAM, palette.SKY, palette.CLAMP, palette.FORCE, palette.CENTRE, palette.SHADE),
 )
 
 Point = Any  # x and y, pixels

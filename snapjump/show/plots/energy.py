@@ -1,4 +1,4 @@
-"""energy.png: where the energy is, where it goes, and that the books balance."""
+"""energy.png: stored energies, work and losses against time, and their balance."""
 
 import pathlib
 from typing import Any
@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from snapjump.show.plots import palette
-from snapjump.show.plots.books import Books
+from snapjump.show.plots.ledger import Ledger
 from snapjump.show.plots.saving import picture
 
 # Label, colour and width of each line.
@@ -22,11 +22,11 @@ LINES = {
 
 
 def energy_picture(
-    books: Books, headline: str, window: tuple[float, float] | None, path: pathlib.Path
+    ledger: Ledger, headline: str, window: tuple[float, float] | None, path: pathlib.Path
 ) -> None:
     """Stored energies above, work and losses below; on the right the same, close to `window`."""
-    whole = float(books.time[0]), float(books.time[-1])
-    struck = np.any(books.stored.get("contact", 0.0))
+    whole = float(ledger.time[0]), float(ledger.time[-1])
+    struck = np.any(ledger.stored.get("contact", 0.0))
     close_up = "snap and strike" if struck else "snap"
     zooms = [("whole run", whole)] if window is None else [("whole run", whole), (close_up, window)]
     width = 0.675 if window is None else 0.325
@@ -34,8 +34,8 @@ def energy_picture(
         for place, (title, limits) in enumerate(zooms):
             upper = figure.add_axes((0.075 + 0.35 * place, 0.43, width, 0.46))
             lower = figure.add_axes((0.075 + 0.35 * place, 0.08, width, 0.28))
-            _draw_stored(upper, books)
-            _draw_balance(lower, books)
+            _draw_stored(upper, ledger)
+            _draw_balance(lower, ledger)
             for axes in (upper, lower):
                 axes.grid(True)
                 axes.set_xlim(limits)
@@ -49,42 +49,44 @@ def energy_picture(
                 upper.set_ylabel("stored energy (EI/L)")
                 lower.set_ylabel("work and losses (EI/L)")
         for axes, top in ((upper, 0.89), (lower, 0.36)):
-            _second_scale(axes, books)
+            _second_scale(axes, ledger)
             corner = {"loc": "upper left", "bbox_to_anchor": (0.805, top + 0.015)}
             figure.legend(*axes.get_legend_handles_labels(), handlelength=1.5, **corner)
 
 
-def _draw_stored(axes: Any, books: Books) -> None:
+def _draw_stored(axes: Any, ledger: Ledger) -> None:
     """Each stored energy and their sum."""
-    for name, values in books.stored.items():
+    for name, values in ledger.stored.items():
         label, colour, width = LINES[name]
         if np.any(values):
-            axes.plot(books.time, values, label=label, color=colour, lw=width)
-    axes.plot(books.time, books.total, color=palette.INK, lw=1.6, ls="--", label="total stored")
+            axes.plot(ledger.time, values, label=label, color=colour, lw=width)
+    axes.plot(ledger.time, ledger.total, color=palette.INK, lw=1.6, ls="--", label="total stored")
     axes.axhline(0.0, color=palette.QUIET, lw=0.8, zorder=1)
 
 
-def _draw_balance(axes: Any, books: Books) -> None:
+def _draw_balance(axes: Any, ledger: Ledger) -> None:
     """Work of the clamps, losses, and the balance, which is zero."""
-    if np.any(books.work):
-        axes.plot(books.time, books.work, color=palette.QUIET, lw=2.2, label="work of the clamps")
-    for name, values in books.lost.items():
+    if np.any(ledger.work):
+        axes.plot(ledger.time, ledger.work, color=palette.QUIET, lw=2.2, label="work of the clamps")
+    for name, values in ledger.lost.items():
         label, colour, width = LINES[name]
         if name == "numerical_loss":
             label = f"{label} ({values[-1]:.1g})"
         if np.any(values):
-            axes.plot(books.time, values, label=label, color=colour, lw=width)
-    worst = float(np.max(np.abs(books.balance)))
+            axes.plot(ledger.time, values, label=label, color=colour, lw=width)
+    worst = float(np.max(np.abs(ledger.balance)))
     label = f"balance (within {worst:.0e})"
-    axes.plot(books.time, books.balance, color=palette.INK, lw=1.6, ls=":", label=label, zorder=5)
+    axes.plot(ledger.time, ledger.balance, color=palette.INK, lw=1.6, ls=":", label=label, zorder=5)
 
 
-def _second_scale(axes: Any, books: Books) -> None:
+def _second_scale(axes: Any, ledger: Ledger) -> None:
     """A scale of millijoule, or microjoule, on the right."""
-    name, factor = ("mJ", 1e3) if books.unit_J * np.max(np.abs(books.total)) > 2e-4 else ("µJ", 1e6)
+    name, factor = (
+        ("mJ", 1e3) if ledger.unit_J * np.max(np.abs(ledger.total)) > 2e-4 else ("µJ", 1e6)
+    )
     right = axes.secondary_yaxis(
         "right",
-        functions=(lambda e: e * books.unit_J * factor, lambda e: e / books.unit_J / factor),
+        functions=(lambda e: e * ledger.unit_J * factor, lambda e: e / ledger.unit_J / factor),
     )
     right.spines["right"].set_visible(True)
     axes.text(1.03, 1.02, name, transform=axes.transAxes, va="bottom")

@@ -9,8 +9,8 @@ from snapjump.files.atomic import atomic_file
 from snapjump.show.plots import palette
 from snapjump.show.plots.camera import View, views
 from snapjump.show.plots.canvas import Canvas
+from snapjump.show.plots.instants import settled, snap_interval
 from snapjump.show.plots.jump import apex_of, since_start
-from snapjump.show.plots.moments import settled, snap_interval
 from snapjump.show.plots.motion import Array, Motion, Poses, poses
 from snapjump.show.plots.robot_drawing import arrows, clamp_stubs
 from snapjump.show.plots.trajectory import flight_end

@@ -5,36 +5,32 @@ from typing import Any
 import numpy as np
 
 from snapjump.show.plots import palette
-from snapjump.show.plots.moments import moments, travel
+from snapjump.show.plots.instants import instants, travel
 from snapjump.show.plots.motion import Array, Motion, poses
 from snapjump.show.plots.robot_drawing import arrows, draw_forces, draw_ground, draw_robot
 
 GHOSTS = 5
+ROWS = COLUMNS = 3  # of panels
 ARROW = 0.18  # length in L of the largest force
 Window = tuple[float, float, float, float]  # x, y, width, height in L
 
 
 def draw_filmstrip(
-    figure: Any,
-    motion: Motion,
-    liftoff_ms: float | None,
-    box: tuple[float, float, float, float],
-    shape: tuple[int, int] = (3, 3),
+    figure: Any, motion: Motion, liftoff_ms: float | None, box: tuple[float, float, float, float]
 ) -> None:
     """Fill `box` (left, bottom, width, height of the figure) with panels and one key."""
-    rows, columns = shape
-    chosen = moments(motion, liftoff_ms, rows * columns - 1)
+    chosen = instants(motion, liftoff_ms, ROWS * COLUMNS - 1)
     axes = figure.add_axes(box)
     axes.set_axis_off()
-    tall = box[3] * figure.get_figheight() / rows
-    wide = box[2] * figure.get_figwidth() / columns
+    tall = box[3] * figure.get_figheight() / ROWS
+    wide = box[2] * figure.get_figwidth() / COLUMNS
     window = _window(motion, np.array([index for index, _ in chosen]), 0.96 * wide / (0.86 * tall))
     cell = window[2] / 0.96, window[3] / 0.86
-    axes.set(xlim=(0.0, columns * cell[0]), ylim=(-rows * cell[1], 0.0))
+    axes.set(xlim=(0.0, COLUMNS * cell[0]), ylim=(-ROWS * cell[1], 0.0))
     largest = float(motion.push.max(initial=0.0))
     before = 0
     for place, (index, name) in enumerate(chosen):
-        row, column = divmod(place, columns)
+        row, column = divmod(place, COLUMNS)
         left, top = column * cell[0], -row * cell[1] - 0.12 * cell[1]
         shift = left - window[0], top - window[3] - window[1]
         _draw_panel(axes, motion, before, index, window, shift, largest)
@@ -44,7 +40,7 @@ def draw_filmstrip(
         right = left + window[2]
         axes.text(right, top + 0.015 * cell[1], clock, ha="right", weight="bold", **label)
         before = index
-    row, column = divmod(rows * columns - 1, columns)
+    row, column = divmod(ROWS * COLUMNS - 1, COLUMNS)
     corner = column * cell[0] + 0.06 * cell[0], -row * cell[1] - 0.12 * cell[1]
     _draw_key(axes, motion, largest > 0.0, corner, window)
 

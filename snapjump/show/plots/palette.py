@@ -17,6 +17,12 @@ PLUM = "#7b3294"
 VIOLET = "#cc79a7"
 SKY = "#56b4e9"
 
+# Of curves side by side, told apart as far as their number allows.
+SERIES = (
+    *(BEAM, CENTRE, FORCE, PLUM, CLAMP, SKY, VIOLET, FRAME),
+    *("#8c510a", "#01665e", "#b2182b", "#4d9221", "#999999"),
+)
+
 STYLE: Any = {
     "font.size": 10.5,
     "axes.titlesize": 10.5,

@@ -51,9 +51,7 @@ def draw_robot(
 
 def arrows(motion: Motion, sample: int) -> Array:
     """Forces of the ground (P, 2) as arrows; their lengths go as the root, the largest push's is 1.
-
-    A strike pushes some hundred times harder than the robot's weight: the root shows both.
-    """
+    A strike pushes some hundred times harder than the robot's weight: the root shows both."""
     force = motion.pad_force[sample]
     size = np.hypot(*force.T)[:, None]
     return force / np.sqrt(np.maximum(size, 1e-12) * max(float(motion.push.max()), 1e-12))

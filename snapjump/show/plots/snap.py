@@ -7,8 +7,8 @@ import numpy as np
 
 from snapjump.show.plots import palette
 from snapjump.show.plots.filmstrip import draw_filmstrip
+from snapjump.show.plots.instants import middle_height, settled, snap_interval
 from snapjump.show.plots.jump import headline
-from snapjump.show.plots.moments import middle_height, settled, snap_interval
 from snapjump.show.plots.motion import Motion
 from snapjump.show.plots.saving import picture
 from snapjump.sim.snap import middle_angle

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.plan.parts.axes import Array
+from snapjump.arrays import Array
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import picture
 

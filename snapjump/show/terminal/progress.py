@@ -12,9 +12,7 @@ WIDTH = 30
 
 class ProgressBar:
     """Call it with the share that is done and a word on what is being done.
-
-    It draws only on a terminal, or where SNAPJUMP_PROGRESS=1 asks for it.
-    """
+    It draws only on a terminal, or where SNAPJUMP_PROGRESS=1 asks for it."""
 
     def __init__(
         self,

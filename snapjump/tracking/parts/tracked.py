@@ -46,9 +46,7 @@ def record_folder(tracker: Tracker, folder: ResultFolder, name: str, parent_id: 
 
 def write_children(folder: ResultFolder, children: Sequence[Mapping[str, Any]]) -> None:
     """Leave what is to be recorded below a job's own record.
-
-    Each child has a name, a status, a message, started_at, finished_at, params and metrics.
-    """
+    Each child has a name, a status, a message, started_at, finished_at, params and metrics."""
     write_json(folder.path / CHILDREN, {"children": list(children)})
 
 
@@ -59,9 +57,7 @@ def write_datasets(folder: ResultFolder, datasets: Sequence[DatasetUse]) -> None
 
 def write_curves(folder: ResultFolder, rows: Sequence[Mapping[str, float]]) -> None:
     """Leave numbers against steps as a table; the first column is the step, a whole number.
-
-    Writes no file if there are no rows. A value that is not finite is left out.
-    """
+    Writes no file if there are no rows. A value that is not finite is left out."""
     if rows:
         import pandas as pd
 

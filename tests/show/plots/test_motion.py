@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from snapjump.show.plots.books import Books, read_books
+from snapjump.show.plots.instants import instants, middle_height, snap_interval
 from snapjump.show.plots.jump import apex_of, since_start
-from snapjump.show.plots.moments import middle_height, moments, snap_interval
+from snapjump.show.plots.ledger import Ledger, read_ledger
 from snapjump.show.plots.motion import Motion, poses, read_motion
 from snapjump.show.plots.trajectory import flight_end
 
@@ -21,8 +21,8 @@ def motion_of(result: Any) -> Motion:
     return motion
 
 
-def books_of(result: Any) -> Books:
-    books = read_books(result)
+def books_of(result: Any) -> Ledger:
+    books = read_ledger(result)
     assert books is not None
     return books
 
@@ -70,12 +70,12 @@ def test_moments_are_named_in_order_and_eight(jump):
     motion = motion_of(jump)
     snap = snap_interval(motion)
     assert snap is not None and snap[0] < snap[1]
-    chosen = moments(motion, since_start(jump, "liftoff_time_s"))
+    chosen = instants(motion, since_start(jump, "liftoff_time_s"))
     assert len(chosen) == 8
     assert [index for index, _ in chosen] == sorted({index for index, _ in chosen})
     wanted = ["start", "beam touches", "snap begins", "hardest push", "lift-off"]
     assert [name for _, name in chosen if name] == [*wanted, "in flight"]
-    assert len(moments(motion, None, wanted=3)) >= 3
+    assert len(instants(motion, None, wanted=3)) >= 3
 
 
 def test_only_what_jumped_flies(jump):

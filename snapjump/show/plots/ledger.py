@@ -1,4 +1,4 @@
-"""The books of energy: what is stored, put in, and lost, and whether it adds up."""
+"""The energy ledger: energies that are stored, put in and lost, and their balance."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -13,7 +13,7 @@ WORK = "clamp_work_J"
 
 
 @dataclass(frozen=True)
-class Books:
+class Ledger:
     """Energies in EI/L at K times; names as in the arrays, without unit."""
 
     time: np.ndarray  # (K,) ms from the start
@@ -28,13 +28,13 @@ class Books:
 
     @property
     def balance(self) -> np.ndarray:
-        """Stored less initial less work plus losses: zero if the books balance."""
+        """Stored less initial less work plus losses: zero if they balance."""
         losses = np.sum(list(self.lost.values()), axis=0) if self.lost else 0.0
         return self.total - self.total[0] - self.work + losses
 
 
-def read_books(result: Any) -> Books | None:
-    """The books of a result, without samples that are not finite; None if it keeps none."""
+def read_ledger(result: Any) -> Ledger | None:
+    """The ledger of a result, without samples that are not finite; None if it keeps none."""
     arrays = result.arrays
     names = [name for name in (*STORED, WORK, *LOST) if np.size(arrays.get(name, ())) > 0]
     if "time_s" not in arrays or not any(name in STORED for name in names):
@@ -51,4 +51,4 @@ def read_books(result: Any) -> Books | None:
         return {name[:-2]: columns[name] for name in wanted if name in columns}
 
     work = columns.get(WORK, np.zeros(len(time)))
-    return Books(1e3 * (time - time[0]), pick(STORED), work, pick(LOST), unit)
+    return Ledger(1e3 * (time - time[0]), pick(STORED), work, pick(LOST), unit)

@@ -37,7 +37,7 @@ def snap_interval(motion: Motion) -> tuple[int, int] | None:
     return (int(slow[-1]) + 1 if len(slow) else 0), end
 
 
-def moments(motion: Motion, liftoff_ms: float | None, wanted: int = 8) -> list[tuple[int, str]]:
+def instants(motion: Motion, liftoff_ms: float | None, wanted: int = 8) -> list[tuple[int, str]]:
     """At most `wanted` samples with names (empty for those in between), in order of time."""
     found: dict[int, str] = {0: "start"}
 
