@@ -3,15 +3,15 @@
 import ast
 import re
 import tomllib
-from pathlib import Path
 
 import pytest
+from command_line import ROOT
+from pages import text_of
 
-ROOT = Path(__file__).resolve().parents[2]
-PAGE = (ROOT / "docs" / "architecture.md").read_text()
+PAGE = text_of("docs/architecture.md")
 LIBRARY = ROOT / "snapjump"
 ROOMS = {folder.name for folder in LIBRARY.iterdir() if (folder / "__init__.py").exists()}
-CONTRACT = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["importlinter"]
+CONTRACT = tomllib.loads(text_of("pyproject.toml"))["tool"]["importlinter"]
 LAYERS = [re.split(r" [|:] ", layer) for layer in CONTRACT["contracts"][0]["layers"]]
 WALKS = re.findall(r"\n`([\w.]+)`\n\n((?:\d\. .*\n)+)", PAGE)
 # Folders of tests that are no folder of the library.
