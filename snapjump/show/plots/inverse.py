@@ -19,7 +19,7 @@ WIDTH, HEIGHT, MORE = 15.0, 6.6, 5.2  # inches; MORE: of the row for a robust de
 SAMPLES = 80
 
 
-def inverse_picture(designed: Designed, region: AchievableRegion | None, path: Path) -> None:
+def inverse_picture(designed: Designed, region: AchievableRegion | None, path: Path) -> Path:
     """Region and trajectory, the misses of all designs, the flight to scale; for a robust design
     the distributions of the apex. Without a region (no forward model) only what was simulated."""
     high = HEIGHT if designed.robust is None else HEIGHT + MORE
@@ -48,6 +48,7 @@ def inverse_picture(designed: Designed, region: AchievableRegion | None, path: P
             row = (MORE - 1.2) / high
             draw_scatter(figure.add_axes((0.05, 0.6 / high, 0.36, row)), designed)
             draw_misses(figure.add_axes((0.475, 0.6 / high, 0.36, row)), designed)
+    return path
 
 
 def headline(designed: Designed) -> str:
