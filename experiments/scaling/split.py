@@ -6,6 +6,7 @@ example, that of the assembly with it and without.
 
 import statistics
 import time
+import timeit
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
@@ -74,11 +75,7 @@ def iterate_often(
 
 def typical(call: Callable[[int], object], count: int) -> float:
     """Microseconds of a core for one of ``count`` calls: the median of several times."""
-    times = []
-    for _ in range(REPEATS):
-        begun = time.thread_time()
-        call(count)
-        times.append(time.thread_time() - begun)
+    times = timeit.repeat(lambda: call(count), timer=time.thread_time, number=1, repeat=REPEATS)
     return 1e6 * statistics.median(times) / count
 
 

@@ -18,7 +18,7 @@ from snapjump.scenes.frame_body import compression
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 
-class Simulator:
+class ShardSimulator:
     """Simulates any stretch of a plan.
 
     Its thresholds come from one curve over the plan's pre-compressions, the same for every shard;

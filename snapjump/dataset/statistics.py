@@ -10,7 +10,7 @@ import numpy as np
 from snapjump.arrays import Array
 from snapjump.dataset.columns import APEX
 from snapjump.dataset.read import Dataset
-from snapjump.plan.parts.axes import Axis, Range
+from snapjump.plan.parts.axes import Axis
 
 KNOWN = ("ok", "no_jump")  # statuses with an apex
 FEWEST_BINS, MOST_BINS = 5, 24
@@ -63,16 +63,12 @@ class Statistics:
 def bin_edges(axes: Sequence[Axis], plan: dict[str, Any], rows: int) -> Array:
     """Bins of each input (I, B + 1): one a value of a grid, if these are not too many."""
     points = plan.get("points", MOST_BINS + 1)
-    if points <= MOST_BINS:
-        return np.array([_around(axis.range, points) for axis in axes])
-    bins = int(np.clip(np.sqrt(rows) / 3.0, FEWEST_BINS, MOST_BINS))
     low, high = np.array([axis.range for axis in axes]).T
+    if points <= MOST_BINS:
+        half = 0.5 * (high - low) / (points - 1)
+        return np.linspace(low - half, high + half, points + 1, axis=1)
+    bins = int(np.clip(np.sqrt(rows) / 3.0, FEWEST_BINS, MOST_BINS))
     return np.linspace(low, high, bins + 1, axis=1)
-
-
-def _around(limits: Range, points: int) -> Array:
-    half = 0.5 * (limits[1] - limits[0]) / (points - 1)
-    return np.linspace(limits[0] - half, limits[1] + half, points + 1)
 
 
 def outcome_levels(dataset: Dataset) -> Array:

@@ -10,7 +10,7 @@ from snapjump.checks import ParameterError
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.sealed import canonical
 from snapjump.dataset.shard import Entry, write_shard
-from snapjump.dataset.simulate import Simulator
+from snapjump.dataset.simulate import ShardSimulator
 from snapjump.dataset.specification import Specification, restored
 from snapjump.declare.plugins import load_plugins
 from snapjump.declare.scenes import Progress
@@ -49,6 +49,6 @@ def make_shard(job: Mapping[str, Any], progress: Progress | None) -> Entry:
 
 
 @functools.lru_cache(maxsize=1)
-def prepared(specification: str, backend: str) -> Simulator:
+def prepared(specification: str, backend: str) -> ShardSimulator:
     """The simulator that all shards of a dataset share, kept from one to the next."""
-    return Simulator(restored(json.loads(specification), json.loads(backend)))
+    return ShardSimulator(restored(json.loads(specification), json.loads(backend)))

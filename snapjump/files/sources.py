@@ -54,7 +54,10 @@ def plugin_files() -> list[Source]:
 def combined_hash(sources: Iterable[Source], *more: str) -> str:
     """A hash of names and of what the files say, in any order, and of more; 64 hex digits."""
     sources = list(sources)
-    _look_at(source.path for source in sources)
+    unseen = [source.path for source in sources if source.path not in _seen]
+    if unseen:
+        with kept_hashes() as file_hash:
+            _seen.update((path, file_hash(path)) for path in unseen)
     digest = hashlib.sha256("\0".join(more).encode())
     for name, found in sorted((source.name, _seen[source.path]) for source in sources):
         digest.update(f"\0{name}\0{found}".encode())
@@ -65,10 +68,3 @@ def forget(folder: Path) -> None:
     """Have the files below a folder hashed anew: what was imported from them is again, too."""
     for path in [path for path in _seen if path.is_relative_to(folder)]:
         del _seen[path]
-
-
-def _look_at(paths: Iterable[Path]) -> None:
-    unseen = [path for path in paths if path not in _seen]
-    if unseen:
-        with kept_hashes() as file_hash:
-            _seen.update((path, file_hash(path)) for path in unseen)

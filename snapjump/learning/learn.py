@@ -84,7 +84,10 @@ def learn(
         "dataset_sha256": data.dataset.sha256,
         "seed": data.seed,
     }
-    digest = sha256_of({**determined, "sources": _sources(group["name"])})[:DIGITS]
+    names = (*DETERMINES, f"surrogate/{group['name']}.py")
+    files = (*package_files(), *plugin_files())
+    sources = combined_hash(source for source in files if source.name in names)
+    digest = sha256_of({**determined, "sources": sources})[:DIGITS]
     folder = place / f"{group['name']}-{digest}"
     folder.mkdir(parents=True, exist_ok=True)
     lock = FileLock(folder / ".lock")
@@ -153,9 +156,3 @@ def _finished(folder: Path) -> Learned | None:
     if kept is None:
         return None
     return Learned(folder / FORWARD_MODEL, *found, kept["curves"], kept=True)
-
-
-def _sources(surrogate: str) -> str:
-    names = (*DETERMINES, f"surrogate/{surrogate}.py")
-    files = (*package_files(), *plugin_files())
-    return combined_hash(source for source in files if source.name in names)

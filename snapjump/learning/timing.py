@@ -1,6 +1,6 @@
 """Time of a prediction."""
 
-import time
+import timeit
 from collections.abc import Callable
 
 import numpy as np
@@ -10,10 +10,5 @@ WARM_UP, CALLS = 20, 300
 
 def microseconds(ask: Callable[[], object]) -> float:
     """Median time of a call, in us, after some that do not count."""
-    times = []
-    for call in range(WARM_UP + CALLS):
-        started = time.perf_counter()
-        ask()
-        if call >= WARM_UP:
-            times.append(time.perf_counter() - started)
-    return 1e6 * float(np.median(times))
+    times = timeit.repeat(ask, number=1, repeat=WARM_UP + CALLS)
+    return 1e6 * float(np.median(times[WARM_UP:]))

@@ -1,12 +1,11 @@
 """``sim=jump``: the whole jump: snap, strike, lift-off and ballistic apex."""
 
 import time
-from functools import partial
 from typing import Any
 
 from snapjump.composition import Simulation
 from snapjump.declare.fields import Need, number
-from snapjump.engine.recorder.trajectory import TrajectoryRecorder, make_recorder
+from snapjump.engine.recorder.trajectory import make_recorder
 from snapjump.results import Result
 from snapjump.scenes.card_march import check_backend
 from snapjump.scenes.jump_march import jump_march, jumped, no_recorder
@@ -54,7 +53,9 @@ class Jump(SceneOptions):
         check_backend(simulation)
         begun = time.perf_counter()
         model, alone = jump_model(simulation), simulation.backend.one_at_a_time
-        recorder = partial(trajectory_recorder, simulation) if alone else no_recorder
+        time_s = simulation.robot.scales.time_s
+        times = self.time_limit_s / time_s, self.sample_interval_s / time_s
+        recorder = (lambda size: make_recorder(size, *times)) if alone else no_recorder
         march = jump_march([simulation], [model], recorder=recorder, lanes=simulation.backend.width)
         march.find_starts()
         outcomes = jumped(march, progress)
@@ -62,9 +63,3 @@ class Jump(SceneOptions):
         outputs = kind(simulation, begun, *outcomes, march.kernel_seconds)
         recorded = alone and march.recorder.filled[0] > 0
         return outputs.result(trajectory_arrays(simulation, model, march) if recorded else {})
-
-
-def trajectory_recorder(simulation: Simulation, coordinates: int) -> TrajectoryRecorder:
-    """The recorder of a jump's states."""
-    scene, time_s = simulation.sim, simulation.robot.scales.time_s
-    return make_recorder(coordinates, scene.time_limit_s / time_s, scene.sample_interval_s / time_s)

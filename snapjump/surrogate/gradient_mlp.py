@@ -41,13 +41,7 @@ class GradientMlp(MassScaled):
         designs = rows.designs.clone().requires_grad_()
         apexes = self(designs)
         values = ((apexes - rows.apexes) / self.spread).abs().mean()
-        slopes = torch.stack(
-            [
-                torch.autograd.grad(apexes[:, i].sum(), designs, create_graph=True)[0]
-                for i in range(OUTPUTS)
-            ],
-            dim=1,
-        )
+        slopes = self.slopes(apexes, designs, create_graph=True)
         known = torch.isfinite(rows.slopes)
         # What a standard deviation of a scaled input is in the design's own unit; d log(m) = dm/m.
         strides = self.inputs.deviation.repeat(len(designs), 1)

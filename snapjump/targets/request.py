@@ -23,13 +23,10 @@ FARTHEST_BAR = 1.0e6
 def checked_target(value: Any) -> Array:
     """A target (2,). Raises ParameterError for what is no point above the ground."""
     allowed = f"[x, y] of an apex in L: two numbers, y >= 0, none beyond {FARTHEST_BAR:g}"
-    if not isinstance(value, Sequence) or isinstance(value, str) or len(value) != 2:
-        raise ParameterError("target", value, allowed)
-    x, y = value
-    if not (is_finite_number(x) and is_finite_number(y)):
-        raise ParameterError("target", list(value), allowed)
-    if not (abs(x) <= FARTHEST_BAR and 0.0 <= y <= FARTHEST_BAR):
-        raise ParameterError("target", list(value), allowed)
+    pair = isinstance(value, Sequence) and not isinstance(value, str) and len(value) == 2
+    numbers = pair and all(map(is_finite_number, value))
+    if not numbers or not (abs(value[0]) <= FARTHEST_BAR and 0.0 <= value[1] <= FARTHEST_BAR):
+        raise ParameterError("target", list(value) if pair else value, allowed)
     return np.array(value, dtype=float)
 
 

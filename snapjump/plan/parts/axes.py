@@ -102,9 +102,8 @@ def check_end(simulation: Any, path: str, end: float, key: str, limits: Range) -
 def checked_range(key: str, given: Any) -> Range:
     """Low and high as floats. Raises ParameterError."""
     allowed = "two numbers [low, high], low below high"
-    if not isinstance(given, (list, tuple)) or len(given) != 2:
-        raise ParameterError(key, given, allowed)
-    if not all(is_finite_number(value) for value in given) or not given[0] < given[1]:
+    pair = isinstance(given, (list, tuple)) and len(given) == 2
+    if not (pair and all(map(is_finite_number, given)) and given[0] < given[1]):
         raise ParameterError(key, given, allowed)
     return float(given[0]), float(given[1])
 

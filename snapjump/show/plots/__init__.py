@@ -44,13 +44,13 @@ def _pictures(result: Any, film: bool) -> list[tuple[str, Draw]]:
     from snapjump.show.plots.branches import branches_picture
     from snapjump.show.plots.energy import energy_picture
     from snapjump.show.plots.film import draw_film
-    from snapjump.show.plots.jump import headline, jump_picture, number
+    from snapjump.show.plots.jump import finite_number, headline, jump_picture
     from snapjump.show.plots.point import point_picture
     from snapjump.show.plots.snap import snap_picture
 
     title, scene = headline(result), result.simulation.sim.name
     if any(name.startswith(("branch_", "shapes_")) for name in result.arrays):
-        critical = number(result.summary, "alpha_critical_rad")
+        critical = finite_number(result.summary, "alpha_critical_rad")
         return [(f"{scene}.png", partial(branches_picture, result.arrays, title, critical))]
     chosen: list[tuple[str, Draw]] = []
     motion, ledger = read_motion(result), read_ledger(result)

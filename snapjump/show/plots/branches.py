@@ -21,7 +21,7 @@ SHAPE_COLOURS = (palette.BEAM, palette.FORCE, palette.CENTRE, palette.CLAMP, pal
 
 def branches_picture(
     arrays: dict[str, Any], headline: str, critical_rad: float | None, path: pathlib.Path
-) -> pathlib.Path:
+) -> None:
     """Draw those of the three panels that there are arrays for.
 
     ``branch_*`` are 1-D, ``branch_number`` telling which branch a point belongs to;
@@ -37,7 +37,6 @@ def branches_picture(
         if "shapes_x_bar" in arrays:
             box = (0.57, 0.11, 0.41, 0.33) if curves else (0.07, 0.11, 0.9, 0.76)
             _draw_shapes(figure.add_axes(box), arrays)
-    return path
 
 
 def stable_runs(number: Any, negative: Any) -> Iterator[tuple[slice, bool]]:

@@ -61,12 +61,8 @@ def draw_status(
     with picture(path, (WIDTH, page.height), title) as figure:
         _heading(figure, page.up(0.88), "Jumps by status")
         _bars(figure.add_axes(page.place(0.16, 0.61, 0.8, 0.24)), statistics, statuses)
-        _heading(
-            figure,
-            page.up(0.51),
-            "Over each pair of inputs: jumps that failed or estimate a larger error than their "
-            "accuracy tier promises",
-        )
+        doubted = "jumps that failed or estimate a larger error than their accuracy tier promises"
+        _heading(figure, page.up(0.51), f"Over each pair of inputs: {doubted}")
         maps = [statistics.marked_percent(pair) for pair in range(len(statistics.pairs))]
         places = page.maps(len(maps), 0.11, 0.34)
         _maps(figure, statistics, maps, places, ("share of jumps (%)", MARKED), 0.0)
@@ -118,11 +114,9 @@ def _bars(axes: Any, statistics: Statistics, statuses: Mapping[str, int]) -> Non
     rows.append(("ok, larger error", doubtful, palette.CLAMP))
     rows.append(("ok, as promised", max(0, statuses.get("ok", 0) - doubtful), palette.CENTRE))
     counts = [count for _, count, _ in rows]
-    axes.barh(range(len(rows)), counts, color=[colour for *_, colour in rows], height=0.6)
-    axes.set_yticks(range(len(rows)), [name for name, *_ in rows])
-    axes.set_ylim(min(-0.6, len(rows) - 4.5), len(rows) - 0.4)
-    axes.set_xscale("log")
-    axes.set_xlim(0.5, 5.0 * max(counts))
+    axes.barh([name for name, *_ in rows], counts, color=[one for *_, one in rows], height=0.6)
+    axes.set(ylim=(min(-0.6, len(rows) - 4.5), len(rows) - 0.4))
+    axes.set(xscale="log", xlim=(0.5, 5.0 * max(counts)))
     axes.xaxis.set_major_formatter("{x:,.0f}")
     axes.grid(True, axis="x")
     for place, count in enumerate(counts):
@@ -143,10 +137,9 @@ def _spread(axes: Any, statistics: Statistics, outcome: int, axis: int) -> None:
     axes.fill_between(middles, lowest, highest, color=colour, alpha=0.15, lw=0)
     axes.fill_between(middles, low, high, color=colour, alpha=0.3, lw=0)
     axes.plot(middles, median, "o-", color=colour, lw=2.0, ms=3.5)
-    axes.set_xlim(edges[0], edges[-1])
+    axes.set(xlim=(edges[0], edges[-1]), ylim=_shown(statistics, outcome))
     axes.locator_params(axis="x", nbins=4)
     axes.ticklabel_format(axis="x", scilimits=SHORT_NUMBERS)
-    axes.set_ylim(*_shown(statistics, outcome))
     axes.grid(True)
 
 
@@ -159,11 +152,9 @@ def _distribution(axes: Any, statistics: Statistics, outcome: int) -> None:
     middles = 0.5 * (levels[1:] + levels[:-1])
     share, _ = np.histogram(middles, edges, weights=counts)
     share = 100.0 * share / max(counts.sum(), 1.0) / (edges[1] - edges[0])
-    axes.stairs(
-        share, edges, orientation="horizontal", fill=True, color=COLOURS[outcome], alpha=0.5
-    )
-    axes.set_ylim(low, high)
-    axes.set_xlim(left=0.0)
+    look = {"fill": True, "color": COLOURS[outcome], "alpha": 0.5}
+    axes.stairs(share, edges, orientation="horizontal", **look)
+    axes.set(xlim=(0.0, None), ylim=(low, high))
     axes.grid(True)
 
 

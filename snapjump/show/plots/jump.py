@@ -10,7 +10,7 @@ from snapjump.show.plots.saving import picture
 from snapjump.show.plots.trajectory import draw_trajectory
 
 
-def number(summary: dict[str, Any], key: str) -> float | None:
+def finite_number(summary: dict[str, Any], key: str) -> float | None:
     """A finite number of a summary, or None."""
     value = summary.get(key)
     return value if is_finite_number(value) else None
@@ -18,7 +18,7 @@ def number(summary: dict[str, Any], key: str) -> float | None:
 
 def since_start(result: Any, key: str) -> float | None:
     """A time of the summary in ms after the first sample, or None."""
-    value = number(result.summary, key)
+    value = finite_number(result.summary, key)
     times = result.arrays.get("time_s", ())
     return None if value is None or len(times) == 0 else 1e3 * (value - float(times[0]))
 
@@ -27,7 +27,7 @@ def apex_of(result: Any) -> tuple[float, float] | None:
     """The apex in L, or None if the robot did not jump."""
     if result.status != "ok":
         return None
-    x, y = number(result.summary, "x_bar"), number(result.summary, "y_bar")
+    x, y = finite_number(result.summary, "x_bar"), finite_number(result.summary, "y_bar")
     return None if x is None or y is None else (x, y)
 
 

@@ -45,9 +45,9 @@ def point_picture(result: Any, motion: Motion, path: pathlib.Path) -> None:
             axes = figure.add_axes((0.09, 0.94 - (place + 1) * height, 0.89, 0.86 * height))
             for values, colour, name in curves:
                 axes.plot(motion.time, values, color=colour, lw=2.0, label=name)
-            axes.set_ylabel(label)
+            last = max(motion.time[-1], motion.time[0] + 1e-9)
+            axes.set(ylabel=label, xlim=(motion.time[0], last))
             axes.grid(True)
-            axes.set_xlim(motion.time[0], max(motion.time[-1], motion.time[0] + 1e-9))
             if curves[0][2]:
                 axes.legend(loc="best")
             if place < len(rows) - 1:

@@ -64,8 +64,7 @@ def _descent(axes: Any, curves: Sequence[Mapping[str, float]]) -> None:
     axes.plot(epochs, validation, color=palette.CENTRE, label="validation MAE (L)")
     best = int(np.argmin(validation))
     axes.plot(epochs[best], validation[best], "o", color=palette.CENTRE, ms=5)
-    axes.set_yscale("log")
-    axes.set_xlabel("epoch")
+    axes.set(yscale="log", xlabel="epoch")
     axes.grid(True)
     rate = axes.twinx()
     rates = [row["learning_rate"] for row in curves]
@@ -85,9 +84,9 @@ def _parity(axes: Any, simulated: Array, predicted: Array, i: int) -> None:
     axes.plot(ends, ends, color=palette.PALE, lw=6.0)
     axes.plot(simulated[some], predicted[some], ".", ms=2.5, color=COLOURS[i])
     residual = ((predicted - simulated) ** 2).sum() / ((simulated - simulated.mean()) ** 2).sum()
+    name = f"${NAMES[i]} / L$"
+    axes.set(xlabel=f"simulated {name}", ylabel=f"predicted {name}")
     axes.set_title(f"{NAMES[i]}:  $1 - R^2$ = {residual:.1e}")
-    axes.set_xlabel(f"simulated ${NAMES[i]} / L$")
-    axes.set_ylabel(f"predicted ${NAMES[i]} / L$")
     axes.grid(True)
 
 
@@ -99,9 +98,8 @@ def _histogram(axes: Any, errors: Array) -> None:
         counts, _ = np.histogram(errors[:, i], edges)
         axes.stairs(100.0 * counts / len(errors), edges, color=COLOURS[i], label=NAMES[i], lw=1.4)
     axes.set_title(f"errors; largest {np.abs(errors).max():.2g} L")
-    axes.set_xlabel("predicted less simulated (L)")
+    axes.set(xlabel="predicted less simulated (L)", ylabel="share of jumps (%)")
     axes.locator_params(axis="x", nbins=4)
-    axes.set_ylabel("share of jumps (%)")
     axes.grid(True)
     axes.legend(loc="upper right")
 
