@@ -10,7 +10,7 @@ from snapjump.engine import clock as c
 from snapjump.engine import outcome as outcomes
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.centre_of_mass import centre_of_mass
-from snapjump.engine.differentiate import place_ends_at, motion_of
+from snapjump.engine.differentiate import motion_of, place_ends_at
 from snapjump.engine.march import march
 from snapjump.engine.model import with_numbers
 from snapjump.engine.stage import begin_stage, keep_stage, stage_motion
