@@ -10,7 +10,7 @@ from snapjump.engine import clock as c
 from snapjump.engine import outcome as outcomes
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.centre_of_mass import centre_of_mass
-from snapjump.engine.differentiate import hold_ends, motion_of
+from snapjump.engine.differentiate import motion_of, place_ends_at
 from snapjump.engine.march import march
 from snapjump.engine.model import with_numbers
 from snapjump.engine.stage import begin_stage, keep_stage, stage_motion
@@ -69,7 +69,7 @@ def linearise(
             twin.state[i] = constant(memory.state[i, 0])
         for k in range(count):
             tangent.state[0, first + k, 4 + k] = 1.0
-        hold_ends(model, plain.time, twin)
+        place_ends_at(model, plain.time, twin)
         assemble(model, motion, masses, twin)
         for i in range(size):
             row = tangent.frame_residual[0, i] if i < 3 else tangent.residual[0, i - 3]
