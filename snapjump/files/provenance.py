@@ -13,7 +13,7 @@ from snapjump.files.sources import PACKAGE, combined_hash, package_files, plugin
 
 PACKAGES = (
     *("snapjump", "numpy", "scipy", "numba", "llvmlite", "hydra-core", "omegaconf"),
-    *("mlflow", "matplotlib", "pyarrow", "torch"),
+    *("mlflow", "matplotlib", "pyarrow", "torch", "pytorch-lightning"),
 )
 # Packages that only show, keep or ask for results: a change in them changes no number.
 NOT_PHYSICS = ("executor", "files", "run", "show", "tracking")

@@ -1,11 +1,12 @@
 """The jumps of a dataset in memory: split by a seed, and handed out in batches that grow."""
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
+from pytorch_lightning import LightningDataModule
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.columns import APEX, slope_columns
@@ -71,11 +72,12 @@ class Batches:
             yield Rows(*(part[chosen] for part in self.rows))
 
 
-class JumpData:
+class JumpData(LightningDataModule):
     """``train``, ``validation`` and ``test`` rows of a dataset, by a seed.
     Raises ParameterError for a dataset that has too few jumps that are ok."""
 
     def __init__(self, dataset: Dataset, training: Training, seed: int):
+        super().__init__()
         self.dataset, self.training, self.seed = dataset, training, seed
         rows = read_rows(dataset)
         if not len(rows.designs):
@@ -86,9 +88,18 @@ class JumpData:
             Rows(*(values[part] for values in rows)) for part in parts
         )
 
-    def batches(self, epoch: int) -> Batches:
-        """The training set in an order, and perhaps a size of batches, of the epoch's own."""
+    def train_dataloader(self) -> Batches:
+        """The batches of the trainer's epoch: another order, and perhaps size, in each."""
+        epoch = 0 if self.trainer is None else self.trainer.current_epoch
         return Batches(self.train, self.training.batch_size(epoch), (self.seed, epoch))
+
+    def val_dataloader(self) -> Batches:
+        """The validation set."""
+        return Batches(self.validation, WHOLE)
+
+    def transfer_batch_to_device(self, batch: Rows, device: Any, dataloader_idx: int) -> Rows:
+        """It is where it belongs."""
+        return batch
 
 
 def read_rows(dataset: Dataset) -> Rows:

@@ -13,8 +13,8 @@ import torch
 
 from snapjump.checks import ParameterError
 from snapjump.files.atomic import write_bytes
-from snapjump.learning.fit import torch_threads
 from snapjump.learning.forward_model import ForwardModel
+from snapjump.learning.threads import torch_threads
 from snapjump.learning.timing import microseconds
 
 INPUT, OUTPUT = "designs", "apexes"

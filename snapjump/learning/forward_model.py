@@ -16,7 +16,7 @@ from snapjump.composition import Simulation
 from snapjump.dataset.specification import first_difference
 from snapjump.declare.inputs import PARTS
 from snapjump.learning.checkpoint import read_checkpoint
-from snapjump.learning.fit import torch_threads
+from snapjump.learning.threads import torch_threads
 from snapjump.plan.parts.axes import Range, recorded_axes
 from snapjump.surrogate.base import Surrogate
 

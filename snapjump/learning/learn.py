@@ -27,8 +27,9 @@ from snapjump.learning.checkpoint import (
     write_checkpoint,
 )
 from snapjump.learning.data import RULE, JumpData
-from snapjump.learning.fit import STATE, Fitted, descend, torch_threads
+from snapjump.learning.fit import STATE, Fitted, descend
 from snapjump.learning.measures import measures
+from snapjump.learning.threads import torch_threads
 from snapjump.surrogate.base import Surrogate, SurrogateOptions
 
 DEFAULT = Path("outputs/training")
@@ -36,7 +37,8 @@ DIGITS = 16
 FORWARD_MODEL, CURVES = "forward_model.safetensors", "curves.json"
 # The modules that determine the weights, beside that of the surrogate and the dataset.
 DETERMINES = (
-    *("learning/data.py", "learning/fit.py", "learning/training.py"),
+    *("learning/data.py", "learning/fit.py", "learning/keeper.py"),
+    *("learning/lightning_module.py", "learning/training.py"),
     *("surrogate/base.py", "surrogate/parts/layers.py"),
 )
 PARTS = ("train", "validation", "test")  # of the jumps

@@ -61,10 +61,10 @@ def test_the_rows_are_the_dataset_s(jump_set):
 
 def test_batches_are_all_rows_once_in_an_order_of_seed_and_epoch(jump_set):
     found = jump_set()
-    batches = found.batches(0)
+    batches = found.train_dataloader()
     assert isinstance(batches, Batches) and len(batches) == len(list(batches)) == 18
     first = torch.cat([rows.designs for rows in batches])
-    again = torch.cat([rows.designs for rows in found.batches(0)])
+    again = torch.cat([rows.designs for rows in found.train_dataloader()])
     assert torch.equal(first, again) and not torch.equal(first, found.train.designs)
     assert torch.equal(first.sort(dim=0).values, found.train.designs.sort(dim=0).values)
     other = torch.cat([rows.designs for rows in Batches(found.train, 16, (0, 1))])

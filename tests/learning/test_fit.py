@@ -9,7 +9,7 @@ from forward_models import RESNET
 from small_datasets import silent
 
 from snapjump.declare.members import make_member
-from snapjump.learning import fit as fitting
+from snapjump.learning import keeper
 from snapjump.learning.data import JumpData
 from snapjump.learning.fit import STATE, Fitted, descend
 from snapjump.learning.training import Training
@@ -58,7 +58,7 @@ def equal(one: Surrogate, other: Surrogate) -> bool:
 @pytest.fixture
 def every_epoch(monkeypatch) -> None:
     """States are saved after each epoch."""
-    monkeypatch.setattr(fitting, "SAVE_EVERY_S", 0.0)
+    monkeypatch.setattr(keeper, "SAVE_EVERY_S", 0.0)
 
 
 def test_it_learns_and_says_how_far_it_is(jump_set, tmp_path):
