@@ -2,8 +2,8 @@
 
 ``base.py`` has the contract, every other file one class of options, a
 :class:`~snapjump.declare.fields.Part` of that group, and ``parts`` what they are made of. Where the
-package says ``NUMBERS_ALONE`` a file of numbers, ``<name>.yaml``, is a member, which the contract's
-``of_numbers`` makes.
+package names a module as ``NUMBERS_ALONE`` a file of numbers, ``<name>.yaml``, is a member, which
+that module's ``of_numbers`` makes.
 """
 
 from collections.abc import Mapping
@@ -58,8 +58,9 @@ def class_in(family: str, name: str) -> type[Part]:
 
 def of_numbers(family: str, name: str, values: Mapping[str, Any], **changes: Any) -> Part:
     """A member that is numbers alone. Raises ParameterError."""
-    base = import_module(f"snapjump.{family}.{BASE}")
-    member: Part = base.of_numbers(name, {**values, **changes})
+    package = import_module(f"snapjump.{family}")
+    module = import_module(f"snapjump.{family}.{package.NUMBERS_ALONE}")
+    member: Part = module.of_numbers(name, {**values, **changes})
     return member
 
 

@@ -12,10 +12,9 @@ last one becomes slot 0 of the next step), and a scheme may keep a slot of histo
 An explicit scheme has one stage, whose position is known and whose forces are only evaluated.
 """
 
-from collections.abc import Mapping
 from typing import Any, ClassVar, NamedTuple
 
-from snapjump.declare.fields import Part, construct
+from snapjump.declare.fields import Part
 from snapjump.number.methods import Contract, required
 
 
@@ -108,11 +107,3 @@ class IntegratorOptions(Part):
     @required
     def scheme(self) -> Any:
         """The scheme for the kernels: a member of :class:`TimeIntegrator`."""
-
-
-def of_numbers(name: str, values: Mapping[str, Any]) -> IntegratorOptions:
-    """A member that is a file of numbers alone: a Runge-Kutta method by its tableau."""
-    from snapjump.integrator.parts.runge_kutta import RungeKutta
-
-    method: IntegratorOptions = construct("integrator", RungeKutta, values).changed(method=name)
-    return method

@@ -1,6 +1,6 @@
 """Options of Runge-Kutta methods: each is a YAML file in ``snapjump/integrator``."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from snapjump.checks import ParameterError, check_number
-from snapjump.declare.fields import hidden, integer, number
+from snapjump.declare.fields import construct, hidden, integer, number
 from snapjump.integrator.base import IntegratorOptions
 from snapjump.integrator.parts.dirk import Tableau
 from snapjump.integrator.parts.quadrature_dirk import QuadratureTableau
@@ -140,3 +140,9 @@ def checked_rows(rows: Any) -> Rows:
     if len(diagonal) > 1 or min(diagonal) <= 0.0:
         raise ParameterError(key, sorted(diagonal), "one positive number on the diagonal")
     return checked
+
+
+def of_numbers(name: str, values: Mapping[str, Any]) -> IntegratorOptions:
+    """A member that is a file of numbers alone: a Runge-Kutta method by its tableau."""
+    method: IntegratorOptions = construct("integrator", RungeKutta, values).changed(method=name)
+    return method
