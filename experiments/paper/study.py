@@ -188,8 +188,8 @@ def duration(done: Mapping[str, Done]) -> str:
     return f"The {len(done)} computations behind them took {seconds / 60.0:.0f} minutes in all."
 
 
-# Modules that say what was found, draw it and judge it: no row depends on them.
-TOLD = re.compile(r"experiments\.paper\.(\w+\.(words|figure)|limits)")
+# Modules that say what was found, draw it and judge it: no row depends on them, nor on words.md.
+TOLD = re.compile(r"experiments\.paper\.((\w+\.)?words|\w+\.figure|limits)")
 
 
 def row_sources(part: Part) -> list[Source]:
