@@ -69,6 +69,12 @@ def listed(values: Iterable[float], how: str = "g") -> str:
     return ", ".join(f"{value:{how}}" for value in values)
 
 
+def span(values: Iterable[float]) -> tuple[float, float]:
+    """The least and the largest."""
+    all_of_them = [*values]
+    return min(all_of_them), max(all_of_them)
+
+
 def statement_rows(statements: Sequence[Statement]) -> list[Row]:
     """The table of statements, numbered in their order."""
     return [

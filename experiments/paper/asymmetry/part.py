@@ -10,7 +10,7 @@ import numpy as np
 
 from experiments.arches.swings import snap_groups, snap_of
 from experiments.paper.asymmetry.figure import draw_asymmetry
-from experiments.paper.base import Found, Part, listed, weakest
+from experiments.paper.base import Found, Part, listed, span, weakest
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import RANGES
 from experiments.paper.words import Words
@@ -193,8 +193,8 @@ def told(
         "high": high,
         "misfit_percent": 100.0 * max(o.misfit for laws in found.values() for o in laws.values()),
         "beyond": SMALLEST_DESIGN_RAD / max(one.threshold_rad for one in own.values()),
-        "faster": (min(faster), max(faster)),
-        "freely": (min(freely), max(freely)),
+        "faster": span(faster),
+        "freely": span(freely),
         "first": first,
         "later": rows[0]["theta_later_rad"] / low,
         "slope": own[first].slope,
