@@ -97,7 +97,7 @@ def prose(text: str) -> str:
 
 def paragraphs(text: str) -> list[str]:
     """Paragraphs, between which there are empty lines."""
-    return [prose(one) for one in text.split("\n\n")]
+    return [prose(one) for one in text.split("\n\n") if one.strip()]
 
 
 # Of jumps that ended as jumps do.
