@@ -31,7 +31,7 @@ from snapjump.run.studies.study import Study
 from snapjump.show.terminal.block import markdown_table
 from snapjump.tiers import TIERS
 
-# In the order of the report; a new one is a folder and a name here.
+# In the order of the report; a new one is a folder, with its words.md, and a name here.
 PARTS: dict[str, type[Part]] = {
     part.name: part
     for part in (Bifurcation, ReleasedEnergy, Snaps, Asymmetry, Trajectories, Influences, Causes,

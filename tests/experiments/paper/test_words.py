@@ -1,9 +1,12 @@
 """Words: texts under headings in ``words.md``, filled with values; what is missing is told."""
 
+import re
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
+from experiments.paper import words as module
 from experiments.paper.base import CONFIRMED
 from experiments.paper.words import Words
 
@@ -76,3 +79,13 @@ def test_a_missing_value_is_told_with_file_and_heading(words, values, told):
 def test_a_missing_heading_is_told_with_the_file(words):
     with pytest.raises(KeyError, match="jumps/words.md has no heading '# depth: found'"):
         words("depth: found")
+
+
+@pytest.mark.parametrize(
+    "file",
+    sorted(Path(module.__file__).parent.rglob("words.md")),
+    ids=lambda file: file.parent.name,
+)
+def test_no_heading_of_a_part_hides_another(file):
+    headings = re.findall(r"^# (.+)$", file.read_text(), flags=re.MULTILINE)
+    assert len(headings) == len(set(headings))
