@@ -69,6 +69,12 @@ def listed(values: Iterable[float], how: str = "g") -> str:
     return ", ".join(f"{value:{how}}" for value in values)
 
 
+def span(values: Iterable[float]) -> tuple[float, float]:
+    """The least and the largest."""
+    all_of_them = [*values]
+    return min(all_of_them), max(all_of_them)
+
+
 def statement_rows(statements: Sequence[Statement]) -> list[Row]:
     """The table of statements, numbered in their order."""
     return [
@@ -91,7 +97,7 @@ def prose(text: str) -> str:
 
 def paragraphs(text: str) -> list[str]:
     """Paragraphs, between which there are empty lines."""
-    return [prose(one) for one in text.split("\n\n")]
+    return [prose(one) for one in text.split("\n\n") if one.strip()]
 
 
 # Of jumps that ended as jumps do.

@@ -40,7 +40,7 @@ class Words:
         return prose(self.filled(heading, values))
 
     def paragraphs(self, heading: str, /, **values: Any) -> list[str]:
-        """A text of several paragraphs."""
+        """A text of several paragraphs; one that is but an empty value is none."""
         return paragraphs(self.filled(heading, values))
 
     def each(self, heading: str, values: Iterable[Mapping[str, Any]], between: str = "; ") -> str:
