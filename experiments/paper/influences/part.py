@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from experiments.arches.critical import critical_rows
 from experiments.compositions import changed, composed, groups_at
-from experiments.paper.base import Found, Part, Statement, percent, verdict, weakest
+from experiments.paper.base import Found, Part, Statement, percent, span, verdict, weakest
 from experiments.paper.cells import (
     LANES,
     LOADING_S,
@@ -276,7 +276,7 @@ def friction_statements(sweeps: Sweeps, sliding: Sequence[Row], near: Any) -> li
     spreads = [relative_range(one) for one in (y, paper_y, wide)]
     came, alone = levels_off(own), judged("influences.friction_height", spreads[0])
     both = {"last": last, "near": near}
-    told = {"y": (y.min(), y.max()), "spreads": percents(spreads), **both}
+    told = {"y": span(y), "spreads": percents(spreads), **both}
     grown = WORDS.statement(
         "friction_threshold", came, limit=limit_of_level(came, {"x_c": own}), own=own,
         papers=papers, swings=percents([own.relative_swing, papers.relative_swing]),

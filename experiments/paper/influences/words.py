@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.base import LIMITED, Statement, percent
+from experiments.paper.base import LIMITED, Statement, percent, span
 from experiments.paper.limits import LIMITS
 from experiments.paper.words import Words
 from snapjump.run.studies.base import Row, column
@@ -60,8 +60,8 @@ def oblique(
     loads, angles = column(low, "load_over_weight"), column(low, "alpha_snap_rad")
     turned = own.off["x_c"] > ABOUT >= own.off["y_c"]
     values = {
-        "loads": (loads.min(), loads.max()),
-        "angles": (angles.min(), angles.max()),
+        "loads": span(loads),
+        "angles": span(angles),
         "still": still,
         "turned": ": the height remains, the direction changes" if turned else "",
     }
@@ -108,7 +108,7 @@ def why(sliding: Sequence[Row], threshold: float) -> str:
     return WORDS(
         "the contact slides", stuck=percent(stuck),
         brakes=percents([low["braking_share"], high["braking_share"]]), mu=(low["mu"], high["mu"]),
-        beyond=(beyond.min(), beyond.max()),
+        beyond=span(beyond),
     )  # fmt: skip
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from experiments.compositions import groups_at
-from experiments.paper.base import Found, Part, Statement, listed, weakest
+from experiments.paper.base import Found, Part, Statement, listed, span, weakest
 from experiments.paper.cells import apexes_of, jumps, shipped_forward, shipped_inputs
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.regions import figure
@@ -118,7 +118,7 @@ def shrinks(
     return WORDS.statement(
         "mass", came, first=masses[0], last=masses[-1],
         goes="goes" if against(areas[0]) else "falls at every step", exponent=mass_exponent(masses),
-        paper=[paper[0], paper[-1]], shares=(min(shares), max(shares)), near=near,
+        paper=[paper[0], paper[-1]], shares=span(shares), near=near,
     )  # fmt: skip
 
 
@@ -171,7 +171,7 @@ def values(
         "areas": areas.max() / areas.min(),
         "least_mu": frictions[0].mu,
         "shares": (shares[0], min(shares), shares[-1]),
-        "changes": (min(changes), max(changes)),
+        "changes": span(changes),
     }
 
 
