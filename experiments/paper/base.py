@@ -3,12 +3,10 @@
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
-from types import MappingProxyType
 from typing import Any, ClassVar, NamedTuple
 
 from snapjump.engine import status
-from snapjump.run.studies.base import OK, Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import OK, Cell, Done, Row, Section
 
 CONFIRMED = "confirmed"
 LIMITED = "confirmed within a limit"
@@ -43,20 +41,6 @@ def verdict(holds: bool, within_limit: bool = False) -> str:
 def weakest(*verdicts: str) -> str:
     """Of a statement with several aspects: confirmed if all are, within a limit if none fails."""
     return max(verdicts, key=VERDICTS.index)
-
-
-class Said(NamedTuple):
-    """A statement's words, as in :class:`Statement`, before it is judged; they may be written over
-    several lines."""
-
-    says: str
-    found: str
-    accuracy: str
-
-    def judged(self, key: str, came: str) -> Statement:
-        """The statement with a key and a verdict."""
-        says, found, accuracy = (prose(text) for text in self)
-        return Statement(key, says, came, found, accuracy)
 
 
 def percent(share: float) -> str:
@@ -168,22 +152,3 @@ def incomplete(name: str, one: Done) -> str:
     lost = failed(one.rows)
     reasons = ", ".join(sorted({row["status"] for row in lost}))
     return f"{name} ({len(lost)} of {len(one.rows)} jumps failed: {reasons})"
-
-
-def section(
-    title: str,
-    text: str,
-    figures: Mapping[str, Callable[[Path], Any]],
-    tables: Mapping[str, Sequence[Row]],
-    captions: Mapping[str, str],
-    digits: Mapping[str, Mapping[str, int]] = MappingProxyType({}),
-) -> Section:
-    """A part's section: paragraphs with empty lines between; figures and tables, whose captions are
-    those of ``<name>.png`` and ``<name>``; digits of tables for reading."""
-    return Section(
-        title,
-        paragraphs(text),
-        {name: Figure(prose(captions[f"{name}.png"]), draw) for name, draw in figures.items()},
-        {name: Table(prose(captions[name]), rows, digits.get(name, {}))
-         for name, rows in tables.items()},
-    )  # fmt: skip
