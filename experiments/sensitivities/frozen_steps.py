@@ -10,15 +10,17 @@ from snapjump.engine import clock as c
 from snapjump.engine import outcome as outcomes
 from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.centre_of_mass import centre_of_mass
-from snapjump.engine.differentiate import hold_ends, motion_of
+from snapjump.engine.differentiate import motion_of, place_ends_at
 from snapjump.engine.march import march
 from snapjump.engine.model import with_numbers
 from snapjump.engine.stage import begin_stage, keep_stage, stage_motion
 from snapjump.engine.status import OK
 from snapjump.engine.step import commit_step
 from snapjump.engine.tangent import make_tangent_state, view_tangent
-from snapjump.engine.view import view_work
-from snapjump.number.dual import PARAMETERS, constant
+from snapjump.engine.view import view_memory, view_work
+from snapjump.linear_solver.right_hand_sides import FOUR
+from snapjump.number.dual import PARAMETERS, constant, dual, slope_at, slopes_of, value_of
+from snapjump.number.lane import view_numbers
 from snapjump.scenes.flight import flight
 from snapjump.scenes.runner import March
 
@@ -50,7 +52,9 @@ def linearise(
     template: Any, scheme: Any, masses: Any, memory: Any, tangent: Any, residual: Any, jacobian: Any
 ) -> None:
     """Residual (D) and Jacobian (D, D) at ``memory.state``, four columns at a time."""
-    twin = view_tangent(tangent, 0)
+    memory, twin = view_memory(memory), view_tangent(tangent, 0)
+    seeds = view_numbers(tangent.slopes[0], FOUR)
+    tangent.slopes[0, :PARAMETERS] = np.eye(PARAMETERS)
     size = memory.state.shape[0]
     for k in range(memory.numbers.shape[0]):
         twin.numbers[k] = constant(memory.numbers[k, 0])
@@ -68,14 +72,14 @@ def linearise(
         for i in range(size):
             twin.state[i] = constant(memory.state[i, 0])
         for k in range(count):
-            tangent.state[0, first + k, 4 + k] = 1.0
-        hold_ends(model, plain.time, twin)
+            twin.state[first + k] = dual(memory.state[first + k, 0], seeds[k])
+        place_ends_at(model, plain.time, twin)
         assemble(model, motion, masses, twin)
         for i in range(size):
-            row = tangent.frame_residual[0, i] if i < 3 else tangent.residual[0, i - 3]
-            residual[i] = row[0]
+            row = twin.frame_residual[i] if i < 3 else twin.residual[i - 3]
+            residual[i] = value_of(row)
             for k in range(count):
-                jacobian[i, first + k] = row[4 + k]
+                jacobian[i, first + k] = slope_at(slopes_of(row), k)
 
 
 @njit(error_model="numpy")
@@ -85,15 +89,15 @@ def finish_stage(template: Any, scheme: Any, masses: Any, memory: Any) -> bool:
     model = with_numbers(template, work.numbers)
     motion = stage_motion(scheme, work)
     angles = model.clamp.angles(motion.time)
-    model.frame.place_ends(memory.mesh, model.discretization, angles, work.state)
+    model.frame.place_ends(work.mesh, model.discretization, angles, work.state)
     everyone = work.clock[c.STEP] > 0.0
     keep_stage(scheme, work, motion, everyone)
     last = work.clock[c.STAGE] >= scheme.stage_count()
     if last:
         commit_step(scheme, work, everyone)
-        memory.clock[c.STAGE, 0] = 1.0
+        work.clock[c.STAGE] = 1.0
     else:
-        memory.clock[c.STAGE, 0] += 1.0
+        work.clock[c.STAGE] += 1.0
     return last
 
 

@@ -86,8 +86,8 @@ class LogBarrier(ContactOptions):
             ratio = (gap - self.distance) / gap
             curvature = self.curvature(gap)
             sharpening = 2.0 * self.stiffness * ((ratio - 2.0) * (1.0 - ratio) - 1.0) / gap
-            lag = curvature * state.rate + sharpening * state.speed
-            slope = curvature + self.relaxation_time * lag
+            viscous = curvature * state.rate + sharpening * state.speed
+            slope = curvature + self.relaxation_time * viscous
             return where(self.total(gap, state) > 0.0, slope, 0.0)
 
         def loss(self, gap: Any, state: Any) -> Any:

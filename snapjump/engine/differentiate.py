@@ -29,7 +29,7 @@ def ratio_of(memory: Any, lane: Any) -> Any:
 
 
 @routine
-def hold_ends(model: Any, time: Any, work: Any) -> None:
+def place_ends_at(model: Any, time: Any, work: Any) -> None:
     """Put the slave nodes where the clamps hold them at a time."""
     if model.discretization.has_elements():
         angles = model.clamp.angles(constant(time))
@@ -59,7 +59,7 @@ def predict_stage(template: Any, scheme: Any, memory: Any, tangent: Any, lane: A
         # Where the matrix was assembled: there it belongs to the residual.
         before = memory.state[i, lane] + memory.correction[i, lane]
         work.state[i] = dual(before, slopes_of(guess))
-    hold_ends(model, memory.clock[TIME, lane] + scheme.abscissa(stage) * step, work)
+    place_ends_at(model, memory.clock[TIME, lane] + scheme.abscissa(stage) * step, work)
 
 
 @routine
@@ -93,7 +93,7 @@ def correct(model: Any, time: Any, memory: Any, tangent: Any, lane: Any) -> None
         change = frame_sides[i] if i < dofs else sides[i - dofs]
         before = work.state[i]
         work.state[i] = dual(value_of(before), slopes_of(before) - change)
-    hold_ends(model, time, work)
+    place_ends_at(model, time, work)
 
 
 @routine
@@ -155,7 +155,7 @@ def store(template: Any, scheme: Any, memory: Any, tangent: Any, lane: Any) -> N
         if stage >= 1.0 * scheme.stage_count():
             model = tangent_model(template, tangent, lane)
             scheme.end_step(work, step, True)
-            hold_ends(model, memory.clock[TIME, lane] + step, work)
+            place_ends_at(model, memory.clock[TIME, lane] + step, work)
 
 
 @routine

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from snapjump.engine.assemble import Motion
-from snapjump.engine.differentiate import correct, hold_ends, tangent_model, write_sides
+from snapjump.engine.differentiate import correct, place_ends_at, tangent_model, write_sides
 from snapjump.engine.equilibrium import solve_equilibrium
 from snapjump.engine.model import with_numbers
 from snapjump.engine.newton import solve_linearised
@@ -36,7 +36,7 @@ class StartSlopes(NamedTuple):
 
 @routine
 def differentiate_equilibrium(
-    model: Any, twin_model: Any, masses: Any, memory: Any, tangent: Any, chosen: Any, time: float
+    model: Any, dual_start: Any, masses: Any, memory: Any, tangent: Any, chosen: Any, time: float
 ) -> None:
     """Slopes of the equilibrium near ``memory.state`` at a time, into the tangent's state."""
     work = view_work(memory, (0,))
@@ -44,17 +44,17 @@ def differentiate_equilibrium(
     solve_equilibrium(model, masses, work, time)
     zero = 0.0 * time
     solve_linearised(model, Motion(time, zero, zero, zero + WEAK_ANCHOR), masses, work)
-    twin = view_tangent(tangent, 0)
-    for i in range(twin.state.shape[0]):
-        twin.state[i] = constant(store.state[i, 0])
-        twin.position_predictor[i] = constant(store.state[i, 0])
-    hold_ends(twin_model, time, twin)
+    duals = view_tangent(tangent, 0)
+    for i in range(duals.state.shape[0]):
+        duals.state[i] = constant(store.state[i, 0])
+        duals.position_predictor[i] = constant(store.state[i, 0])
+    place_ends_at(dual_start, time, duals)
     still = Motion(time, 0.0, 0.0, WEAK_ANCHOR)
     rotations = model.discretization.node_dofs() == 3
     for _ in range(MOST_CORRECTIONS):
-        write_sides(twin_model, still, masses, store, tangent, 0)
+        write_sides(dual_start, still, masses, store, tangent, 0)
         solve_right_hand_sides(store, tangent.slopes, tangent.frame_slopes, chosen, 1, rotations)
-        correct(twin_model, time, store, tangent, 0)
+        correct(dual_start, time, store, tangent, 0)
         largest = 0.0
         for i in range(tangent.slopes.shape[1]):
             for k in range(PARAMETERS):
@@ -92,47 +92,47 @@ def differentiate_starts(
     memory = uncounted(memory)
     tangent = uncounted(tangent)
     work = view_work(memory, (0,))
-    twin = view_tangent(tangent, 0)
+    duals = view_tangent(tangent, 0)
     for robot in range(first, last):
         if queue.status[robot] != RUNNING:
             continue
         given = view_numbers(slopes.numbers[robot], FOUR)
         for k in range(work.numbers.shape[0]):
             work.numbers[k] = queue.numbers[robot, k]
-            twin.numbers[k] = dual(queue.numbers[robot, k], given[k])
+            duals.numbers[k] = dual(queue.numbers[robot, k], given[k])
         moving = with_numbers(template, work.numbers)
         model = with_angles(moving, moving.clamp.start, moving.clamp.delta_alpha)
         dual_model = tangent_model(template, tangent, 0)
-        twin_start = dual_model.clamp.start
+        start = dual_model.clamp.start
         delta_alpha = dual_model.clamp.delta_alpha
-        twin_model = with_angles(dual_model, twin_start, delta_alpha)
+        dual_start = with_angles(dual_model, start, delta_alpha)
         difference = DIFFERENCE_RAD / moving.clamp.rate
         # Faster clamps pass the same angles on both sides, only sooner.
         passing = DIFFERENCE_RAD / dual_model.clamp.rate
         sooner = difference * (dual_model.clamp.rate - moving.clamp.rate)
-        earlier = with_angles(dual_model, twin_start + sooner, delta_alpha)
-        later = with_angles(dual_model, twin_start - sooner, delta_alpha)
+        earlier = with_angles(dual_model, start + sooner, delta_alpha)
+        later = with_angles(dual_model, start - sooner, delta_alpha)
 
         guess_at(memory, queue, robot, 0.0)
-        differentiate_equilibrium(model, twin_model, masses, memory, tangent, chosen, 0.0)
-        for i in range(twin.state.shape[0]):
-            twin.start[i] = twin.state[i]
+        differentiate_equilibrium(model, dual_start, masses, memory, tangent, chosen, 0.0)
+        for i in range(duals.state.shape[0]):
+            duals.start[i] = duals.state[i]
         guess_at(memory, queue, robot, -difference)
         differentiate_equilibrium(model, earlier, masses, memory, tangent, chosen, -difference)
-        for i in range(twin.state.shape[0]):
-            twin.velocity[0, i] = twin.state[i]
+        for i in range(duals.state.shape[0]):
+            duals.velocity[0, i] = duals.state[i]
         guess_at(memory, queue, robot, difference)
         differentiate_equilibrium(model, later, masses, memory, tangent, chosen, difference)
-        for i in range(twin.state.shape[0]):
-            before = twin.velocity[0, i]
-            after = twin.state[i]
-            now = twin.start[i]
+        for i in range(duals.state.shape[0]):
+            before = duals.velocity[0, i]
+            after = duals.state[i]
+            now = duals.start[i]
             bend = after - 2.0 * now + before
-            twin.velocity[0, i] = (after - before) / (2.0 * passing)
-            twin.acceleration[0, i] = bend / (passing * passing)
-        stay_in_place(dual_model, masses, twin)
+            duals.velocity[0, i] = (after - before) / (2.0 * passing)
+            duals.acceleration[0, i] = bend / (passing * passing)
+        stay_in_place(dual_model, masses, duals)
         found = view_numbers(slopes.starts[robot], FOUR)
-        for i in range(twin.state.shape[0]):
-            found[0, i] = slopes_of(twin.start[i])
-            found[1, i] = slopes_of(twin.velocity[0, i])
-            found[2, i] = slopes_of(twin.acceleration[0, i])
+        for i in range(duals.state.shape[0]):
+            found[0, i] = slopes_of(duals.start[i])
+            found[1, i] = slopes_of(duals.velocity[0, i])
+            found[2, i] = slopes_of(duals.acceleration[0, i])

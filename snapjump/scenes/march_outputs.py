@@ -71,8 +71,8 @@ class RunOutputs(Outputs):
 class MarchOutputs(Outputs):
     """R marches of one composition, read off what they ended with.
 
-    ``model``: all models side by side; ``outcome`` (R, COLUMNS): the rows of
-    :mod:`snapjump.engine.clock`; ``march_seconds``: of a core in the kernels, of all together.
+    ``model``: all models side by side; ``outcome`` (R, COLUMNS): see
+    :mod:`snapjump.engine.outcome`; ``march_seconds``: of a core in the kernels, of all together.
     """
 
     simulation: Simulation

@@ -1,7 +1,7 @@
 """Branches of equilibria: pseudo-arclength continuation in the clamp angle (Keller 1977)."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -127,3 +127,17 @@ class Branch:
                 continue
             step = min(length, 1.5 * step)
             yield point
+
+    def passing(
+        self, start: Point, length: float, passed: Callable[[Point], bool]
+    ) -> tuple[Point, Point]:
+        """The last point that has not passed something on the way from ``start``, and the next one.
+
+        Raises ArithmeticError where the branch is lost before.
+        """
+        point = start
+        for following in self.follow(point, length):
+            if passed(following):
+                return point, following
+            point = following
+        raise ArithmeticError(f"the branch was lost at a clamp angle of {point.left:g} rad")

@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass
-from itertools import islice
+from itertools import count
 
 import numpy as np
 
@@ -99,16 +99,16 @@ def instability(branch: Branch, start: Point) -> tuple[Equilibrium, float]:
     """
     if start.eigenvalue <= 0.0:
         raise ArithmeticError(f"the arch is not stable at {start.left:g} rad")
-    step = longest_step(branch.arch)
-    point = start
-    for following in islice(branch.follow(start, step), MOST_STEPS):
-        if following.eigenvalue <= 0.0:
-            break
-        if not abs(following.left) < FARTHEST_RAD:
-            raise ArithmeticError(f"no instability found up to {following.left:g} rad")
-        point = following
-    else:
-        raise ArithmeticError(f"the branch was lost at a clamp angle of {point.left:g} rad")
+    steps = count()
+
+    def is_unstable(point: Point) -> bool:
+        if point.eigenvalue <= 0.0:
+            return True
+        if not abs(point.left) < FARTHEST_RAD or next(steps) == MOST_STEPS:
+            raise ArithmeticError(f"no instability found up to {point.left:g} rad")
+        return False
+
+    point, following = branch.passing(start, longest_step(branch.arch), is_unstable)
     critical = refine(branch, point, following)
     error = angle_error(branch, point, following, critical)
     check_angle_error(branch.arch.discretization, error)

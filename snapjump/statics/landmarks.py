@@ -8,7 +8,14 @@ from scipy.optimize import brentq
 from snapjump.composition import Simulation
 from snapjump.statics.arch import Equilibrium, StaticArch
 from snapjump.statics.branch import Branch, Point
-from snapjump.statics.critical import Snap, find_snap, longest_step, refine, start_point
+from snapjump.statics.critical import (
+    Snap,
+    arclength,
+    find_snap,
+    longest_step,
+    refine,
+    start_point,
+)
 
 ANGLE_TOLERANCE = 1e-9  # of the arclength to the fold
 
@@ -43,15 +50,10 @@ def find_landmarks(simulation: Simulation, epsilon: float) -> Landmarks:
 
 def symmetric_fold(branch: Branch) -> Point:
     """The largest angle on the branch that begins at flat clamps, buckled up."""
-    point = start_point(branch)
-    for following in branch.follow(point, longest_step(branch.arch)):
-        if following.direction[-1] < 0.0:
-            break
-        point = following
-    else:
-        raise ArithmeticError(f"the arch's upper branch is lost at {point.left:g} rad")
-    moved = following.state[branch.arch.free] - point.state[branch.arch.free]
-    length = float(np.append(moved, following.left - point.left) @ point.direction)
+    point, following = branch.passing(
+        start_point(branch), longest_step(branch.arch), lambda point: point.direction[-1] < 0.0
+    )
+    length = arclength(branch, point, following)
 
     def turn(share: float) -> float:
         return float(branch.step(point, share * length).direction[-1])
@@ -63,14 +65,9 @@ def turned_back(branch: Branch, after: Equilibrium) -> Point:
     """Where the snapped arch loses stability as the clamps turn back."""
     backwards = np.zeros(branch.arch.size - 2 * branch.arch.node_dofs + 1)
     backwards[-1] = -1.0
-    point = branch.point(after.state, after.left, backwards)
-    for following in branch.follow(point, longest_step(branch.arch)):
-        if following.eigenvalue <= 0.0:
-            break
-        point = following
-    else:
-        raise ArithmeticError(f"the snapped arch's branch is lost at {point.left:g} rad")
-    return refine(branch, point, following)
+    start = branch.point(after.state, after.left, backwards)
+    unstable = branch.passing(start, longest_step(branch.arch), lambda p: p.eigenvalue <= 0.0)
+    return refine(branch, *unstable)
 
 
 def antisymmetric_share(arch: StaticArch, critical: Equilibrium) -> float:

@@ -66,9 +66,9 @@ def draw_map(
 
     axes = figure.add_axes(place)
     misses = np.hypot(*np.moveaxis(region.apexes - designed.problem.target, -1, 0))
-    lag, epsilon = region.controls[:, 0, 0], region.controls[0, :, 1]
+    delta_alpha, epsilon = region.controls[:, 0, 0], region.controls[0, :, 1]
     shown = axes.pcolormesh(
-        lag, epsilon, misses.T, cmap="viridis_r", norm=PowerNorm(0.5), shading="gouraud"
+        delta_alpha, epsilon, misses.T, cmap="viridis_r", norm=PowerNorm(0.5), shading="gouraud"
     )
     left, bottom, width, height = place
     bar = figure.colorbar(shown, cax=figure.add_axes((left + width + 0.008, bottom, 0.01, height)))

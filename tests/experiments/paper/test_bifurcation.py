@@ -81,10 +81,10 @@ def test_a_branch_that_is_lost_is_named() -> None:
         def follow(self, point: Point, length: float) -> Iterator[Point]:
             return iter(())
 
-    with pytest.raises(ArithmeticError, match="upper branch is lost at 0 rad"):
+    with pytest.raises(ArithmeticError, match="lost at a clamp angle of 0 rad"):
         symmetric_fold(Lost(arch, 0.0))
     snapped = arch.equilibrium(start_point(Branch(arch, 0.0), False).state, 0.0, 0.0)
-    with pytest.raises(ArithmeticError, match="snapped arch's branch is lost at 0 rad"):
+    with pytest.raises(ArithmeticError, match="lost at a clamp angle of 0 rad"):
         turned_back(Lost(arch, 0.0), snapped)
 
 
