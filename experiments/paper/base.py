@@ -3,12 +3,10 @@
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
-from types import MappingProxyType
 from typing import Any, ClassVar, NamedTuple
 
 from snapjump.engine import status
-from snapjump.run.studies.base import OK, Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import OK, Cell, Done, Row, Section
 
 CONFIRMED = "confirmed"
 LIMITED = "confirmed within a limit"
@@ -45,20 +43,6 @@ def weakest(*verdicts: str) -> str:
     return max(verdicts, key=VERDICTS.index)
 
 
-class Said(NamedTuple):
-    """A statement's words, as in :class:`Statement`, before it is judged; they may be written over
-    several lines."""
-
-    says: str
-    found: str
-    accuracy: str
-
-    def judged(self, key: str, came: str) -> Statement:
-        """The statement with a key and a verdict."""
-        says, found, accuracy = (prose(text) for text in self)
-        return Statement(key, says, came, found, accuracy)
-
-
 def percent(share: float) -> str:
     """A share for reading."""
     return f"{100.0 * share:.2g} %"
@@ -67,6 +51,12 @@ def percent(share: float) -> str:
 def listed(values: Iterable[float], how: str = "g") -> str:
     """Numbers in a sentence."""
     return ", ".join(f"{value:{how}}" for value in values)
+
+
+def span(values: Iterable[float]) -> tuple[float, float]:
+    """The least and the largest."""
+    all_of_them = [*values]
+    return min(all_of_them), max(all_of_them)
 
 
 def statement_rows(statements: Sequence[Statement]) -> list[Row]:
@@ -91,7 +81,7 @@ def prose(text: str) -> str:
 
 def paragraphs(text: str) -> list[str]:
     """Paragraphs, between which there are empty lines."""
-    return [prose(one) for one in text.split("\n\n")]
+    return [prose(one) for one in text.split("\n\n") if one.strip()]
 
 
 # Of jumps that ended as jumps do.
@@ -162,22 +152,3 @@ def incomplete(name: str, one: Done) -> str:
     lost = failed(one.rows)
     reasons = ", ".join(sorted({row["status"] for row in lost}))
     return f"{name} ({len(lost)} of {len(one.rows)} jumps failed: {reasons})"
-
-
-def section(
-    title: str,
-    text: str,
-    figures: Mapping[str, Callable[[Path], Any]],
-    tables: Mapping[str, Sequence[Row]],
-    captions: Mapping[str, str],
-    digits: Mapping[str, Mapping[str, int]] = MappingProxyType({}),
-) -> Section:
-    """A part's section: paragraphs with empty lines between; figures and tables, whose captions are
-    those of ``<name>.png`` and ``<name>``; digits of tables for reading."""
-    return Section(
-        title,
-        paragraphs(text),
-        {name: Figure(prose(captions[f"{name}.png"]), draw) for name, draw in figures.items()},
-        {name: Table(prose(captions[name]), rows, digits.get(name, {}))
-         for name, rows in tables.items()},
-    )  # fmt: skip

@@ -8,7 +8,7 @@ from typing import Any
 
 from experiments.compositions import composed, described, groups_of
 from experiments.paper.asymmetry.part import Asymmetry
-from experiments.paper.base import VERDICTS, Part, Statement, paragraphs, statement_rows
+from experiments.paper.base import VERDICTS, Part, Statement, statement_rows
 from experiments.paper.bifurcation.part import Bifurcation
 from experiments.paper.causes.part import Causes
 from experiments.paper.designs.part import Designs
@@ -20,6 +20,7 @@ from experiments.paper.regions.part import Regions
 from experiments.paper.released_energy.part import ReleasedEnergy
 from experiments.paper.snaps.part import Snaps
 from experiments.paper.trajectories.part import Trajectories
+from experiments.paper.words import Words
 from snapjump.checks import ParameterError, check_choice
 from snapjump.composition import with_tier
 from snapjump.dataset.specification import first_difference
@@ -30,48 +31,22 @@ from snapjump.run.studies.study import Study
 from snapjump.show.terminal.block import markdown_table
 from snapjump.tiers import TIERS
 
-# In the order of the report; a new one is a folder and a name here.
+# In the order of the report; a new one is a folder, with its words.md, and a name here.
 PARTS: dict[str, type[Part]] = {
     part.name: part
     for part in (Bifurcation, ReleasedEnergy, Snaps, Asymmetry, Trajectories, Influences, Causes,
                  Regions, Designs, Imperfections, ForwardModels)
 }  # fmt: skip
 
-# Of the tier `paper`, as in conf/accuracy/paper.yaml.
-SETTINGS = (
-    f"implicit Euler at {TIERS['paper'].numbers['stepping.step_s']:g} s, lagged friction, clamps "
-    "of two fixed nodes, contact stiffness per node, no material damping"
-)
+WORDS = Words(__file__)
 TITLE = "The paper, reproduced and judged"
-INTRODUCTION = paragraphs(f"""The paper is *Inverse Design of Snap-Actuated Jumping Robots Powered
-    by Mechanics-Aided Machine Learning* (Tong, Hao, Liu, Huang, arXiv 2408.10470). Every figure
-    below is simulated anew by this library and every number is computed by the command above, at
-    the tier `standard` unless it says otherwise; `paper` is the tier of the paper's settings:
-    {SETTINGS}. (Lagged friction and clamps of two fixed nodes are the released program's: the text
-    writes all forces at the end of a step, and does not say how clamps hold the beam.) A verdict
-    is decided by the program from the numbers beside it, by the limits in the second table. Where
-    these are ours, they say what still counts as linear, flat or alike, and were in places chosen
-    when the numbers were known: read the numbers, not the verdict alone.
-
-    Statements are in our words. Where the paper assumes something, or draws a curve without a
-    claim, the statement is our reading of it, and says so.
-
-    The converged model differs from the paper's in three respects. Its material damps
-    (Kelvin-Voigt with η = 1e-5 s, the size of the paper's time step; the paper's implicit Euler
-    damps what oscillates too, but not what buckles). Its frame is rigid, also at the tier `paper`;
-    the paper's is an elastic chain of 1000 EI. And the ground is as stiff on every mesh as on the
-    paper's, whose nodes have a spring each. What these do to a jump, and what the numerical
-    choices do, is taken apart below.""")
 
 
 def readme_block(statements: Sequence[Statement]) -> str:
     """Statements and verdicts alone, for the README."""
     rows = [[str(k), one.says.rstrip("."), one.verdict] for k, one in enumerate(statements, 1)]
-    return (
-        markdown_table(["", "the paper says", "verdict"], rows) + f"\n\n{counts(statements)}; "
-        "the numbers, figures and causes: [docs/paper.md](docs/paper.md).\n"
-        "`python run.py task=paper publish=docs` makes this table and that report."
-    )
+    table = markdown_table(["", "the paper says", "verdict"], rows)
+    return f"{table}\n\n{WORDS.filled('readme', {'counts': counts(statements)})}"
 
 
 ALL = "all"
@@ -117,10 +92,10 @@ class Paper(Study):
         statements = [one for part in found.values() for one in part.statements]
         judged = Section(
             "Statement by statement",
-            INTRODUCTION,
+            WORDS.paragraphs("introduction", paper=TIERS["paper"].numbers),
             tables={
-                "statements": Table("The paper's statements", statement_rows(statements)),
-                "limits": Table("The limits of the verdicts, and whose they are", limit_rows()),
+                "statements": Table(WORDS("caption statements"), statement_rows(statements)),
+                "limits": Table(WORDS("caption limits"), limit_rows()),
             },
         )
         return Conclusion(
@@ -188,8 +163,8 @@ def duration(done: Mapping[str, Done]) -> str:
     return f"The {len(done)} computations behind them took {seconds / 60.0:.0f} minutes in all."
 
 
-# Modules that say what was found, draw it and judge it: no row depends on them.
-TOLD = re.compile(r"experiments\.paper\.(\w+\.(words|figure)|limits)")
+# Modules that say what was found, draw it and judge it: no row depends on them, nor on words.md.
+TOLD = re.compile(r"experiments\.paper\.((\w+\.)?words|\w+\.figure|limits)")
 
 
 def row_sources(part: Part) -> list[Source]:

@@ -1,7 +1,7 @@
 """The largest angle of the midpoint against the mismatch, at three pre-compressions."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from functools import partial
 from typing import Any
@@ -9,15 +9,16 @@ from typing import Any
 import numpy as np
 
 from experiments.arches.swings import snap_groups, snap_of
-from experiments.paper.asymmetry import words
 from experiments.paper.asymmetry.figure import draw_asymmetry
-from experiments.paper.base import Found, Part, weakest
+from experiments.paper.base import Found, Part, listed, span, weakest
 from experiments.paper.limits import LIMITS, judged
+from experiments.paper.settings import RANGES
+from experiments.paper.words import Words
 from experiments.trends import Saturation, saturation_of
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
+from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.scenes.swing import follow, outcome
 
-Array = Any
+WORDS = Words(__file__)
 EPSILONS = (0.1, 0.2, 0.3)
 PLATEAU_UPTO_RAD = 0.2  # about the end of the paper's designs
 LINEAR = tuple(round(0.01 * k, 3) for k in range(1, 21))
@@ -29,6 +30,16 @@ SWEEPS = {"standard": 6, "paper": 3, "undamped": 2, "reference": 2}  # mismatche
 FITTED_UPTO_RAD = 0.01
 FLAT_FROM = 10.0  # thresholds, from where on the level is looked at
 SHOWN = (0.01, 0.1, 0.2, 0.4)  # rad
+SMALLEST_DESIGN_RAD = RANGES["delta_alpha_rad"][0]
+# Numbers of a law, for reading.
+READ: dict[str, Callable[[float], str]] = {
+    "slope": lambda value: f"{float(f'{value:.2g}'):.0f}",  # two digits, without an exponent
+    "threshold_rad": "{:.2g}".format,
+    "level_rad": "{:.2f}".format,
+    "linear_until_rad": "{:.2g}".format,
+    "rise": lambda share: f"{100.0 * share:.0f}",
+    "rise_untilted": lambda share: f"{100.0 * share:.1g}",
+}
 
 
 def mismatches(setting: str) -> list[float]:
@@ -42,7 +53,7 @@ class Asymmetry(Part):
     """A sweep of the mismatch for each setting and pre-compression."""
 
     name = "asymmetry"
-    title = words.TITLE
+    title = "How asymmetric a snap becomes"
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
         """A cell for each sweep."""
@@ -84,7 +95,6 @@ class Asymmetry(Part):
                 f"asymmetry_level_{key}_rad": one.level_rad,
                 f"asymmetry_rise_{key}": one.rise,
             }
-        figure = partial(draw_asymmetry, sweeps, laws, FITTED_UPTO_RAD)
         rows = [
             {"setting": setting, "epsilon": epsilon, **asdict(one)}
             for setting, by_epsilon in found.items()
@@ -96,26 +106,16 @@ class Asymmetry(Part):
             for row in own[epsilon]
             if row["delta_alpha_rad"] in SHOWN
         ]
-        range_of_level = FLAT_FROM, PLATEAU_UPTO_RAD
-        digits = dict.fromkeys(Saturation.__dataclass_fields__, 3)
-        tables = {
-            "saturation": Table(words.laws(*range_of_level), rows, digits),
-            "snap_sweep": Table("Some of the snaps at standard", some),
-        }
+        digits = {"saturation": dict.fromkeys(Saturation.__dataclass_fields__, 3)}
+        figures = {"asymmetry": partial(draw_asymmetry, sweeps, laws, FITTED_UPTO_RAD)}
+        tables = {"saturation": rows, "snap_sweep": some}
         line, level = linear_verdict(laws, mismatches("standard")[0]), saturation_verdict(laws)
-        accuracy = f"`standard` (angles within {100.0 * off:.1g} % of `reference`)"
+        values = told(found, own) | {"off_percent": 100.0 * off}
         return Found(
-            Section(
-                words.TITLE,
-                words.told(found, own, FITTED_UPTO_RAD),
-                {"asymmetry": Figure(words.FIGURE, figure)},
-                tables,
-            ),
+            WORDS.section(self.title, figures, tables, digits, **values),
             [
-                words.linear(found, accuracy).judged("asymmetry.linear", line),
-                words.saturates(found, *range_of_level, accuracy).judged(
-                    "asymmetry.saturation", level
-                ),
+                WORDS.statement("linear", line, **values),
+                WORDS.statement("saturation", level, **values),
             ],
             summary,
         )
@@ -159,3 +159,51 @@ def largest_difference(rows: Sequence[Row], truth: Sequence[Row]) -> float:
     known = {row["delta_alpha_rad"]: row["theta_max_rad"] for row in truth}
     pairs = [(row["theta_max_rad"], known.get(row["delta_alpha_rad"])) for row in rows]
     return max((abs(own / right - 1.0) for own, right in pairs if own and right), default=math.nan)
+
+
+def told(
+    found: Mapping[str, Mapping[float, Saturation]], sweeps: Mapping[float, Sequence[Row]]
+) -> dict[str, Any]:
+    """What the words say; ``found``: laws by setting and pre-compression; ``sweeps``: at standard,
+    of which the smallest pre-compression shows what the vibration after the snap adds."""
+    own = found["standard"]
+    first = min(own)
+    rows = sorted(sweeps[first], key=lambda row: row["delta_alpha_rad"])
+    low, high = (rows[k]["delta_alpha_rad"] for k in (0, -1))
+    large = [row for row in rows if row["delta_alpha_rad"] >= FITTED_UPTO_RAD]
+    same = all(row["theta_later_rad"] == row["theta_max_rad"] for row in large)
+    until = [one.linear_until_rad for one in own.values()]
+    twice = [abs(one.other_threshold_rad / one.threshold_rad - 1.0) for one in own.values()]
+    faster, freely = (
+        [found[setting][epsilon].slope / own[epsilon].slope for epsilon in own]
+        for setting in ("paper", "undamped")
+    )
+    return {
+        **{name: read(laws) for name, laws in found.items()},
+        "epsilons": listed(own),
+        "linear_percent": 100.0 * LIMITS["asymmetry.linear.deviation"].confirmed,
+        "flat_from": FLAT_FROM,
+        "plateau_upto_rad": PLATEAU_UPTO_RAD,
+        "fitted_upto_rad": FITTED_UPTO_RAD,
+        "most_deg": math.degrees(max(until)),
+        "smallest_rad": SMALLEST_DESIGN_RAD,
+        "smaller_by": (SMALLEST_DESIGN_RAD / max(until), SMALLEST_DESIGN_RAD / min(until)),
+        "other_percent": 100.0 * max(twice),
+        "low": low,
+        "high": high,
+        "misfit_percent": 100.0 * max(o.misfit for laws in found.values() for o in laws.values()),
+        "beyond": SMALLEST_DESIGN_RAD / max(one.threshold_rad for one in own.values()),
+        "faster": span(faster),
+        "freely": span(freely),
+        "first": first,
+        "later": rows[0]["theta_later_rad"] / low,
+        "slope": own[first].slope,
+        "same": "are the same" if same else "differ",
+    }
+
+
+def read(laws: Mapping[float, Saturation]) -> dict[str, str]:
+    """Numbers of laws at every pre-compression."""
+    return {
+        key: ", ".join(how(getattr(one, key)) for one in laws.values()) for key, how in READ.items()
+    }

@@ -12,22 +12,25 @@ from experiments.arches.landmarks import (
     LADDER,
     MISMATCH_RAD,
     NAMES,
+    RIGID,
     STRETCHES,
     all_rows,
     comparison,
     landmark_rows,
+    orders,
     overall,
 )
 from experiments.arches.landmarks import largest_difference as off
 from experiments.arches.swings import PAPER_ELEMENTS, snap_groups, snap_of
 from experiments.compositions import changed, composed, groups_at
-from experiments.paper.base import Found, Part, Statement, weakest
-from experiments.paper.bifurcation import words
+from experiments.paper.base import Found, Part, Statement, listed, span, weakest
 from experiments.paper.bifurcation.figure import draw_angles, draw_branches, draw_loop
 from experiments.paper.limits import LIMITS, judged
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
+from experiments.paper.words import Words
+from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.scenes.swing import follow, outcome
 
+WORDS = Words(__file__)
 SHOWN = 0.2  # epsilon of the shapes, the paper's baseline
 GRID = (0.01, *(round(0.02 * k, 2) for k in range(1, 16)))  # epsilon
 TIERS = (*LADDER, "paper")
@@ -59,7 +62,7 @@ class Bifurcation(Part):
     """Branches at three pre-compressions; critical angles; all beside the exact elastica."""
 
     name = "bifurcation"
-    title = words.TITLE
+    title = "The critical angle, and the loop"
     kinds = {
         "branches": branch_rows,
         "shapes": shape_rows,
@@ -93,15 +96,16 @@ class Bifurcation(Part):
         shown = next(row for row in marks if row["epsilon"] == SHOWN)
         errors = [(t, own[0]["elements"], overall(own, STRETCHES)[0]) for t, own in tiers.items()]
         angle = partial(draw_angles, angles, [gap_percent(r) for r in angles], errors[:-1])
-        loop = partial(draw_loop, rows["shapes"], branches[SHOWN], shown)
         figures = {
-            "bifurcation_loop": Figure(words.loop(SHOWN), loop),
-            "bifurcation": Figure(words.BRANCHES, partial(draw_branches, branches, marks)),
-            "bifurcation_angles": Figure(words.ANGLES, partial(angle, errors[-1])),
+            "bifurcation_loop": partial(draw_loop, rows["shapes"], branches[SHOWN], shown),
+            "bifurcation": partial(draw_branches, branches, marks),
+            "bifurcation_angles": partial(angle, errors[-1]),
         }
-        compared = Table(words.COMPARED, comparison({**tiers, NODES: rows[NODES]}))
+        rigid, order = exactness(tiers, RIGID), span(orders(tiers))
+        values = {**exactness(tiers), "rigid": rigid, "order": order, "shown": SHOWN}
+        compared = comparison({**tiers, NODES: rows[NODES]})
         return Found(
-            Section(words.TITLE, words.told(tiers), figures, {"bifurcation_exact": compared}),
+            WORDS.section(self.title, figures, {"bifurcation_exact": compared}, **values),
             [
                 snap_statement(tiers),
                 growth_statement(angles, tiers),
@@ -110,6 +114,11 @@ class Bifurcation(Part):
             ],
             summary(tiers),
         )
+
+
+def exactness(tiers: Mapping[str, Sequence[Row]], beam: str = STRETCHES) -> dict[str, Any]:
+    """The largest difference (%) from an exact beam by tier, and what it is of."""
+    return {tier: overall(rows, beam) for tier, rows in tiers.items()}
 
 
 def snaps(row: Row) -> bool:
@@ -143,21 +152,39 @@ def snap_statement(tiers: Mapping[str, Sequence[Row]]) -> Statement:
         judged("bifurcation.snap.arches", held / len(rows)),
         judged("bifurcation.snap.angle", errors["standard"]),
     )
-    widths = [loop_width(row) for row in rows]
-    return words.snap(tiers, held, widths, errors).judged("bifurcation.snap", came)
+    return WORDS.statement(
+        "snap",
+        came,
+        **exactness(tiers),
+        angles=listed(column(rows, "alpha_critical_rad"), ".4f"),
+        epsilons=listed(row["epsilon"] for row in rows),
+        held=held,
+        count=len(rows),
+        mirrored=max(abs(row["alpha_critical_rad"] + row["alpha_back_rad"]) for row in rows),
+        widths=listed([loop_width(row) for row in rows], ".3f"),
+        errors=errors,
+    )
 
 
 def growth_statement(angles: Sequence[Row], tiers: Mapping[str, Sequence[Row]]) -> Statement:
     """The critical angle against the pre-compression."""
-    epsilon, alpha = (column(angles, key) for key in ("epsilon", "alpha_critical_rad"))
+    epsilon, alpha = column(angles, "epsilon"), column(angles, "alpha_critical_rad")
     falls = np.diff(alpha) <= 0.0
     inside = epsilon[1:] >= min(row["epsilon"] for row in tiers["standard"])
     came = weakest(
         judged("bifurcation.growth", falls.sum()),
         judged("bifurcation.growth.range", falls[inside].sum()),
     )
-    said = words.growth(tiers, epsilon, alpha, int((~falls).sum()))
-    return said.judged("bifurcation.growth", came)
+    return WORDS.statement(
+        "growth",
+        came,
+        **exactness(tiers),
+        first=angles[0],
+        last=angles[-1],
+        rises=(~falls).sum(),
+        steps=len(falls),
+        ratio=span(alpha / np.sqrt(epsilon)),
+    )
 
 
 def fold_statement(angles: Sequence[Row], tiers: Mapping[str, Sequence[Row]]) -> Statement:
@@ -167,7 +194,22 @@ def fold_statement(angles: Sequence[Row], tiers: Mapping[str, Sequence[Row]]) ->
     gaps, on_paper = ([gap_percent(row) for row in one] for one in (angles, tiers["paper"]))
     beyond = sum(gap >= times * off(rows, "alpha_critical_rad") for gap in gaps)
     came = judged("bifurcation.fold", 1.0 - beyond / len(gaps))
-    return words.fold(tiers, angles, beyond, gaps, on_paper).judged("bifurcation.fold", came)
+    higher = [100.0 * (r["midpoint_before_bar"] / r["midpoint_fold_bar"] - 1.0) for r in rows]
+    return WORDS.statement(
+        "fold",
+        came,
+        **exactness(tiers),
+        beyond=beyond,
+        count=len(gaps),
+        leaning=100.0 * min(row["leaning"] for row in angles),
+        gaps=span(gaps),
+        first=angles[0],
+        last=angles[-1],
+        on_paper=span(on_paper),
+        compared=span(row["epsilon"] for row in rows),
+        energy=max(100.0 * (r["energy_fold_bar"] / r["energy_before_bar"] - 1.0) for r in rows),
+        higher=span(higher),
+    )
 
 
 def nodes_statement(rows: Sequence[Row], steps: Sequence[Row]) -> Statement:
@@ -183,8 +225,15 @@ def nodes_statement(rows: Sequence[Row], steps: Sequence[Row]) -> Statement:
         judged("bifurcation.nodes", *(error for error, _ in static)),
         judged("bifurcation.nodes.step", abs(late)),
     )
-    said = words.nodes(max(static), off(rows, "alpha_critical_rad"), steps, late, tilted)
-    return said.judged("bifurcation.nodes", came)
+    return WORDS.statement(
+        "nodes",
+        came,
+        worst=max(static),
+        angle=off(rows, "alpha_critical_rad"),
+        off=(late, tilted),
+        steps_ms=[1e3 * row["step_s"] for row in steps],
+        fine=steps[1],
+    )
 
 
 def summary(tiers: Mapping[str, Sequence[Row]]) -> dict[str, float]:

@@ -25,11 +25,12 @@ from experiments.exchanges import (
 from experiments.paper.base import Found, Part, failed, incomplete, weakest
 from experiments.paper.causes import words
 from experiments.paper.causes.figure import draw_causes
+from experiments.paper.causes.words import WORDS
 from experiments.paper.cells import LANES, jump_rows
 from experiments.paper.limits import judged
 from experiments.paper.settings import BASELINE
 from snapjump.batch import variants as robots
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
+from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
 
@@ -69,7 +70,7 @@ class Causes(Part):
     """The same designs from both ends, with one choice exchanged at a time."""
 
     name = "causes"
-    title = words.TITLE
+    title = "What causes the difference"
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
         """Ends, exchanges, frames, harder contact, steps, and many jumps."""
@@ -128,6 +129,7 @@ class Causes(Part):
         apart = shift(rows[PAPER], rows[REFERENCE])
         ladder = {ratio: shift(rows[frame(ratio)], rows[RIGID]) for ratio in STIFFNESSES}
         harder = {title: shift(rows[title], rows[RIGID]) for title in HARDER}
+        changes = "; ".join(f"{title}: {words.moves(one)}" for title, one in harder.items())
         soft = rows[frame(STIFFNESSES[0])]
         off = shift(soft, rows[exchange(REFERENCE, FRAME)])
         limit = rows[step(STEPS_S[-1])]
@@ -135,38 +137,42 @@ class Causes(Part):
             s: shift(rows[step(s)], limit) for s in STEPS_S[1:-1]
         }
         epsilon = BASELINE[1], rows[STARTS][0]["epsilon_left"]
-        counted = {
-            s: (len(failed(jumps)), len(jumps), float(np.nanmin(column(jumps, "min_gap_m"))))
-            for s, jumps in ((s, rows[many(s)]) for s in (STEPS_S[0], *LONG_STEPS_S))
-        }
+        counted = [gap_row(s, rows[many(s)]) for s in (STEPS_S[0], *LONG_STEPS_S)]
         mesh, finer = (moved[end, ELEMENTS] for end in ENDS)
         lost = [incomplete(name, one) for name, one in done.items() if failed(one.rows)]
         flat = {"paper_to_reference": apart, "frame_1000_ei": ladder[STIFFNESSES[0]],
                 "step_1e_5_s": by_step[STEPS_S[0]]}  # fmt: skip
+        slip = 1.0 - printed_friction(1.0)
+        made = {"designs": DESIGNS, "finest_s": STEPS_S[-1]}
+        barrier_mm = 1e3 * groups[PAPER]["contact"]["distance_m"]
+        figures = {"causes": partial(draw_causes, moved, apart)}
+        values = {**made, "apart": apart, **words.told(moved, lost)}
         return Found(
-            Section(
-                words.TITLE,
-                words.told(moved, apart, lost),
-                {"causes": Figure(words.figure(DESIGNS), partial(draw_causes, moved, apart))},
-                tables(moved, by_step, counted),
-            ),
+            WORDS.section(self.title, figures, *tables(moved, by_step, counted), **values),
             [
                 words.frame(
-                    DESIGNS, moved[PAPER, FRAME], ladder, off, epsilon, len(failed(soft))
-                ).judged("causes.frame", matters(ladder[STIFFNESSES[0]])),
-                words.step(DESIGNS, by_step, STEPS_S[-1]).judged(
-                    "causes.step", matters(by_step[STEPS_S[0]])
+                    matters(ladder[STIFFNESSES[0]]),
+                    ladder,
+                    len(failed(soft)),
+                    paper=moved[PAPER, FRAME],
+                    off=off,
+                    epsilon=epsilon,
+                    **made,
                 ),
-                words.nodes(DESIGNS, mesh, finer, moved[PAPER, START]).judged(
-                    "causes.nodes", matters(mesh)
+                words.step(matters(by_step[STEPS_S[0]]), by_step, **made),
+                WORDS.statement(
+                    "nodes",
+                    matters(mesh),
+                    moves=words.moves(mesh),
+                    converged=finer,
+                    noise=moved[PAPER, START],
+                    **made,
                 ),
-                words.contact(DESIGNS, harder).judged("causes.contact", matters(*harder.values())),
-                words.smooth(printed_friction(1.0)).judged(
-                    "causes.smooth", judged("causes.smooth", 1.0 - printed_friction(1.0))
+                WORDS.statement("contact", matters(*harder.values()), changes=changes, **made),
+                WORDS.statement(
+                    "smooth", judged("causes.smooth", slip), last=printed_friction(1.0)
                 ),
-                words.stability(counted, groups[PAPER]["contact"]["distance_m"]).judged(
-                    "causes.stability", stable(rows[many(STEPS_S[0])])
-                ),
+                words.stability(stable(rows[many(STEPS_S[0])]), counted, barrier_mm),
             ],
             {
                 f"{name}_{key}_median_percent": getattr(found, f"{key}_median")
@@ -194,12 +200,19 @@ def stable(rows: Sequence[Row]) -> str:
     return judged("causes.stability", len(failed(rows)) / len(rows))
 
 
+def gap_row(step_s: float, rows: Sequence[Row]) -> Row:
+    """Failures and the smallest gap with a step."""
+    gap_m = float(np.nanmin(column(rows, "min_gap_m")))
+    lost = len(failed(rows))
+    return {"step_s": step_s, "jumps": len(rows), "failed": lost, "smallest_gap_mm": 1e3 * gap_m}
+
+
 def tables(
     moved: Mapping[tuple[str, str], Shift],
     by_step: Mapping[float, Shift],
-    counted: Mapping[float, tuple[int, int, float]],
-) -> dict[str, Table]:
-    """All three; ``counted``: failures, jumps and the smallest gap, by step."""
+    counted: Sequence[Row],
+) -> tuple[dict[str, Sequence[Row]], dict[str, dict[str, int]]]:
+    """All three, and their digits."""
 
     def cut(found: Shift, prefix: str = "") -> Row:
         return {
@@ -217,15 +230,6 @@ def tables(
         }
         for title in dict.fromkeys(title for _, title in moved)
     ]
-    gaps = [
-        {"step_s": s, "jumps": count, "failed": lost, "smallest_gap_mm": 1e3 * gap_m}
-        for s, (lost, count, gap_m) in counted.items()
-    ]
-    return {
-        "causes": Table(words.EXCHANGED, exchanged, dict.fromkeys(list(exchanged[0])[1:], 2)),
-        "causes_steps": Table(
-            f"The paper's settings with other steps, against {STEPS_S[-1]:g} s",
-            [{"step_s": s, **cut(one)} for s, one in by_step.items()],
-        ),
-        "causes_gaps": Table("The paper's settings with longer steps", gaps),
-    }
+    steps = [{"step_s": s, **cut(one)} for s, one in by_step.items()]
+    digits = {"causes": dict.fromkeys(list(exchanged[0])[1:], 2)}
+    return {"causes": exchanged, "causes_steps": steps, "causes_gaps": counted}, digits

@@ -8,17 +8,18 @@ import numpy as np
 
 from experiments.compositions import composed, groups_at, simulation_at
 from experiments.inverse_benchmark.cases import Case, case_rows
+from experiments.inverse_benchmark.methods import LENGTH_MM, PAPER
 from experiments.paper.base import Found, Part, Statement, weakest
 from experiments.paper.cells import shipped_forward, shipped_inputs
-from experiments.paper.designs import words
 from experiments.paper.designs.figure import draw_flights, draw_misses
 from experiments.paper.limits import judged
 from experiments.paper.settings import BASELINE, TIERS
+from experiments.paper.words import Words
 from snapjump.declare.members import member_class
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table, column
+from snapjump.run.studies.base import Cell, Done, Row, column
 
+WORDS = Words(__file__)
 MASS_BAR, MU = BASELINE[2:]
-
 
 ONE_ROBOT = tuple(
     Case(f"{row}{column}", MASS_BAR, MU, x, y)
@@ -47,7 +48,7 @@ class Designs(Part):
     """A cell for each group of targets and each method."""
 
     name = "designs"
-    title = words.TITLE
+    title = "Inverse designs"
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> Sequence[Cell]:
         """Targets by methods."""
@@ -80,17 +81,15 @@ class Designs(Part):
         shown = {group: [row for row in misses[SHOWN] if row["group"] == group] for group in GROUPS}
         lines = [line(method, found) for method, found in misses.items()]
         figures = {
-            "designs": Figure(words.FLIGHTS, partial(draw_flights, shown)),
-            "designs_misses": Figure(words.MISSES, partial(draw_misses, misses)),
+            "designs": partial(draw_flights, shown),
+            "designs_misses": partial(draw_misses, misses),
         }
         tables = {
-            "designs_methods": Table("Misses in mm at L = 20 mm", lines),
-            "designs": Table(
-                f"The designs of the figure, by `{SHOWN}`", [design_line(r) for r in misses[SHOWN]]
-            ),
+            "designs_methods": lines,
+            "designs": [design_line(row) for row in misses[SHOWN]],
         }
         return Found(
-            Section(words.TITLE, words.told(misses, GROUPS), figures, tables),
+            WORDS.section(self.title, figures, tables, **told(misses)),
             [millimetres(misses)],
             {
                 f"designs_{line['method']}_{key}": line[source]
@@ -156,7 +155,38 @@ def millimetres(methods: Mapping[str, Sequence[Row]]) -> Statement:
     )
     lines = {name: line(name, rows) for name, rows in methods.items()}
     off = {tier: apart(methods, tier) for tier in ("reference", "paper")}
-    return words.millimetres(lines, LEARNED, off).judged("designs.millimetres", came)
+    learned = [lines[name] for name in LEARNED]
+    return WORDS.statement(
+        "millimetres",
+        came,
+        learned=learned,
+        methods=WORDS.each("misses of a method", lines.values()),
+        at_paper=WORDS.each("misses at paper", learned, " and "),
+        theirs=PAPER[0],
+        off=off,
+    )
+
+
+def told(methods: Mapping[str, Sequence[Row]]) -> dict[str, Any]:
+    """What the text says of the designs."""
+    designs = methods[SHOWN]
+    misses = column(designs, "miss_standard_mm")
+    far = designs[int(np.nanargmax(misses))]
+    pair = [row for row in designs if row["robot"] in ("R4", "R5")]
+    return {
+        "one": len(ONE_ROBOT),
+        "many": len(MANY_ROBOTS),
+        "mass_bar": MASS_BAR,
+        "mu": MU,
+        "reachable": sum(bool(row["reachable"]) for row in designs),
+        "targets": len(designs),
+        "median_mm": np.nanmedian(misses),
+        "far": far,
+        "share": 100 * np.nanmax(misses) / (LENGTH_MM * far["target_y_bar"]),
+        "pair": pair,
+        "controls": WORDS.each("design", pair, " and "),
+        "physics": line("physics", methods["physics"]),
+    }
 
 
 def apart(methods: Mapping[str, Sequence[Row]], tier: str) -> float:

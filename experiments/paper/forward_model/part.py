@@ -10,18 +10,38 @@ from typing import Any, NamedTuple
 
 from experiments.compositions import groups_at
 from experiments.designs import spread_designs
+from experiments.inverse_benchmark.methods import PAPER
 from experiments.inverse_benchmark.study import stretches
 from experiments.inverse_benchmark.table import summary_row
 from experiments.pace import pace_row, pace_rows
 from experiments.paper.base import Found, Part, Statement, weakest
 from experiments.paper.cells import shipped_inputs
-from experiments.paper.forward_model import words
 from experiments.paper.forward_model.figure import draw_forward_model
 from experiments.paper.limits import judged
+from experiments.paper.words import Words
 from experiments.surrogates.from_nothing import dataset_rows, forward_rows, trained
 from snapjump.declare.members import make_member, member_class, member_group
 from snapjump.learning.training import Training
-from snapjump.run.studies.base import Cell, Done, Figure, Row, Section, Table
+from snapjump.run.studies.base import Cell, Done, Row
+from snapjump.tiers import TIERS
+
+WORDS = Words(__file__)
+# The paper: its dataset, on an i9-12900H, which has 20 threads; how much slower its searches
+# on the simulator are.
+PAPER_JUMPS, PAPER_HOURS, PAPER_THREADS = 50_625, 4.0, 20
+PAPER_RATIOS = {
+    name: float(str(row["seconds"])) / float(str(PAPER[0]["seconds"]))
+    for name, row in zip(("bayesian", "finite_difference"), PAPER[1:], strict=True)
+}
+THEIRS = {
+    "jumps": PAPER_JUMPS,
+    "hours": PAPER_HOURS,
+    "threads": PAPER_THREADS,
+    "theirs": PAPER[0],
+    "their_ratios": PAPER_RATIOS,
+    "standard": WORDS("standard", promise_percent=TIERS["standard"].promise_percent),
+}
+PACED_AT = ("paper", "standard")
 
 
 class Method(NamedTuple):
@@ -66,7 +86,7 @@ class ForwardModels(Part):
     """From nothing: 50,625 jumps, the paper's network on them, and designs for random targets."""
 
     name = "forward_model"
-    title = words.TITLE
+    title = "Dataset, forward model, inverse design"
     kinds = {
         DATASET: dataset_rows,
         TRAINED: forward_rows,
@@ -98,7 +118,7 @@ class ForwardModels(Part):
         designs = spread_designs(PACED, seed)
         return cells + [
             Cell(f"{PACE}, {tier}", {"kind": PACE, "groups": at, "designs": designs})
-            for tier, at in ((tier, groups_at(groups, tier)) for tier in words.PACED)
+            for tier, at in ((tier, groups_at(groups, tier)) for tier in PACED_AT)
         ]
 
     def judge(self, done: Mapping[str, Done]) -> Found:
@@ -108,20 +128,18 @@ class ForwardModels(Part):
             if "method" in one.cell.inputs:
                 methods[one.cell.inputs["method"]] += one.rows
         made, (learned, *predictions) = done[DATASET].rows, done[TRAINED].rows
-        pace = {tier: done[f"{PACE}, {tier}"].rows for tier in words.PACED}
+        pace = {tier: done[f"{PACE}, {tier}"].rows for tier in PACED_AT}
         found = {name: summary_row(name, rows) for name, rows in methods.items()}
         measures = {key: value for key, value in learned.items() if key != "kind"}
-        figure = Figure(words.FIGURE, partial(draw_forward_model, predictions, methods))
+        figures = {"forward_model": partial(draw_forward_model, predictions, methods)}
         tables = {
-            "dataset_cost": Table("The dataset", made),
-            "network": Table("The paper's network", [measures]),
-            "inverse_methods": Table(
-                words.METHODS, [{key: row[key] for key in SHOWN} for row in found.values()]
-            ),
-            "pace": Table(words.PACE, [{"tier": t, **pace_row(rows)} for t, rows in pace.items()]),
+            "dataset_cost": made,
+            "network": [measures],
+            "inverse_methods": [{key: row[key] for key in SHOWN} for row in found.values()],
+            "pace": [{"tier": tier, **pace_row(rows)} for tier, rows in pace.items()],
         }
         return Found(
-            Section(words.TITLE, words.PARAGRAPHS, {"forward_model": figure}, tables),
+            WORDS.section(self.title, figures, tables),
             [
                 real_time_statement(pace),
                 dataset_statement(made[0]),
@@ -148,23 +166,50 @@ def real_time_statement(pace: Mapping[str, list[Row]]) -> Statement:
         judged("forward_model.real_time", rows["paper"]["most_of_time_to_apex"]),
         judged("forward_model.real_time.liftoff", rows["paper"]["most_of_time_to_liftoff"]),
     )
-    return words.real_time(rows).judged("forward_model.real_time", came)
+    times = {
+        f"{tier}_times": WORDS(
+            "real_time: times",
+            **row,
+            apex_percent=100.0 * row["most_of_time_to_apex"],
+            liftoff_percent=100.0 * row["most_of_time_to_liftoff"],
+        )
+        for tier, row in rows.items()
+    }
+    clock_s = PAPER_HOURS * 3600.0 / PAPER_JUMPS
+    return WORDS.statement(
+        "real_time",
+        came,
+        **THEIRS,
+        **times,
+        paper=rows["paper"],
+        clock_s=clock_s,
+        thread_s=clock_s * PAPER_THREADS,
+    )
 
 
 def dataset_statement(row: Row) -> Statement:
     """What the dataset costs."""
-    share = row["kernel_core_seconds"] / (words.PAPER_HOURS * 3600.0 * words.PAPER_THREADS)
+    share = row["kernel_core_seconds"] / (PAPER_HOURS * 3600.0 * PAPER_THREADS)
     came = weakest(
         judged("forward_model.dataset.time", share),
         judged("forward_model.dataset.jumps", row["ok"]),
     )
-    return words.dataset(row, 1.0 / share).judged("forward_model.dataset", came)
+    timed = row["wall_seconds"] is not None
+    return WORDS.statement(
+        "dataset",
+        came,
+        **THEIRS,
+        row=row,
+        minutes=row["kernel_core_seconds"] / 60.0,
+        by_clock=f" {WORDS('dataset: by the clock', **row)}" if timed else "",
+        factor=1.0 / share,
+    )
 
 
 def error_statement(row: Row) -> Statement:
     """What the paper's network learns."""
-    key = "forward_model.error"
-    return words.error(row).judged(key, judged(key, row["mae_bar"]))
+    came = judged("forward_model.error", row["mae_bar"])
+    return WORDS.statement("error", came, **THEIRS, row=row)
 
 
 def inverse_statements(rows: Mapping[str, Row]) -> list[Statement]:
@@ -173,7 +218,7 @@ def inverse_statements(rows: Mapping[str, Row]) -> list[Statement]:
     own = rows[DATA_DRIVEN]
     mean_mm, seconds = own["mean_mm_standard"], own["seconds_mean"]
     ratios = {name: rows[name]["seconds_median"] / own["seconds_median"] for name in SEARCHES}
-    shares = [ratio / words.PAPER_RATIOS[name] for name, ratio in ratios.items()]
+    shares = [ratio / PAPER_RATIOS[name] for name, ratio in ratios.items()]
     plan = judged("forward_model.plan.time", seconds), judged("forward_model.plan.miss", mean_mm)
     came = {
         "accuracy": judged("forward_model.accuracy", mean_mm),
@@ -181,5 +226,6 @@ def inverse_statements(rows: Mapping[str, Row]) -> list[Statement]:
         "plan": weakest(*plan),
         "speed": judged("forward_model.speed", *shares),
     }
-    said = words.inverse(rows, own, ratios)
-    return [one.judged(f"forward_model.{key}", came[key]) for key, one in said.items()]
+    timed = WORDS("timed", **THEIRS, rows=rows, own=own)
+    values = {**THEIRS, "rows": rows, "own": own, "ratios": ratios, "timed": timed}
+    return [WORDS.statement(key, verdict, **values) for key, verdict in came.items()]

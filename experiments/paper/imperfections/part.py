@@ -9,16 +9,18 @@ from numpy.typing import NDArray
 
 from experiments.compositions import composed, groups_at
 from experiments.designs import spread_designs
-from experiments.paper.base import Found, Part, section, weakest
+from experiments.paper.base import Found, Part, Statement, weakest
 from experiments.paper.cells import apexes_of, jumps
-from experiments.paper.imperfections import figure, words
+from experiments.paper.imperfections import figure
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import BASELINE, NAMES, PLAIN, TIERS
+from experiments.paper.words import Words
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.targets.manufacturing import ErrorCurves, alone_off
-from snapjump.targets.simulator import JumpSimulator, differentiable
+from snapjump.targets.simulator import RESOLVED_STICK_ZONE_M_S, JumpSimulator, differentiable
 
 Array = NDArray[np.float64]
+WORDS = Words(__file__)
 # Factors of a parameter: every percent, and the ten of the released program's test.
 RELEASED = np.linspace(0.8, 1.2, 10)
 FACTORS = np.unique(np.round([*np.linspace(0.8, 1.2, 41), *RELEASED], 12))
@@ -109,6 +111,55 @@ def robust(curves: Mapping[str, ErrorCurves], others: Mapping[str, Array]) -> st
     )
 
 
+def ordered(values: Array) -> str:
+    """The parameters in the order of (4,) values, each with its own in percent."""
+    names = [*PLAIN.values()]
+    return ", ".join(f"{names[k]} {100.0 * values[k]:.2g} %" for k in np.argsort(-values))
+
+
+def worst(largest: Array) -> tuple[str, float]:
+    """Of the largest changes (4, 2): which coordinate by which parameter, and how much (%)."""
+    k, j = np.unravel_index(int(largest.argmax()), largest.shape)
+    return f"{'xy'[j]} by {PLAIN[NAMES[k]]}", 100.0 * float(largest[k, j])
+
+
+def statement(curves: Mapping[str, ErrorCurves], others: Mapping[str, Array]) -> Statement:
+    """At the test design, and at other designs by their worst parameters."""
+    here, both = curves["standard"].largest, [others[axis] for axis in "xy"]
+    half, limit = (
+        [100.0 * float(np.quantile(one.max(axis=0), share)) for one in both]
+        for share in (0.5, MOST)
+    )
+    apart = 100.0 * np.abs(curves["standard"].relative - curves["reference"].relative)
+    return WORDS.statement(
+        "robust", robust(curves, others), here=[ordered(one) for one in here.T], worst=worst(here),
+        paper=worst(curves["paper"].largest), inverse=100 * INVERSE,
+        beyond=[100.0 * float(np.mean(one.max(axis=0) > INVERSE)) for one in both],
+        medians=[ordered(np.median(one, axis=1)) for one in both], half=half, most=100 * MOST,
+        limit=limit, off=np.nanmax(apart, axis=(0, 1)),
+    )  # fmt: skip
+
+
+def told(
+    curves: Mapping[str, ErrorCurves], tangents: Mapping[str, Array], others: Mapping[str, Array]
+) -> dict[str, Any]:
+    """Values of the text: changes by the mismatch, and how far straight lines are off (%)."""
+    first, fine = NAMES.index("delta_alpha_rad"), curves["reference"]
+    secants, exact = fine.secants(SECANT), tangents["reference"]
+    return {
+        "baseline": BASELINE,
+        "here": 100.0 * curves["standard"].largest[first],
+        "there": {axis: 100.0 * np.median(others[axis][first]) for axis in "xy"},
+        "stick_zone_m_s": RESOLVED_STICK_ZONE_M_S,
+        "secant": 100 * SECANT,
+        "apart": {tier: float(np.abs(one - secants).max()) for tier, one in tangents.items()},
+        "held": [100.0 * error for error in HELD],
+        "off": [100.0 * fine.deviations(exact, error).max(axis=0) for error in HELD],
+        "wide": 100.0 * fine.deviations(secants, HELD[-1]).max(axis=0),
+        "rough": {tier: 100.0 * one.roughness for tier, one in curves.items()},
+    }
+
+
 class Imperfections(Part):
     """Curves at every tier, exact slopes at two, and other designs."""
 
@@ -138,14 +189,12 @@ class Imperfections(Part):
             for tier in LINES
         }  # fmt: skip
         others, exact = elsewhere(done["elsewhere"].rows), tangents["reference"]
-        text = words.text(curves, tangents, others, HELD, SECANT)
         figures = {
             "imperfections": partial(figure.draw_errors, curves, RELEASED - 1.0),
             "imperfections_lines": partial(figure.draw_lines, curves, exact, 100 * SECANT),
         }
         rows = tables(curves, tangents, others)
         digits = {"imperfections_slopes": dict.fromkeys(rows["imperfections_slopes"][0], 3)}
-        said = words.robust(curves, others, MOST, INVERSE)
         summary = {
             f"{kind[0]}_{name.removesuffix('_rad')}_{axis}_{kind[1]}": float(values[k, j])
             for kind, values in {
@@ -156,8 +205,6 @@ class Imperfections(Part):
             for k, name in enumerate(NAMES)
             for j, axis in enumerate("xy")
         }
-        return Found(
-            section(self.title, text, figures, rows, words.CAPTIONS, digits),
-            [said.judged("imperfections.robust", robust(curves, others))],
-            summary,
-        )
+        values = told(curves, tangents, others)
+        section = WORDS.section(self.title, figures, rows, digits, **values)
+        return Found(section, [statement(curves, others)], summary)

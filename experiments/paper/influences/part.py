@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from experiments.arches.critical import critical_rows
 from experiments.compositions import changed, composed, groups_at
-from experiments.paper.base import Found, Part, Statement, section, verdict, weakest
+from experiments.paper.base import Found, Part, Statement, percent, span, verdict, weakest
 from experiments.paper.cells import (
     LANES,
     LOADING_S,
@@ -28,6 +28,7 @@ from experiments.paper.cells import (
     varied,
 )
 from experiments.paper.influences import figure, words
+from experiments.paper.influences.words import WORDS, limit_of_level, percents
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import BASELINE, RANGES, TIERS
 from experiments.trends import Plateau, counter_step, plateau, power, relative_range
@@ -78,6 +79,7 @@ SHORT, SHORT_CHANGES = "paper, short step", {"stepping": {"step_s": 1e-6}}
 # ground bears the beam before it snaps.
 SLIDING_MU = (0.1, 0.2, 0.25, 0.3, 0.45, 0.6)
 PRESSED_HEIGHTS = (0.03, 0.05, 0.07, 0.15)
+HIDDEN = 1.3  # a swing so many times that of a coarser step was hidden by that step
 # Of these the energy is followed: the ends of the paper's range, and the baseline.
 ENERGY_MASSES = (0.3, 0.768, 2.0)
 FOLLOWED = ("standard", "paper")  # tiers at which it is
@@ -173,20 +175,18 @@ def height_statements(
     sweeps: Mapping[str, Sweeps],
     statics: Mapping[str, Row],
     pressed: Sequence[Row],
-    told: Mapping[str, str],
+    near: Mapping[str, Any],
 ) -> list[Statement]:
     """Of the paper's vertical jump, and, as our reading, of the baseline's; statics: of each tier's
-    own mesh."""
-    found = []
+    own mesh; near: values of the accuracy, by sweep."""
+    found: list[Statement] = []
     for name, coordinates in ((VERTICAL, ("y_c",)), (MOUNT_HEIGHT, ("y_c", "x_c"))):
         depths = {tier: (row["h1_bar"], row["h2_bar"]) for tier, row in statics.items()}
         own, papers = (height(sweeps[name][t], *depths[t], coordinates) for t in FOLLOWED)
         came, first = height_verdicts(own), sweeps[name]["standard"][0][MOUNT_HEIGHT]
-        said = words.heights(came, own, papers, first, told[name])
-        suffix = ""
-        if name == MOUNT_HEIGHT:
-            suffix, said = ".oblique", words.oblique(said, own, pressed, statics["standard"])
-        found += [one.judged(f"influences.{key}{suffix}", came[key]) for key, one in said.items()]
+        said = words.heights(came, own, papers, first=first, near=near[name])
+        still = statics["standard"]
+        found += said.values() if name == VERTICAL else words.oblique(said, own, pressed, still)
     return found
 
 
@@ -203,13 +203,22 @@ def ways_back(rows: Sequence[Row], key: str, rising: bool) -> tuple[float, float
     return counter_step(x, rising), counter_step(y, rising)
 
 
-def mass_statement(sweeps: Sweeps, energies: Mapping[str, Sequence[Row]], told: str) -> Statement:
+def run(name: str, sweeps: Sweeps, key: str, rising: bool, **values: Any) -> Statement:
+    """That x and y both rise or both fall."""
+    own, papers = (ways_back(sweeps[tier], key, rising) for tier in FOLLOWED)
+    ends = [one[[0, -1]] for one in columns(sweeps["standard"], key)]
+    values |= dict(zip("vxy", ends, strict=True))
+    values |= {"own": percents(own), "papers": percents(papers)}
+    return WORDS.statement(name, judged("influences.monotone", *own), **values)
+
+
+def mass_statement(sweeps: Sweeps, energies: Mapping[str, Sequence[Row]], near: Any) -> Statement:
     """Fall with the mass; energies: at standard and with the paper's settings, by mass."""
-    backs = [ways_back(sweeps[tier], "mass_bar", False) for tier in FOLLOWED]
     curves = [columns(sweeps[tier], "mass_bar") for tier in FOLLOWED]
     powers = [power(v, one) for v, *apex in curves for one in apex]
-    said = words.fall(*curves[0], backs, powers, energies, told)
-    return said.judged("influences.mass", judged("influences.monotone", *backs[0]))
+    shares = [words.shares(energies[tier]) for tier in FOLLOWED]
+    values = {"powers": powers, "released": energies["standard"][0], "shares": shares, "near": near}
+    return run("mass", sweeps, "mass_bar", False, **values)
 
 
 def levels_off(*found: Plateau) -> str:
@@ -241,33 +250,39 @@ def mismatched(rows: Sequence[Row]) -> Mismatched:
     return Mismatched(in_x, in_y, back, x[v >= in_x.threshold])
 
 
-def mismatch_statements(sweeps: Sweeps, told: str) -> list[Statement]:
+def mismatch_statements(sweeps: Sweeps, near: Any) -> list[Statement]:
     """Growth of x and fall of y with the mismatch, and the plateau that follows."""
     own, papers = (mismatched(sweeps[tier]) for tier in FOLLOWED)
     v, short_x, _ = columns(sweeps[SHORT], MISMATCH)
     short = float(np.ptp(short_x[v >= papers.x.threshold]) / papers.x.level)
-    came = levels_off(own.x, own.y)
-    level = words.plateau(came, own, papers, float(v[-1]), short, told)
+    came, hidden = levels_off(own.x, own.y), short > HIDDEN * papers.x.relative_swing
+    both = {"own": own, "papers": papers, "back": percents(own.back), "near": near}
     tuning = judged("influences.monotone", *own.back)
-    return [
-        words.mismatch(own, papers, told).judged("influences.mismatch", tuning),
-        level.judged("influences.plateau", came),
-    ]
+    level = WORDS.statement(
+        "plateau", came, limit=limit_of_level(came, {"x_c": own.x, "y_c": own.y}), last=v[-1],
+        swings=percents(one.relative_swing for one in (own.x, own.y, papers.x, papers.y)),
+        below=own.x.level - own.beyond.min(), above=own.beyond.max() - own.x.level,
+        short=percent(short), hidden=", so that it is the step that levels it" if hidden else "",
+        **both,
+    )  # fmt: skip
+    return [WORDS.statement("mismatch", tuning, fall=-own.y.slope_before, **both), level]
 
 
-def friction_statements(sweeps: Sweeps, sliding: Sequence[Row], told: str) -> list[Statement]:
+def friction_statements(sweeps: Sweeps, sliding: Sequence[Row], near: Any) -> list[Statement]:
     """What friction does not change, and where it changes no more."""
     last, wide = RANGES["mu"][1], columns(sweeps["standard"], "mu")[2]
     (v, x, y), (_, paper_x, paper_y) = (columns(sweeps[tier], "mu", last) for tier in FOLLOWED)
     own, papers = plateau(v, x), plateau(v, paper_x)
     spreads = [relative_range(one) for one in (y, paper_y, wide)]
     came, alone = levels_off(own), judged("influences.friction_height", spreads[0])
-    return [
-        words.friction_height(y, spreads, told).judged("influences.friction_height", alone),
-        words.threshold(came, own, papers, sliding, told).judged(
-            "influences.friction_threshold", came
-        ),
-    ]
+    both = {"last": last, "near": near}
+    told = {"y": span(y), "spreads": percents(spreads), **both}
+    grown = WORDS.statement(
+        "friction_threshold", came, limit=limit_of_level(came, {"x_c": own}), own=own,
+        papers=papers, swings=percents([own.relative_swing, papers.relative_swing]),
+        why=words.why(sliding, own.threshold), **both,
+    )  # fmt: skip
+    return [WORDS.statement("friction_height", alone, **told), grown]
 
 
 class Influences(Part):
@@ -308,8 +323,10 @@ class Influences(Part):
         """The statements in the paper's order; figures of sweeps, heights and friction."""
         rows = {name: one.rows for name, one in done.items()}
         sweeps = {name: {tier: rows[f"{name}, {tier}"] for tier in TIERS} for name in SWEEPS}
-        told = {name: words.accuracy(sweeps[name], apart(sweeps[name], one.place))
-                for name, one in SWEEPS.items()}  # fmt: skip
+        near = {
+            name: {"off": apart(one, SWEEPS[name].place), "counts": {t: len(one[t]) for t in TIERS}}
+            for name, one in sweeps.items()
+        }
         sweeps[MISMATCH] |= {SHORT: rows[f"{MISMATCH}, {SHORT}"]}
         statics = {tier: rows[f"statics, {tier}"][0] for tier in TIERS}
         energies = {tier: rows[f"energies, {tier}"] for tier in FOLLOWED}
@@ -332,17 +349,14 @@ class Influences(Part):
             "influences_pressed": pressed,
             "influences_sliding": sliding,
         }
-        backs = [ways_back(sweeps["epsilon"][tier], "epsilon", True) for tier in FOLLOWED]
-        grown = columns(sweeps["epsilon"]["standard"], "epsilon")
-        growth = words.growth(*grown, backs, told["epsilon"])
-        text = words.text([*four.values(), sweeps[MOUNT_HEIGHT]])
+        told = words.differences([*four.values(), sweeps[MOUNT_HEIGHT]])
         return Found(
-            section(self.title, text, figures, tables, words.CAPTIONS),
+            WORDS.section(self.title, figures, tables, **told),
             [
-                *height_statements(heights, statics, pressed, told),
-                growth.judged("influences.growth", judged("influences.monotone", *backs[0])),
-                *mismatch_statements(sweeps[MISMATCH], told[MISMATCH]),
-                *friction_statements(sweeps["mu"], sliding, told["mu"]),
-                mass_statement(sweeps["mass_bar"], energies, told["mass_bar"]),
+                *height_statements(heights, statics, pressed, near),
+                run("growth", sweeps["epsilon"], "epsilon", True, near=near["epsilon"]),
+                *mismatch_statements(sweeps[MISMATCH], near[MISMATCH]),
+                *friction_statements(sweeps["mu"], sliding, near["mu"]),
+                mass_statement(sweeps["mass_bar"], energies, near["mass_bar"]),
             ],
         )

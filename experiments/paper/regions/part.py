@@ -8,11 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from experiments.compositions import groups_at
-from experiments.paper.base import Found, Part, Statement, section, weakest
+from experiments.paper.base import Found, Part, Statement, listed, span, weakest
 from experiments.paper.cells import apexes_of, jumps, shipped_forward, shipped_inputs
 from experiments.paper.limits import LIMITS, judged
-from experiments.paper.regions import figure, words
+from experiments.paper.regions import figure
 from experiments.paper.settings import BASELINE, NAMES, RANGES
+from experiments.paper.words import Words
 from experiments.trends import power
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.targets.region import SimulatedRegion as Region
@@ -21,6 +22,7 @@ from snapjump.targets.region import filled_outline
 Array = NDArray[np.float64]
 Environment = tuple[float, float]  # m_bar, mu
 ByEnvironment = Mapping[Environment, Region]
+WORDS = Words(__file__)
 MASS_BAR, MU = BASELINE[2:]
 BY_MASS = [(mass_bar, MU) for mass_bar in (0.3, 0.5, MASS_BAR, 1.2, 2.0)]
 BY_FRICTION = [(MASS_BAR, mu) for mu in (0.1, 0.2, MU, 0.45, 0.6)]
@@ -97,27 +99,38 @@ def agreement(standard: ByEnvironment, reference: ByEnvironment) -> tuple[int, f
     return exact[..., 0].size, float(x), float(y)
 
 
-def shrinks(masses: Sequence[Region], paper: Sequence[Region], accuracy: str) -> Statement:
+# The paper's text states neither of the two: its figure of the regions comes without a claim.
+
+
+def shrinks(
+    masses: Sequence[Region], paper: Sequence[Region], near: tuple[int, float, float]
+) -> Statement:
     """The statement about the mass; regions in the order of their masses, ``paper`` at the paper's
-    settings."""
+    settings; ``near``: :func:`agreement`."""
     both = (masses, paper)
+    areas = [[region.outline.area for region in one] for one in both]
     came = weakest(
-        judged("regions.mass.area", *(against([r.outline.area for r in one]) for one in both)),
+        judged("regions.mass.area", *(against(one) for one in areas)),
         judged("regions.mass.extent",
                *(against([r.extent[k] for r in one]) for one in both for k in (0, 1))),
     )  # fmt: skip
-    said = words.shrinks(masses, paper, mass_exponent(masses), accuracy)
-    return said.judged("regions.mass", came)
+    shares = [100 * after.held(one) for one, after in zip(masses, masses[1:], strict=False)]
+    return WORDS.statement(
+        "mass", came, first=masses[0], last=masses[-1],
+        goes="goes" if against(areas[0]) else "falls at every step", exponent=mass_exponent(masses),
+        paper=[paper[0], paper[-1]], shares=span(shares), near=near,
+    )  # fmt: skip
 
 
 def widens(
     frictions: Sequence[Region],
     paper: Sequence[Region],
     levels: Sequence[float],
-    accuracy: str,
+    near: tuple[int, float, float],
 ) -> Statement:
     """The statement about friction; regions in the order of their frictions."""
     middle, saturated = len(frictions) // 2, LIMITS["regions.friction.share"].confirmed
+    three = [frictions[k] for k in (0, middle, -1)]
     ended = {}
     for y in levels:
         widths = [region.width_bar(y) for region in frictions]
@@ -128,8 +141,38 @@ def widens(
         judged("regions.friction.saturated", sum(ended.values())),
         judged("regions.friction.heights", *moved[0]),
     )
-    said = words.widens(frictions, paper, ended, moved, accuracy)
-    return said.judged("regions.friction", came)
+    right, alone = [r.largest_x for r in frictions], LIMITS["regions.friction.heights"].confirmed
+    told = "; ".join(
+        f"at y = {y:.3g} L {listed([one.width_bar(y) for one in three], '.2g')} L "
+        f"({'' if done else 'not '}saturated)"
+        for y, done in ended.items()
+    )
+    return WORDS.statement(
+        "friction", came, goes="grows" if right == sorted(right) else "goes", three=three,
+        paper=[paper[0], paper[-1]], widths=told, moved=100 * np.array(moved),
+        within="within" if max(moved[0]) <= alone else "beyond", alone=100 * alone,
+        saturated=100 * saturated, near=near,
+    )  # fmt: skip
+
+
+def values(
+    masses: Sequence[Region], frictions: Sequence[Region], pairs: Sequence[tuple[Region, Region]]
+) -> dict[str, Any]:
+    """Values of the text; ``pairs``: regions at standard and with the paper's settings."""
+    areas = np.array([region.outline.area for region in masses])
+    scaled = areas * np.array([region.mass_bar for region in masses]) ** 2
+    shares = [region.cone_share for region in frictions]
+    changes = [100.0 * (paper.outline.area / own.outline.area - 1.0) for own, paper in pairs]
+    return {
+        "ranges": RANGES,
+        "points": len(masses[0].apexes),
+        "exponent": mass_exponent(masses),
+        "scaled": scaled.max() / scaled.min(),
+        "areas": areas.max() / areas.min(),
+        "least_mu": frictions[0].mu,
+        "shares": (shares[0], min(shares), shares[-1]),
+        "changes": span(changes),
+    }
 
 
 def cell_name(tier: str, environment: Environment) -> str:
@@ -176,13 +219,12 @@ class Regions(Part):
             for tier, regions in (("standard", standard), ("paper", paper))
             for region in regions.values()
         ]
-        accuracy = words.accuracy(*agreement(standard, reference))
+        near = agreement(standard, reference)
         low, high = changes(frictions)
         figures = {
             "regions": partial(figure.draw_regions, masses, frictions),
             "regions_settings": partial(figure.draw_settings, pairs),
         }
-        text = words.text(masses, frictions, pairs, mass_exponent(masses))
         summary = {
             "region_area_lightest_bar2": masses[0].outline.area,
             "region_area_heaviest_bar2": masses[-1].outline.area,
@@ -193,7 +235,9 @@ class Regions(Part):
             "region_least_y_change_over_friction": low,
         }
         return Found(
-            section(self.title, text, figures, {"regions": rows}, words.CAPTIONS),
-            [shrinks(masses, few[0], accuracy), widens(frictions, few[1], levels, accuracy)],
+            WORDS.section(
+                self.title, figures, {"regions": rows}, **values(masses, frictions, pairs)
+            ),
+            [shrinks(masses, few[0], near), widens(frictions, few[1], levels, near)],
             summary,
         )

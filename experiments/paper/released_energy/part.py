@@ -10,16 +10,18 @@ from numpy.typing import NDArray
 from experiments.arches import exact
 from experiments.arches.critical import critical_rows, largest_difference, within
 from experiments.compositions import Groups, changed, composed, groups_at
-from experiments.paper.base import Found, Part, section, weakest
+from experiments.paper.base import Found, Part, Statement, weakest
 from experiments.paper.limits import judged
-from experiments.paper.released_energy import figure, words
+from experiments.paper.released_energy import figure
 from experiments.paper.settings import RANGES
+from experiments.paper.words import Words
 from experiments.trends import Line, straight_line
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.tiers import TIERS
 
 Array = NDArray[np.float64]
-LOW = RANGES["epsilon"][0]
+WORDS = Words(__file__)
+LOW, HIGH = RANGE = RANGES["epsilon"]
 FINE = tuple(round(0.01 * k, 2) for k in range(1, 31))  # epsilon
 COARSE = (*FINE[:6], *FINE[7::2])
 OWN = tuple(round(LOW + 0.02 * k, 2) for k in range(11))  # epsilon, on the program's mesh
@@ -98,6 +100,66 @@ def heights_verdict(alike: Sequence[Row], own_mesh: Sequence[Row]) -> str:
     return weakest(*(judged(f"released_energy.heights.{k}", one) for k, one in off.items()))
 
 
+def law(line: Line) -> str:
+    """A line in words."""
+    sign = "-" if line.intercept < 0.0 else "+"
+    return f"{line.slope:.3g} ε {sign} {abs(line.intercept):.2g}"
+
+
+def linear(alike: Sequence[Row], own_mesh: Sequence[Row], off: Sequence[float]) -> Statement:
+    """Lines over the paper's range, over all, and on the paper's mesh; ``off``: of the exact
+    elastica, at standard and at reference (%)."""
+    slope = exact.shallow()["E_over_eps_released"]
+    epsilon, line, whole = column(alike, "epsilon"), energy_line(within(alike)), energy_line(alike)
+    more = 100.0 * (column(alike, ENERGY) / (slope * epsilon) - 1.0)
+    return WORDS.statement(
+        "linear", energy_verdict(alike), line=line, law=law(line), meshed=energy_line(own_mesh),
+        least=epsilon[0], range=RANGE, whole=whole, whole_law=law(whole), shallow=slope,
+        more=(more[int(np.argmin(np.abs(epsilon - LOW)))], more[-1]), off=off,
+    )  # fmt: skip
+
+
+def polynomials(
+    alike: Sequence[Row],
+    own_mesh: Sequence[Row],
+    fits: Mapping[str, Sequence[Array]],
+    off: Sequence[float],
+) -> Statement:
+    """The program's polynomials; ``fits``: errors of h1 and h2 for the converged arch, on the
+    program's mesh, and there with a small mismatch."""
+    spans = {
+        name: [f"{one.min():+.2g} to {one.max():+.2g}" for one in errors]
+        for name, errors in fits.items()
+    }
+    factor, rows = exact.released_factor(), within(alike)
+    gaps = factor * exact.released_height("h1", column(rows, "epsilon")) - column(rows, "h1_bar")
+    return WORDS.statement(
+        "heights", heights_verdict(alike, own_mesh), factor=factor, gap=gaps.max(),
+        left=left_by_quadratics(own_mesh, "h2"), mismatch_rad=SMALL_RAD, off=off, **spans,
+    )  # fmt: skip
+
+
+def told(
+    curves: Mapping[float, Sequence[Row]], small: Sequence[Row], unit_mJ: float
+) -> dict[str, Any]:
+    """Values of the text; ``small``: arches with a small mismatch."""
+    alike, far = curves[0.0], max(curves)
+    energies = dict(zip(column(alike, "epsilon"), column(alike, ENERGY), strict=True))
+    first, last = energies[LOW], energies[HIGH]
+    less = [100.0 * (1.0 - curves[lag][-1][ENERGY] / last) for lag in MISMATCHES_RAD]
+    deepest = [rows[-1]["h1_bar"] / alike[-1]["h1_bar"] for rows in (small, curves[far])]
+    return {
+        "range": RANGE,
+        "energies": (first, last),
+        "energies_mJ": (first * unit_mJ, last * unit_mJ),
+        "lags": " and ".join(f"{lag:g}" for lag in MISMATCHES_RAD),
+        "shares": " and ".join(f"{share:.2g} %" for share in less),
+        "small": small[0]["delta_alpha_rad"],
+        "far": far,
+        "deeper": [100.0 * (ratio - 1.0) for ratio in deepest],
+    }
+
+
 def line_rows(curves: Mapping[float, Sequence[Row]]) -> list[Row]:
     """Best lines at each mismatch, over the paper's range and over all."""
     table = []
@@ -146,7 +208,7 @@ class ReleasedEnergy(Part):
     def judge(self, done: Mapping[str, Done]) -> Found:
         """Two statements, from all cells."""
         rows = {name: one.rows for name, one in done.items()}
-        alike, own_mesh, small = rows[ALIKE], rows[PAPER], rows[PAPER_SMALL]
+        alike, own_mesh = rows[ALIKE], rows[PAPER]
         curves = {0.0: alike, **{d: rows[lagging(d)] for d in MISMATCHES_RAD}}
         converged = [row for curve in curves.values() for row in curve]
         # Beside the exact elastica: over the paper's range, everywhere, and at reference.
@@ -158,11 +220,8 @@ class ReleasedEnergy(Part):
         ]
         robot = composed(done[ALIKE].cell.inputs["groups"]).robot
         unit_mJ = 1e3 * robot.bending_stiffness_N_m2 / robot.length_m
-        line, meshed = energy_line(within(alike)), energy_line(own_mesh)
-        fits = {
-            name: [fit_errors(one, name) for one in (within(alike), own_mesh, small)]
-            for name in HEIGHTS
-        }
+        line, meshes = energy_line(within(alike)), (within(alike), own_mesh, rows[PAPER_SMALL])
+        fits = {name: [fit_errors(one, name) for one in meshes] for name in HEIGHTS}
         figures = {
             "released_energy": partial(figure.draw_energy, curves),
             "released_heights": partial(figure.draw_heights, curves, own_mesh),
@@ -171,17 +230,13 @@ class ReleasedEnergy(Part):
             "released_energy_lines": line_rows(curves),
             "released_heights_errors": error_rows(rows),
         }
-        off = words.accuracy(energy_off[0], energy_off[2])
-        linear = words.linear(alike, line, energy_line(alike), meshed, off)
-        left, off = left_by_quadratics(own_mesh, "h2"), words.accuracy(*depths_off)
-        polynomials = words.polynomials(within(alike), fits, left, SMALL_RAD, off)
-        text = words.text(curves, rows[SMALL], unit_mJ, energy_off)
+        section = WORDS.section(
+            self.title, figures, tables, off=energy_off, **told(curves, rows[SMALL], unit_mJ)
+        )
+        energy = linear(alike, own_mesh, energy_off[::2])
         return Found(
-            section(self.title, text, figures, tables, words.CAPTIONS),
-            [
-                linear.judged("released_energy.linear", energy_verdict(alike)),
-                polynomials.judged("released_energy.heights", heights_verdict(alike, own_mesh)),
-            ],
+            section,
+            [energy, polynomials(alike, own_mesh, fits, depths_off)],
             {
                 "released_energy_slope_bar": line.slope,
                 "released_energy_intercept_bar": line.intercept,

@@ -9,12 +9,14 @@ import numpy as np
 
 from experiments.arches.exact_snap import agreement, compared, exact_snaps, largest_percent
 from experiments.arches.swings import RATE_RAD_S, SETTINGS, snap_groups, snap_of
-from experiments.paper.base import Found, Part, section, weakest
+from experiments.paper.base import Found, Part, Statement, weakest
 from experiments.paper.limits import LIMITS, judged
-from experiments.paper.snaps import figure, words
+from experiments.paper.snaps import figure
+from experiments.paper.words import Words
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.scenes.swing import Swing, crossing, follow, outcome, sinking
 
+WORDS = Words(__file__)
 EPSILON, MISMATCH = 0.1, 0.1  # the paper's; the mismatch in rad
 TINY_RAD = (0.0, *(10.0**k for k in range(-8, 0)))
 TINY = (  # setting, rate in rad/s
@@ -121,6 +123,30 @@ def symmetry_verdict(equal: float, mismatched: float, limits: Sequence[float]) -
     )
 
 
+def limit_in_words(rate: float, limit: float, equal: float) -> str:
+    """At which mismatch the tilt is seen when the clamps turn at this rate (rad/s); ``equal``: the
+    tilt with equal clamps."""
+    heading = "seen at once" if limit == 0.0 else "seen at none" if math.isinf(limit) else "seen"
+    return WORDS(heading, rate=rate, limit=limit, equal=equal)
+
+
+def symmetry(
+    numbers: Mapping[str, Sequence[Row]], by_rate: Mapping[float, tuple[float, float]]
+) -> Statement:
+    """The statement; ``numbers``: of the two snaps, by setting; ``by_rate``: the mismatch that is
+    seen, and the tilt with equal clamps."""
+    equal, tilted = numbers["standard"]
+    tilts = {name: tilt(rows, MISMATCH) for name, rows in numbers.items()}
+    seen = [limit for limit, _ in by_rate.values()]
+    return WORDS.statement(
+        "symmetry", symmetry_verdict(tilt(numbers["standard"], 0.0), tilts["standard"], seen),
+        rate=RATE_RAD_S, epsilon=EPSILON, equal=equal, tilted=tilted, tilts=tilts,
+        tilt_deg=math.degrees(tilts["standard"]), visible_deg=math.degrees(VISIBLE_RAD),
+        limits="; ".join(limit_in_words(rate, *by_rate[rate]) for rate in sorted(by_rate)),
+        off=100.0 * abs(tilts["standard"] / tilts["reference"] - 1.0),
+    )  # fmt: skip
+
+
 def motion_name(setting: str) -> str:
     """The cell of the two snaps at a setting."""
     return f"two snaps at {setting}"
@@ -166,11 +192,6 @@ class Snaps(Part):
         exact = exact_snaps()
         against = agreement(numbers, exact)
         off = {name: largest_percent(against, name) for name in ("undamped reference", "own")}
-        tilts = {name: tilt(rows, MISMATCH) for name, rows in numbers.items()}
-        equal, mismatched = tilt(numbers["standard"], 0.0), tilts["standard"]
-        came = symmetry_verdict(equal, mismatched, [limit for limit, _ in by_rate.values()])
-        accuracy = words.accuracy(100.0 * abs(mismatched / tilts["reference"] - 1.0))
-        said = words.symmetry(numbers["standard"], tilts, EPSILON, by_rate, accuracy)
         figures = {
             "snaps": partial(figure.draw_snaps, motions, exact),
             "snap_imperfections": partial(figure.draw_tiny, tiny, EPSILON),
@@ -194,16 +215,13 @@ class Snaps(Part):
         }
         digits = {"snap_limits": {"one_degree_at_rad": 2, "theta_max_equal_clamps_rad": 2}}
         summary = {
-            "snap_theta_max_equal_rad": equal,
-            "snap_theta_max_mismatched_rad": mismatched,
+            "snap_theta_max_equal_rad": tilt(numbers["standard"], 0.0),
+            "snap_theta_max_mismatched_rad": tilt(numbers["standard"], MISMATCH),
             "snap_off_independent_percent": off["undamped reference"],
         }
         for rate, (limit, _) in by_rate.items():
             key = f"{rate:g}".replace(".", "_")
             summary[f"snap_one_degree_at_rad_{key}_rad_s"] = limit
-        text = words.text(EPSILON, off)
-        return Found(
-            section(self.title, text, figures, tables, words.CAPTIONS, digits),
-            [said.judged("snaps.symmetry", came)],
-            summary,
-        )
+        told = {"epsilon": EPSILON, "rate": RATE_RAD_S, "off": off}
+        section = WORDS.section(self.title, figures, tables, digits, **told)
+        return Found(section, [symmetry(numbers, by_rate)], summary)

@@ -9,14 +9,16 @@ import numpy as np
 
 from experiments.compositions import groups_at
 from experiments.designs import spread_designs
-from experiments.paper.base import Found, Part, section, unfinished, weakest
+from experiments.paper.base import LIMITED, Found, Part, Statement, failed, unfinished, weakest
 from experiments.paper.cells import apart, jumps, path, varied
-from experiments.paper.limits import judged
-from experiments.paper.settings import RANGES, TIERS
-from experiments.paper.trajectories import figure, words
+from experiments.paper.limits import LIMITS, judged
+from experiments.paper.settings import BASELINE, RANGES, TIERS
+from experiments.paper.trajectories import figure
+from experiments.paper.words import Words
 from experiments.trends import counter_step
 from snapjump.run.studies.base import Cell, Done, Row, column
 
+WORDS = Words(__file__)
 FAMILIES: dict[str, tuple[float, ...]] = {
     "delta_alpha_rad": (0.0, 0.01, 0.05, 0.1, 0.19),
     "epsilon": (0.1, 0.2, 0.3),
@@ -77,6 +79,46 @@ def tuned(found: Slant, most_lean_deg: float) -> str:
     )
 
 
+def tuning(own: Slant, papers: Slant, spread: Sequence[Row], near: Mapping[str, Any]) -> Statement:
+    """How the mismatch tunes the jump; ``papers``: the slant at the paper's settings; ``spread``:
+    designs over all ranges; ``near``: values of the accuracy."""
+    leans, lost = leans_deg(spread), len(failed(spread))
+    steepest = float(np.nanmax(leans))
+    came, low = tuned(own, steepest), steepest < LIMITS["trajectories.tuned.horizontal"].confirmed
+    limit = "Oblique, not near horizontal. " if low else "Not throughout. "
+    grows = "grows throughout" if np.isnan(own.grows_until_rad) else "grows to and fro"
+    return WORDS.statement(
+        "tuned", came, own=own, papers=papers, limit=limit if came == LIMITED else "",
+        grows=WORDS(grows, until_rad=own.grows_until_rad, back=100 * own.back),
+        largest_rad=RANGES["delta_alpha_rad"][1], count=len(spread), steepest_deg=steepest,
+        most=spread[int(np.nanargmax(leans))], lost=f"; {lost} failed" if lost else "",
+        why=": friction is all that drives it sideways" if low else "", **near,
+    )  # fmt: skip
+
+
+def types(own: Slant, aside: Any, near: Mapping[str, Any]) -> Statement:
+    """Vertical or inclined; ``aside``: x_c/y_c over the paper's ranges, all with a mismatch."""
+    least = float(np.nanmin(aside))
+    came = weakest(
+        judged("trajectories.types.vertical", own.off_vertical),
+        judged("trajectories.types.inclined", least),
+    )
+    told = {"own": own, "count": len(aside), "least": least, "most": np.nanmax(aside), **near}
+    return WORDS.statement("types", came, **told)
+
+
+def differences(sweeps: Mapping[str, Sequence[Row]]) -> dict[str, float]:
+    """How the paper's settings differ: higher (%), and where the jump comes down (L)."""
+    own, papers = (column(sweeps[tier], "y_bar") for tier in DRAWN)
+    higher = 100.0 * (papers / own - 1.0)
+    aside = column(sweeps["paper"], "x_bar") - column(sweeps["standard"], "x_bar")
+    return {
+        "higher": (higher.min(), higher.max()),
+        "nearer": max(-2.0 * aside.min(), 0.0),
+        "farther": max(2.0 * aside.max(), 0.0),
+    }
+
+
 def first_slope(rows: Sequence[Row]) -> float:
     """dx/dy of a path while the centre of mass rises through the first of its way."""
     x, y = column(rows, "x_bar"), column(rows, "y_bar")
@@ -134,15 +176,8 @@ class Trajectories(Part):
         paths = {lag: done[f"path to lift-off, {lag:g}"].rows for lag in FOLLOWED}
         own, papers = (slant(sweeps[tier]) for tier in DRAWN)
         spread = done[RANGE].rows
-        leans, aside = leans_deg(spread), ratios(spread)
-        steepest = float(np.nanmax(leans))
-        came = tuned(own, steepest)
-        types = weakest(
-            judged("trajectories.types.vertical", own.off_vertical),
-            judged("trajectories.types.inclined", float(np.nanmin(aside))),
-        )
-        told = words.accuracy(sweeps, apart(sweeps, "delta_alpha_rad"))
-        tuning = words.tuning(came, own, papers, spread, leans, told)
+        off = apart(sweeps, "delta_alpha_rad")
+        near = {"off": off, "compared": len(sweeps["reference"])}
         slopes = [first_slope(rows) for lag, rows in paths.items() if lag > 0.0]
         by_tier = {tier: ratios(sweeps[tier]) for tier in TIERS}
         figures = {
@@ -150,16 +185,14 @@ class Trajectories(Part):
             "trajectories_angles": partial(figure.draw_angles, sweeps, by_tier, paths),
         }
         tables = {"trajectories": table_rows(flights)}
+        told = {"slopes": (min(slopes), max(slopes)), "mu": BASELINE[3], **differences(sweeps)}
         return Found(
-            section(self.title, words.text(sweeps, slopes), figures, tables, words.CAPTIONS),
-            [
-                tuning.judged("trajectories.tuned", came),
-                words.types(own, aside, told).judged("trajectories.types", types),
-            ],
+            WORDS.section(self.title, figures, tables, **told),
+            [tuning(own, papers, spread, near), types(own, ratios(spread), near)],
             {
                 "trajectories_ratio_at_most_mismatch": own.ratio,
                 "trajectories_lean_baseline_deg": own.lean_deg,
-                "trajectories_lean_most_deg": steepest,
+                "trajectories_lean_most_deg": float(np.nanmax(leans_deg(spread))),
                 "trajectories_off_vertical": own.off_vertical,
             },
         )

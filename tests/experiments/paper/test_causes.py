@@ -23,7 +23,6 @@ from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.causes import part as judge
 from experiments.paper.causes import words
 from experiments.paper.causes.part import Causes
-from experiments.paper.causes.words import noise
 from experiments.paper.settings import BASELINE
 from snapjump.run.studies.base import FAILED
 
@@ -85,8 +84,8 @@ def test_failures_in_a_frame_are_told():
 
     def found(lost: int) -> str:
         own = ladder[1e3]
-        said = words.frame(32, own, ladder, own, (0.2, 0.19), lost)
-        return said.judged("causes.frame", LIMITED).found
+        others = {"paper": own, "off": own, "epsilon": (0.2, 0.19), "designs": 32}
+        return words.frame(LIMITED, ladder, lost, **others).found
 
     assert "1 of 32 jumps fail and count as infinitely far." in found(1)
     assert "0 of 32 jumps fail." in found(0)
@@ -94,7 +93,7 @@ def test_failures_in_a_frame_are_told():
 
 def test_steps_that_do_not_help_are_told():
     slow, fast = (
-        words.step(32, {1e-5: shifted(6.0, 2.0), 1e-6: last}, 1e-7).judged("", LIMITED).found
+        words.step(LIMITED, {1e-5: shifted(6.0, 2.0), 1e-6: last}, finest_s=1e-7, designs=32).found
         for last in (shifted(4.0, 1.0), shifted(0.6, 0.2))
     )
     assert "agree: to 4 % in x_c and 1 % in y_c" in slow
@@ -104,9 +103,9 @@ def test_steps_that_do_not_help_are_told():
 def test_noise_names_what_matters_in_the_papers_settings_alone():
     at = {end: groups_at(STANDARD, end) for end in ENDS}
     moved = {(end, title): shifted(3.0, 1.0) for end in ENDS for title in choices(at)}
-    assert "No other choice" in noise(moved)
+    assert "No other choice" in words.seeming(moved)
     moved[REFERENCE, "lagged friction"] = shifted(0.05, 0.01)
-    assert "So do lagged friction: they seem" in noise(moved)
+    assert "So do lagged friction: they seem" in words.seeming(moved)
 
 
 def test_starts_of_a_rigid_frame_keep_their_compression():

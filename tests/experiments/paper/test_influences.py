@@ -28,6 +28,7 @@ from snapjump.simulation import build
 
 H1, H2 = 0.07, 0.27
 HEIGHTS = np.linspace(0.01, 0.35, 137)
+NEAR = {"off": (0.1, 0.1), "counts": {"standard": 137, "reference": 35}}
 
 
 def heights(x: Any, y: Any) -> list[dict[str, Any]]:
@@ -68,8 +69,8 @@ def test_limits_of_the_plateau_are_told():
     pressed = [{MOUNT_HEIGHT: 0.05, "load_over_weight": 3.0, "alpha_snap_rad": 1.0}]
 
     def told(one: Height) -> str:
-        said = words.heights(height_verdicts(one), one, one, 0.01, "")
-        return words.oblique(said, one, pressed, {"alpha_critical_rad": 0.9})["below_h1"].found
+        said = words.heights(height_verdicts(one), one, one, first=0.01, near=NEAR)
+        return words.oblique(said, one, pressed, {"alpha_critical_rad": 0.9})[0].found
 
     turned = told(found(5.0 * rising, 14.0 * ramp(H2) + 0.4))
     assert turned.startswith("In y_c only") and "height remains" in turned
@@ -114,7 +115,7 @@ def test_friction_verdicts():
 
     def verdicts(x: Any, y: Any) -> list[str]:
         rows = [{"mu": m, "x_bar": a, "y_bar": b} for m, a, b in zip(mus, x, y, strict=True)]
-        found = friction_statements({"standard": rows, "paper": rows}, sliding, "made up")
+        found = friction_statements({"standard": rows, "paper": rows}, sliding, NEAR)
         return [one.verdict for one in found]
 
     assert verdicts(np.minimum(mus, 0.2), 14.0 + 0.0 * mus) == [CONFIRMED, CONFIRMED]

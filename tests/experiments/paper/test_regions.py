@@ -28,6 +28,7 @@ from snapjump.run.studies.base import Cell
 from snapjump.targets.region import AchievableRegion, SimulatedRegion
 
 LEVELS = (4.0, 6.0, 8.0)
+NEAR = 405, 0.1, 0.1  # designs, and percents, at reference
 
 
 def rectangle(
@@ -83,14 +84,14 @@ def test_cells_of_all_tiers(cells):
 
 def test_heavier_robots_have_smaller_regions_or_not():
     shrinking = [rectangle(6.0 / m, 2.0 / m, 20.0 / m, mass_bar=m) for m in (0.5, 1.0, 2.0)]
-    found = shrinks(shrinking, shrinking, "")
+    found = shrinks(shrinking, shrinking, NEAR)
     assert found.verdict == CONFIRMED
     assert mass_exponent(shrinking) == pytest.approx(-2.0)
     assert "to the power -2.00" in found.found
-    assert shrinks(shrinking[::-1], shrinking, "").verdict == NOT_CONFIRMED
-    assert shrinks(shrinking, shrinking[::-1], "").verdict == NOT_CONFIRMED
+    assert shrinks(shrinking[::-1], shrinking, NEAR).verdict == NOT_CONFIRMED
+    assert shrinks(shrinking, shrinking[::-1], NEAR).verdict == NOT_CONFIRMED
     narrow_then_low = [rectangle(6.0, 2.0, 8.0), rectangle(2.0, 2.0, 9.0, 2.0)]
-    assert shrinks(narrow_then_low, narrow_then_low, "").verdict == LIMITED
+    assert shrinks(narrow_then_low, narrow_then_low, NEAR).verdict == LIMITED
 
 
 def test_friction_widens_regions_or_not():
@@ -106,7 +107,7 @@ def test_friction_widens_regions_or_not():
 
     def verdict(widths: Any, highs: Any) -> str:
         found = regions(widths, highs)
-        return widens(found, found, LEVELS, "").verdict
+        return widens(found, found, LEVELS, NEAR).verdict
 
     assert verdict(saturated, same) == CONFIRMED
     assert verdict(saturated, (10.0, 9.4, 9.0)) == LIMITED  # heights move by a tenth

@@ -12,7 +12,6 @@ from experiments.arches import exact
 from experiments.arches.critical import critical_rows, exact_value, largest_difference, within
 from experiments.compositions import changed
 from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
-from experiments.paper.released_energy import words
 from experiments.paper.released_energy.part import (
     PAPER,
     ReleasedEnergy,
@@ -22,6 +21,7 @@ from experiments.paper.released_energy.part import (
     fit_errors,
     heights_verdict,
     left_by_quadratics,
+    linear,
 )
 from snapjump.run.studies.base import Cell
 from snapjump.scenes.jump_start import fitted_mount_height_bar
@@ -89,10 +89,7 @@ def test_energy_that_is_more_or_less_linear() -> None:
     assert verdicts == [CONFIRMED, LIMITED, NOT_CONFIRMED]
 
     def told(curvature: float) -> str:
-        rows = bent(curvature)
-        return words.linear(
-            rows, energy_line(within(rows)), energy_line(rows), energy_line(rows), ""
-        ).found
+        return linear(bent(curvature), bent(curvature), (0.0, 0.0)).found
 
     assert "80 ε" in told(0.0) and "by -" in told(-200.0)
 

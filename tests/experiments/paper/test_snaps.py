@@ -14,12 +14,13 @@ from experiments.paper.snaps.figure import STYLES, draw_snaps, draw_tiny
 from experiments.paper.snaps.part import (
     TINY,
     Snaps,
+    limit_in_words,
     motion_rows,
     outcome_rows,
     symmetric_until,
+    symmetry,
     symmetry_verdict,
 )
-from experiments.paper.snaps.words import limit_in_words, symmetry
 from snapjump.scenes.swing import follow, outcome
 from snapjump.simulation import simulate
 
@@ -95,10 +96,9 @@ def test_the_verdict_can_come_out_each_way():
 
 def test_the_statement_tells_the_limit(undamped):
     pair = [row for row in undamped if row["kind"] == "outcome"]
-    settings = dict.fromkeys(SETTINGS, pair[1]["theta_max_rad"])
     rates = {20.0: tilts((0.0, 1e-13), (1e-5, 6e-3), (1e-4, 6e-2)), 0.2: tilts((0.0, 0.59))}
     by_rate = {r: (symmetric_until(rows), rows[0]["theta_max_rad"]) for r, rows in rates.items()}
-    told = symmetry(pair, settings, 0.1, by_rate, "").found
+    told = symmetry(dict.fromkeys(SETTINGS, pair), by_rate).found
     assert "0.2 rad/s (0.59 rad from rounding)" in told and "2.9e-05 rad at 20" in told
 
 

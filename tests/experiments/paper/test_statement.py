@@ -4,7 +4,7 @@ from experiments.paper.base import (
     CONFIRMED,
     LIMITED,
     NOT_CONFIRMED,
-    Said,
+    Statement,
     statement_rows,
     verdict,
     weakest,
@@ -22,8 +22,8 @@ def test_a_verdict_follows_from_what_holds():
 
 def test_tables_number_the_statements():
     statements = [
-        Said("It jumps", "15\n    L", "`standard`").judged("jumps.it", CONFIRMED),
-        Said("It flies", "it falls", "`reference`").judged("flights.it", NOT_CONFIRMED),
+        Statement("jumps.it", "It jumps", CONFIRMED, "15 L", "`standard`"),
+        Statement("flights.it", "It flies", NOT_CONFIRMED, "it falls", "`reference`"),
     ]
     rows = statement_rows(statements)
     assert [row["no."] for row in rows] == [1, 2]

@@ -109,7 +109,10 @@ def test_every_part_is_whole(name):
     assert cells and len({cell.name for cell in cells}) == len(cells)
     used = {source.name for source in row_sources(part)}
     assert f"experiments.paper.{name}.part" in used and "experiments.paper.limits" not in used
-    told = {f"experiments.paper.{name}.{module}" for module in ("figure", "words")}
+    told = {
+        "experiments.paper.words",
+        *(f"experiments.paper.{name}.{m}" for m in ("figure", "words")),
+    }
     assert not told & used, "drawing and telling must not do cells again"
     assert len(source_digest(part)) == 16
     broken = done(cells[0], [], FAILED, "it broke")

@@ -11,8 +11,7 @@ from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.cells import varied
 from experiments.paper.trajectories import part as module
 from experiments.paper.trajectories.figure import flight
-from experiments.paper.trajectories.part import Trajectories, leans_deg, slant, tuned
-from experiments.paper.trajectories.words import tuning
+from experiments.paper.trajectories.part import Trajectories, slant, tuned, tuning
 from snapjump.run.studies.base import FAILED, column
 
 
@@ -32,17 +31,17 @@ def test_verdicts():
     assert np.isnan(growing.grows_until_rad) and growing.lean_deg == pytest.approx(20.0)
     assert tuned(growing, 60.0) == CONFIRMED
     assert tuned(growing, 30.0) == LIMITED
-    for came, lean, begun in (
-        (LIMITED, 30.0, "Oblique, not near horizontal. Without"),
-        (LIMITED, 60.0, "Not throughout. Without"),
-        (CONFIRMED, 60.0, "Without"),
+    turning = slant(sweep([0.0, 0.4, 0.3, 0.5], 20.0))
+    for own, lean, begun in (
+        (growing, 30.0, "Oblique, not near horizontal. Without"),
+        (turning, 60.0, "Not throughout. Without"),
+        (growing, 60.0, "Without"),
     ):
         spread = sweep([0.0, 0.6], lean)
         for row in spread:
             row |= dict.fromkeys(("delta_alpha_rad", "epsilon", "mass_bar", "mu"), 0.1)
-        told = tuning(came, growing, growing, spread, leans_deg(spread), "")
+        told = tuning(own, growing, spread, {"off": (0.0, 0.0), "compared": 11})
         assert told.found.startswith(begun)
-    turning = slant(sweep([0.0, 0.4, 0.3, 0.5], 20.0))
     assert turning.grows_until_rad == pytest.approx(0.01)
     assert turning.back == pytest.approx(0.2)
     assert tuned(turning, 60.0) == LIMITED
