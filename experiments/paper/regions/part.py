@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from experiments.compositions import groups_at
-from experiments.paper.base import Found, Part, Statement, listed, span, weakest
+from experiments.paper.base import Found, Part, Statement, span, weakest
 from experiments.paper.cells import apexes_of, jumps, shipped_forward, shipped_inputs
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.regions import figure
@@ -142,14 +142,13 @@ def widens(
         judged("regions.friction.heights", *moved[0]),
     )
     right, alone = [r.largest_x for r in frictions], LIMITS["regions.friction.heights"].confirmed
-    told = "; ".join(
-        f"at y = {y:.3g} L {listed([one.width_bar(y) for one in three], '.2g')} L "
-        f"({'' if done else 'not '}saturated)"
+    told = [
+        {"y": y, "widths": [one.width_bar(y) for one in three], "so": "" if done else "not "}
         for y, done in ended.items()
-    )
+    ]
     return WORDS.statement(
         "friction", came, goes="grows" if right == sorted(right) else "goes", three=three,
-        paper=[paper[0], paper[-1]], widths=told, moved=100 * np.array(moved),
+        paper=[paper[0], paper[-1]], widths=WORDS.each("width", told), moved=100 * np.array(moved),
         within="within" if max(moved[0]) <= alone else "beyond", alone=100 * alone,
         saturated=100 * saturated, near=near,
     )  # fmt: skip
@@ -162,7 +161,7 @@ def values(
     areas = np.array([region.outline.area for region in masses])
     scaled = areas * np.array([region.mass_bar for region in masses]) ** 2
     shares = [region.cone_share for region in frictions]
-    changes = [100.0 * (paper.outline.area / own.outline.area - 1.0) for own, paper in pairs]
+    apart = [100.0 * (paper.outline.area / own.outline.area - 1.0) for own, paper in pairs]
     return {
         "ranges": RANGES,
         "points": len(masses[0].apexes),
@@ -171,7 +170,7 @@ def values(
         "areas": areas.max() / areas.min(),
         "least_mu": frictions[0].mu,
         "shares": (shares[0], min(shares), shares[-1]),
-        "changes": span(changes),
+        "changes": span(apart),
     }
 
 
