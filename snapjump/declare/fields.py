@@ -98,9 +98,9 @@ def choice(default: str | int, words: Sequence[str | int], doc: str = "") -> Any
     return field(default=default, metadata={"allowed": Choice(tuple(words)), "doc": doc})
 
 
-def flag(default: bool) -> Any:
+def flag(default: bool, doc: str = "") -> Any:
     """A field that is true or false."""
-    return field(default=default, metadata={"allowed": Flag()})
+    return field(default=default, metadata={"allowed": Flag(), "doc": doc})
 
 
 def hidden(default: Any) -> Any:
