@@ -28,7 +28,8 @@ __all__ = ["Contract", "ContractError", "required"]
 METHODS_KEY = "snapjump.methods"
 METHODS: dict[tuple[type, str], Function] = {}
 CALLS: dict[Function, Function] = {}  # how numba writes a call of each
-FORMER_NAMES = {"approach": "state"}  # of arguments, which plug-ins may still have
+# Of arguments, which plug-ins may still have.
+FORMER_NAMES = {"approach": "state", "turning": "rotations", "weights": "coefficients"}
 OF_TUPLES = ("_make", "_replace", "_asdict")
 
 
