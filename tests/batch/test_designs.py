@@ -120,9 +120,8 @@ def test_the_backend_says_how_many_lanes_and_threads(batch):
 
 def test_progress_ends_with_all_jumps():
     told: list[tuple[float, str]] = []
-    simulate_designs(
-        BASE, np.array(GOOD), threads=2, lanes=1, progress=lambda *args: told.append(args)
-    )
+    options = {"threads": 2, "lanes": 1, "progress": lambda *args: told.append(args)}
+    simulate_designs(BASE, np.array(GOOD), **options)
     assert told[-1][0] == 1.0 and told[-1][1].startswith("5 of 5 jumps")
 
 

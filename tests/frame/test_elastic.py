@@ -37,6 +37,7 @@ OPTIONS = ElasticFrame(30.0, 2.0, 6, 5, inset_m=3e-4)
 MOVING = Motion(0.2, 50.0, 50.0, 0.0)
 REST = Motion(0.0, 0.0, 0.0, 0.0)
 FLAT = ConstantRate(0.0, 1.0, 1.0, 0.0).angles(0.0)
+STANDING = ConstantRate(0.35, 1.5, 0.0, 0.1)
 clamps = pytest.mark.parametrize("clamp", ["half_element", "two_nodes"])
 
 
@@ -116,8 +117,7 @@ def test_residual_is_the_gradient_of_the_whole_energy(clamp, contact):
 @pytest.mark.parametrize("damping", [NoDamping.Law(), KelvinVoigt.Law(1e-3)])
 def test_solution_of_the_linearised_system(clamp, damping):
     """Elimination of the beam, mounts, band and border against a dense, exact tangent."""
-    still = ConstantRate(0.35, 1.5, 0.0, 0.1)
-    case = Case(small_robot(clamp), damping=damping, clamp=still)
+    case = Case(small_robot(clamp), damping=damping, clamp=STANDING)
     origin = case.state(case.free)
     matrix = complex_step(lambda z: case.residual(z, MOVING, origin), case.free)
     np.testing.assert_allclose(matrix, matrix.T, rtol=0.0, atol=1e-9 * np.abs(matrix).max())
@@ -149,23 +149,20 @@ def test_mounts_turn_with_their_edges():
 
 
 def test_material_damping_takes_out_the_power_of_its_forces():
-    case = Case(
-        small_robot(), damping=KelvinVoigt.Law(1e-3), clamp=ConstantRate(0.3, 1.5, 0.0, 0.1)
-    )
-    rate = 50.0
-    motion = Motion(0.0, rate, rate, 0.0)
+    case = Case(small_robot(), damping=KelvinVoigt.Law(1e-3), clamp=STANDING)
+    motion = MOVING._replace(time=0.0)
     rng = np.random.default_rng(2)
     state = case.state(case.free)
     origin = case.state(case.free - 1e-6 * rng.normal(size=len(case.free)))
-    velocity = (state - origin) * rate
-    work = case.assembled(case.free, motion, origin)[1]
-    work.velocity_predictor[:] = velocity  # without inertia
+    velocity = (state - origin) * motion.rate_factor
+    # Without inertia.
     free = {"position_predictor": origin, "velocity_predictor": velocity}
-    damped = assembled(case.model, motion, case.masses, state, case.mesh, **free)[1]
-    elastic = case.model._replace(damping=NoDamping.Law())
-    undamped = assembled(elastic, motion, case.masses, state, case.mesh, **free)[1]
+    damped, undamped = (
+        assembled(model, motion, case.masses, state, case.mesh, **free)[1]
+        for model in (case.model, case.model._replace(damping=NoDamping.Law()))
+    )
     force = residual_of(damped, case.dofs) - residual_of(undamped, case.dofs)
-    found = powers(case.model, motion, case.masses, work, state, velocity)
+    found = powers(case.model, motion, case.masses, damped, state, velocity)
     assert found.damping == pytest.approx(force[case.keep] @ velocity[case.keep], rel=1e-4)
 
 
