@@ -69,13 +69,11 @@ def fill(work: Any, seed: int, shift: float, unsymmetric: bool = False) -> tuple
     for k in range(1, 6):
         work.band[size - k :, k] = 0.0
     work.band[:, 0] += shift
-    work.border[:6] = rng.normal(size=(6, 3))
-    work.border[-6:] = rng.normal(size=(6, 3))
+    work.border[:6], work.border[-6:] = rng.normal(size=(2, 6, 3))
     square = rng.normal(size=(3, 3))
-    square = square + square.T + 4.0 * shift * np.eye(3)
+    work.corner_block[...] = square + square.T + 4.0 * shift * np.eye(3)
     if unsymmetric:
-        square[0, 1:] += [2.0, -1.0]
-    work.corner_block[...] = square
+        work.corner_block[0, 1:] += [2.0, -1.0]
     work.residual[...] = rng.normal(size=size)
     work.frame_residual[...] = rng.normal(size=3)
     return dense(work, 3), np.concatenate([work.frame_residual, work.residual])
@@ -125,22 +123,18 @@ def test_lanes_and_scalars_solve_alike(bordered, per_node):
     plain = [plain_work(NODES, 3, per_node=per_node) for _ in range(WIDTH)]
     lanes = make_memory(sizes(NODES, 3, per_node, WIDTH))
     singles = [make_memory(sizes(NODES, 3, per_node)) for _ in range(WIDTH)]
-    for lane, work in enumerate(plain):
+    for lane, (work, single) in enumerate(zip(plain, singles, strict=True)):
         fill(work, lane, 4.0, True)
         for name in ("residual", "band", "border", "frame_residual", "corner_block"):
-            values = getattr(work, name)
-            getattr(lanes, name)[..., lane] = values
-            getattr(singles[lane], name)[..., 0] = values
+            getattr(lanes, name)[..., lane] = getattr(work, name)
+            getattr(single, name)[..., 0] = getattr(work, name)
     solve_compiled(lanes, (0,) * WIDTH, bordered, rotations)
-    for lane, work in enumerate(plain):
+    for lane, (work, single) in enumerate(zip(plain, singles, strict=True)):
         negative = solve(work, bordered, rotations)
-        single = singles[lane]
         solve_compiled(single, (0,), bordered, rotations)
         assert lanes.clock[0, lane] == single.clock[0, 0] == negative
         for name in ("residual", "frame_residual"):
-            scalar = getattr(single, name)[..., 0]
+            scalar, expected = getattr(single, name)[..., 0], getattr(work, name)
             assert np.array_equal(getattr(lanes, name)[..., lane], scalar)
-            expected = getattr(work, name)
-            np.testing.assert_allclose(
-                scalar, expected, rtol=0.0, atol=1e-10 * np.abs(expected).max()
-            )
+            near = 1e-10 * np.abs(expected).max()
+            np.testing.assert_allclose(scalar, expected, rtol=0.0, atol=near)
