@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from bands import whole
 
 from snapjump.discretization.base import HALF_BANDWIDTH
 from snapjump.engine.assemble import Motion, assemble
@@ -73,13 +74,5 @@ def residual_of(work: PlainWork, dofs: int) -> Any:
 
 def dense(work: PlainWork, dofs: int) -> Any:
     """The whole tangent matrix of frame and nodes."""
-    band, border = work.band, work.border
-    size = len(band)
-    full = np.zeros((dofs + size, dofs + size))
-    for j in range(size):
-        for k in range(min(HALF_BANDWIDTH + 1, size - j)):
-            full[dofs + j, dofs + j + k] = full[dofs + j + k, dofs + j] = band[j, k]
-    full[:dofs, :dofs] = work.corner_block[:dofs, :dofs]
-    full[dofs:, :dofs] = border[:, :dofs]
-    full[:dofs, dofs:] = border[:, :dofs].T
-    return full
+    corner, border = work.corner_block[:dofs, :dofs], work.border[:, :dofs]
+    return np.block([[corner, border.T], [border, whole(work.band[:, : HALF_BANDWIDTH + 1])]])
