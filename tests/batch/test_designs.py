@@ -17,12 +17,9 @@ from snapjump.statics.threshold_curve import ThresholdCurve
 
 # delta_alpha, epsilon, mass_bar, mu
 GOOD = (
-    (0.10, 0.20, 0.768, 0.3),
-    (0.02, 0.11, 0.400, 0.1),
-    (0.15, 0.29, 1.500, 0.6),
-    (0.05, 0.17, 2.000, 0.2),
-    (-0.10, 0.23, 0.500, 0.5),
-)
+    (0.10, 0.20, 0.768, 0.3), (0.02, 0.11, 0.400, 0.1), (0.15, 0.29, 1.500, 0.6),
+    (0.05, 0.17, 2.000, 0.2), (-0.10, 0.23, 0.500, 0.5),
+)  # fmt: skip
 BAD = {
     (0.1, 0.41, 0.768, 0.3): "bad_design",  # compressed too far
     (0.6, 0.20, 0.768, 0.3): "bad_design",  # too oblique

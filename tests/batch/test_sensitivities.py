@@ -18,17 +18,11 @@ from snapjump.statics.threshold_curve import ThresholdCurve
 
 BASE = replace(FINE, friction=ImplicitFriction(velocity_threshold_m_s=0.01))
 # delta_alpha, epsilon, mass_bar, mu; the last one cannot be built.
-DESIGNS = np.array(
-    [
-        [0.02, 0.12, 0.4, 0.1],
-        [0.10, 0.20, 0.768, 0.3],
-        [0.15, 0.28, 1.5, 0.6],
-        [0.05, 0.20, 2.0, 0.2],
-        [0.00, 0.25, 0.9, 0.3],
-        [0.10, 0.20, 0.768, 0.0],
-        [0.10, 0.20, 1e-6, 0.3],
-    ]
-)
+DESIGNS = np.array([
+    [0.02, 0.12, 0.4, 0.1], [0.10, 0.20, 0.768, 0.3], [0.15, 0.28, 1.5, 0.6],
+    [0.05, 0.20, 2.0, 0.2], [0.00, 0.25, 0.9, 0.3], [0.10, 0.20, 0.768, 0.0],
+    [0.10, 0.20, 1e-6, 0.3],
+])  # fmt: skip
 
 
 @pytest.fixture(scope="module")

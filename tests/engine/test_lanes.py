@@ -15,15 +15,6 @@ def two(*others):
 
 
 @pytest.fixture(scope="session")
-def starts():
-    """State, velocity and acceleration of every design at the start, found one by one."""
-    march = small_march(DESIGNS, 1)
-    march.find_starts()
-    assert not march.queue.status.any()
-    return march.queue[1:4]
-
-
-@pytest.fixture(scope="session")
 def alone(starts):
     """What becomes of every design when it is simulated by itself."""
     return small_march(DESIGNS, 1, starts).run().copy()

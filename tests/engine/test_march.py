@@ -10,19 +10,9 @@ from snapjump.engine import march as loop
 from snapjump.engine import outcome as c
 
 
-@pytest.fixture(scope="module")
-def starts():
-    march = small_march(DESIGNS, 1)
-    march.find_starts()
-    return march.queue[1:4]
-
-
 def go_on(march, passes, of_a_stage=25.0, of_a_march=2e6, **stepping):
-    method = march.method._replace(
-        stepping=march.stepping._replace(**stepping),
-        most_in_stage=of_a_stage,
-        most_in_march=of_a_march,
-    )
+    limits = {"most_in_stage": of_a_stage, "most_in_march": of_a_march}
+    method = march.method._replace(stepping=march.stepping._replace(**stepping), **limits)
     memory, lanes = (march.recorder, march.memory, march.queue), (0,) * march.lanes
     return loop.march(march.models[0], march.masses, method, *memory, lanes, passes)
 

@@ -25,16 +25,10 @@ print(sum(resting_gap.stats.cache_hits.values()), sum(resting_gap.stats.cache_mi
 
 
 def test_one_of_three_processes_compiles(tmp_path):
-    processes = [
-        subprocess.Popen(
-            [sys.executable, "-c", COMPILE],
-            env={**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)},
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            text=True,
-        )
-        for _ in range(3)
-    ]
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
+    command = [sys.executable, "-c", COMPILE]
+    processes = [subprocess.Popen(command, env=environment, **pipes) for _ in range(3)]
     # All have been imported and none has begun.
     assert [process.stdout.readline() for process in processes] == 3 * ["ready\n"]
     for process in processes:

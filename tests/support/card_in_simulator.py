@@ -61,16 +61,13 @@ def main() -> None:
         march.find_starts()
         march.queue.status[1] = NO_START
         march.run()
-    print(
-        json.dumps(
-            {
-                "starts": starts, "outcome": refilled.queue.outcome.tolist(), "progress": told,
-                "passes": int(refilled.passes), "bytes_sent": refilled.card.bytes_sent,
-                "differs_in_chunks": difference(chunked, short),
-                "status_in_chunks": chunked.queue.outcome[:, STATUS].tolist(),
-            }
-        )
-    )  # fmt: skip
+    found = {
+        "starts": starts, "outcome": refilled.queue.outcome.tolist(), "progress": told,
+        "passes": int(refilled.passes), "bytes_sent": refilled.card.bytes_sent,
+        "differs_in_chunks": difference(chunked, short),
+        "status_in_chunks": chunked.queue.outcome[:, STATUS].tolist(),
+    }  # fmt: skip
+    print(json.dumps(found))
 
 
 if __name__ == "__main__":

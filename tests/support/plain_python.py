@@ -54,13 +54,8 @@ def assembled(
 ) -> tuple[Any, PlainWork]:
     """The figures and the memory after an assembly; ``arrays`` are further parts of the memory."""
     state = np.asarray(state)
-    work = plain_work(
-        len(masses),
-        model.frame.dofs(mesh),
-        dtype=state.dtype.type,
-        per_node=model.discretization.node_dofs(),
-        mesh=mesh,
-    )
+    kind = {"dtype": state.dtype.type, "per_node": model.discretization.node_dofs(), "mesh": mesh}
+    work = plain_work(len(masses), model.frame.dofs(mesh), **kind)
     work.state[:] = state
     for name, values in arrays.items():
         getattr(work, name)[...] = values

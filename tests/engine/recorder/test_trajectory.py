@@ -40,11 +40,10 @@ def march(recorder, steps, accepted=lambda k: True):
 
 @pytest.fixture(autouse=True)
 def known_powers(monkeypatch):
-    monkeypatch.setattr(
-        trajectory,
-        "powers",
-        lambda model, motion, *others: (1.0, 2.0 * motion.time, -motion.time, 3.0),
-    )
+    def known(model, motion, *others):
+        return 1.0, 2.0 * motion.time, -motion.time, 3.0
+
+    monkeypatch.setattr(trajectory, "powers", known)
 
 
 def test_works_are_integrals_of_the_powers():
