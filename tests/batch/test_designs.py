@@ -75,7 +75,6 @@ def test_rows_are_those_of_single_jumps(batch):
 
 
 def test_the_flight_is_one_parabola(batch):
-    """Lift-off and apex lie on one parabola, in SI units."""
     length, gravity = BASE.robot.length_m, BASE.robot.gravity_m_s2
     aloft = batch.apex_time_s - batch.liftoff_time_s
     rise = batch.liftoff_vy_m_s * aloft - 0.5 * gravity * aloft**2

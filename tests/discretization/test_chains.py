@@ -53,7 +53,6 @@ def free(chain: Any) -> slice:
 
 
 def directions(time: float = 0.0) -> tuple[float, float]:
-    """Directions of the clamps."""
     turned = CLAMP.start + CLAMP.rate * time
     return -turned, turned - CLAMP.delta_alpha
 

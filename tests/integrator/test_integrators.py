@@ -45,9 +45,8 @@ class Integration:
         self.model = model
         self.work = plain_work(1, 0, stages=self.scheme.slots())
         self.work.start[:] = self.work.state[:] = state
-        for k in range(self.scheme.slots()):
-            self.work.velocity[k] = velocity
-            self.work.acceleration[k] = acceleration
+        self.work.velocity[:] = velocity
+        self.work.acceleration[:] = acceleration
 
     def step(self, size: float) -> float:
         """Take a step; returns its estimated error."""

@@ -4,9 +4,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bands import whole
 from numba import njit
-from plain_python import sizes
+from plain_python import sizes, whole
 from scipy.linalg import block_diag
 
 from snapjump.engine.view import view_memory

@@ -46,7 +46,6 @@ def begin_before_the_strike(monkeypatch: MonkeyPatch, usual: Simulation) -> None
 
 
 def go_on(march: March, way: Way) -> None:
-    """Move a march's queue to the strike."""
     queue, model = march.queue, march.models[0]
     for state in queue.state:
         before = smallest_gap(model, march.masses, march.mesh, state)
@@ -71,7 +70,6 @@ def upwards(march: March) -> Any:
 
 @cache
 def way(usual: Simulation, find_starts: Any) -> Way:
-    """The way that a robot of these modules goes."""
     ((_, march),) = marches([usual], [jump_model(usual)], 1, 1, MOST_ITERATIONS)
     find_starts(march)
     return to_the_strike(march)

@@ -4,7 +4,6 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from bands import whole
 
 from snapjump.discretization.base import HALF_BANDWIDTH
 from snapjump.engine.assemble import Motion, assemble
@@ -65,6 +64,13 @@ def assembled(
 def residual_of(work: PlainWork, dofs: int) -> Any:
     """Residual of the frame and of all nodes, slaves (zero there) included."""
     return np.concatenate([work.frame_residual[:dofs], work.residual])
+
+
+def whole(band: Any) -> Any:
+    """The symmetric matrix of a lower band (size, width); what lies below its last row is none."""
+    size, width = band.shape
+    lower = sum(np.diag(band[: size - k, k], -k) for k in range(width))
+    return lower + np.tril(lower, -1).T
 
 
 def dense(work: PlainWork, dofs: int) -> Any:

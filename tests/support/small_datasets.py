@@ -96,7 +96,6 @@ def made_up(path: Path, specification: Specification) -> DatasetFolder:
 
 
 def made_up_dataset(path: Path, specification: Specification) -> Dataset:
-    """A complete dataset of made-up numbers, opened."""
     return open_dataset(made_up(path, specification).path)
 
 

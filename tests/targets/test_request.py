@@ -51,7 +51,7 @@ def test_bad_tolerances():
 
 @pytest.mark.parametrize("value", ["", 3, False, ["a"]])
 def test_bad_checkpoints(value):
-    with pytest.raises(ParameterError, match="checkpoint"):
+    with refused("checkpoint"):
         checkpoint_path(value)
 
 

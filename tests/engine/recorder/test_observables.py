@@ -2,27 +2,22 @@
 
 import numpy as np
 import pytest
-from families import FAMILIES
 
 from snapjump.composition import with_tier
-from snapjump.declare.members import member_class
+from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.scenes.observed import crossing, observe_jump, peak
 from snapjump.sim.jump import Jump
 from snapjump.simulation import simulate
-
-ROD = FAMILIES["discretization"]["der"]
-
-
-def tiny(**parts):
-    adaptive = member_class("stepping", "adaptive")(tolerance=1e-5)
-    return with_tier("draft", stepping=adaptive, **parts)
+from snapjump.stepping.adaptive import AdaptiveStep
 
 
 @pytest.mark.compiles
 @pytest.mark.parametrize("clamp", ["half_element", "two_nodes"])
 def test_observables_are_those_of_the_trajectory(clamp):
-    simulation = tiny(
-        discretization=ROD(elements=17, clamp=clamp),
+    simulation = with_tier(
+        "draft",
+        stepping=AdaptiveStep(tolerance=1e-5),
+        discretization=DiscreteElasticRod(elements=17, clamp=clamp),
         sim=Jump(sample_interval_s=2.0e-7, time_limit_s=0.03),
     )
     seen, jump = observe_jump(simulation), simulate(simulation)

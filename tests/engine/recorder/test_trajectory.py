@@ -17,7 +17,7 @@ MASSES = np.array([2.0])
 
 
 def march(recorder, steps, accepted=lambda k: True):
-    """Steps of the recorder alone; returns the memory and the times at which steps ended."""
+    """Steps of the recorder alone; returns the times at which they ended."""
     stages = len(TABLEAU.nodes)
     work = plain_work(1, 0, stages)
     recorder.record_start(MODEL, MASSES, work)
