@@ -101,16 +101,16 @@ def test_inputs_that_are_none_of_the_four():
     assert alone.sensitivities.dx_bar[0, 0] == found.sensitivities.dx_bar[0, 1]
 
 
-@pytest.mark.parametrize(
-    ("base", "named"),
-    [
-        (replace(BASE, frame="elastic"), "frame"),
-        (replace(BASE, contact="signorini", integrator="implicit_euler"), "contact"),
-        (replace(BASE, backend="cuda"), "backend"),
-        # Steps jump over its stick zone.
-        (FINE, "friction.velocity_threshold_m_s = 0.0001"),
-    ],
-)
-def test_modules_that_they_do_not_know(base, named, curve):
+UNKNOWN = {
+    "frame": replace(BASE, frame="elastic"),
+    "contact": replace(BASE, contact="signorini", integrator="implicit_euler"),
+    "backend": replace(BASE, backend="cuda"),
+    # Steps jump over its stick zone.
+    "friction.velocity_threshold_m_s = 0.0001": FINE,
+}
+
+
+@pytest.mark.parametrize("named", UNKNOWN)
+def test_modules_that_they_do_not_know(named, curve):
     with pytest.raises(ParameterError, match=named):
-        simulate_designs(base, DESIGNS[:1], curve=curve, sensitivities=True)
+        simulate_designs(UNKNOWN[named], DESIGNS[:1], curve=curve, sensitivities=True)
