@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 from numba.core.runtime import _nrt_python, rtsys
-from robots import DESIGNS, number_of, small_march
+from robots import DESIGNS, small_march
 
+from snapjump.batch.derivatives import place
 from snapjump.engine import clock, status
 from snapjump.engine import march as loop
 from snapjump.engine import outcome as c
@@ -95,7 +96,7 @@ def test_time_limit(march_of_one):
     assert outcome[c.TIME] == pytest.approx(0.05, rel=1e-9)
     assert outcome[c.STEPS] > 3.0
     march = march_of_one(duration=0.05)
-    march.queue.numbers[0, number_of(march.models[0], "clamp", "end")] = march.models[0].clamp.start
+    march.queue.numbers[0, place(march.models[0], "clamp", "end")] = march.models[0].clamp.start
     assert ends(march, 10_000)[c.STATUS] == status.NO_JUMP
 
 
@@ -108,7 +109,7 @@ def test_a_state_that_is_not_finite_is_not_followed(march_of_one):
 def test_a_start_beyond_the_fold_is_refused():
     """Followed past its critical angle the upper branch is lost."""
     march = small_march(DESIGNS[1:2], 1)
-    march.queue.numbers[0, number_of(march.models[0], "clamp", "start")] = 1.2
+    march.queue.numbers[0, place(march.models[0], "clamp", "start")] = 1.2
     march.find_starts()
     assert march.queue.status[0] == status.NO_EQUILIBRIUM
 

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from plain_march import without_compiling
 from pytest import MonkeyPatch
-from robots import number_of
 
+from snapjump.batch.derivatives import place
 from snapjump.batch.simulate import marches
 from snapjump.composition import Simulation
 from snapjump.engine import clock as c
@@ -56,7 +56,7 @@ def go_on(march: March, way: Way) -> None:
             state += (before - gap) * upwards(march)
     queue.velocity[:] = way.velocity
     queue.acceleration[:] = way.acceleration
-    queue.numbers[:, number_of(model, "clamp", "start")] += model.clamp.rate * way.duration
+    queue.numbers[:, place(model, "clamp", "start")] += model.clamp.rate * way.duration
 
 
 def upwards(march: March) -> Any:
