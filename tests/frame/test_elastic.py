@@ -118,7 +118,7 @@ def test_solution_of_the_linearised_system(clamp, damping):
     matrix = complex_step(lambda z: case.residual(z, MOVING), case.free)
     np.testing.assert_allclose(matrix, matrix.T, rtol=0.0, atol=1e-9 * np.abs(matrix).max())
     expected = np.linalg.solve(matrix, case.residual(case.free, MOVING))
-    work = plain_work(len(case.masses), case.dofs, mesh=case.mesh)
+    work = plain_work(case.model, len(case.masses), mesh=case.mesh)
     work.state[:] = work.position_predictor[:] = case.origin
     solution = solve_linearised(case.model, MOVING, case.masses, work)
     actual = np.concatenate([work.frame_residual, work.residual])[case.keep]

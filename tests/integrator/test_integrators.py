@@ -43,7 +43,7 @@ class Integration:
     def __init__(self, name, model, state, velocity, acceleration):
         self.scheme = VARIANTS[name].scheme()
         self.model = model
-        self.work = plain_work(1, 0, stages=self.scheme.slots())
+        self.work = plain_work(model, 1, self.scheme.slots())
         self.work.start[:] = self.work.state[:] = state
         self.work.velocity[:] = velocity
         self.work.acceleration[:] = acceleration

@@ -4,11 +4,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from bare_models import on_rigid_frame
 from numba import njit
-from plain_python import dense, plain_work, sizes
+from plain_python import dense, plain_work
 
 from snapjump.engine.view import view_work
-from snapjump.engine.work import make_memory
+from snapjump.engine.work import make_memory, sizes_of
+from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.linear_solver.banded import (
     begin_elimination,
     eliminate_node,
@@ -83,7 +85,7 @@ def fill(work: Any, seed: int, shift: float, unsymmetric: bool = False) -> tuple
 @pytest.mark.parametrize("seed", range(5))
 @pytest.mark.parametrize("unsymmetric", [False, True])
 def test_bordered_solution(seed, unsymmetric, per_node):
-    work = plain_work(NODES, 3, per_node=per_node)
+    work = plain_work(on_rigid_frame(per_node), NODES)
     matrix, right = fill(work, seed, 8.0, unsymmetric)
     expected = np.linalg.solve(matrix, right)
     negative = solve(work, True, per_node == 3)
@@ -95,7 +97,7 @@ def test_bordered_solution(seed, unsymmetric, per_node):
 @dofs_of_nodes
 @pytest.mark.parametrize("seed", range(5))
 def test_solution_without_a_frame(seed, per_node):
-    work = plain_work(NODES, 0, per_node=per_node)
+    work = plain_work(on_rigid_frame(per_node)._replace(frame=NoFrame()), NODES)
     matrix, right = fill(work, seed, 8.0)
     expected = np.linalg.solve(matrix[3:, 3:], right[3:])
     assert solve(work, False, per_node == 3) == 0.0
@@ -107,7 +109,7 @@ def test_solution_without_a_frame(seed, per_node):
 def test_pivots_count_negative_eigenvalues(bordered, per_node):
     counts = set()
     for seed in range(30):
-        work = plain_work(NODES, 3, per_node=per_node)
+        work = plain_work(on_rigid_frame(per_node), NODES)
         matrix, _ = fill(work, seed, 3.0)
         matrix = matrix if bordered else matrix[3:, 3:]
         negative = int((np.linalg.eigvalsh(matrix) < 0.0).sum())
@@ -119,10 +121,10 @@ def test_pivots_count_negative_eigenvalues(bordered, per_node):
 @dofs_of_nodes
 @pytest.mark.parametrize("bordered", [False, True])
 def test_lanes_and_scalars_solve_alike(bordered, per_node):
-    rotations = per_node == 3
-    plain = [plain_work(NODES, 3, per_node=per_node) for _ in range(WIDTH)]
-    lanes = make_memory(sizes(NODES, 3, per_node, WIDTH))
-    singles = [make_memory(sizes(NODES, 3, per_node)) for _ in range(WIDTH)]
+    rotations, model = per_node == 3, on_rigid_frame(per_node)
+    plain = [plain_work(model, NODES) for _ in range(WIDTH)]
+    lanes = make_memory(sizes_of(model, NODES, lanes=WIDTH))
+    singles = [make_memory(sizes_of(model, NODES)) for _ in range(WIDTH)]
     for lane, (work, single) in enumerate(zip(plain, singles, strict=True)):
         fill(work, lane, 4.0, True)
         for name in ("residual", "band", "border", "frame_residual", "corner_block"):

@@ -4,12 +4,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from bare_models import on_rigid_frame
 from numba import njit
-from plain_python import sizes, whole
+from plain_python import whole
 from scipy.linalg import block_diag
 
 from snapjump.engine.view import view_memory
-from snapjump.engine.work import make_memory
+from snapjump.engine.work import make_memory, sizes_of
 from snapjump.linear_solver.right_hand_sides import solve_right_hand_sides
 from snapjump.number.memory import aligned_zeros
 
@@ -26,7 +27,7 @@ def solve_compiled(
 
 def factors(per_node: int) -> Any:
     """Random factors as an elimination leaves them: one over a pivot, L D, and the border's."""
-    system = make_memory(sizes(NODES, 3, per_node, LANES))
+    system = make_memory(sizes_of(on_rigid_frame(per_node), NODES, lanes=LANES))
     random = np.random.default_rng(per_node)
     for array in (system.band, system.border, system.corner_block):
         array[:] = 0.3 * random.normal(size=array.shape)
