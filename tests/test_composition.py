@@ -24,15 +24,8 @@ Pair = frozenset[tuple[str, str]]
 # What makes the tiny jump tinier, or what a jump of this kind needs.
 TINY = {
     "sim": {"jump": {"start_fraction": 0.9}},
-    "discretization": {
-        "der": {"elements": 10},
-        "corotational": {"elements": 10},
-        "geometrically_exact": {"elements": 10},
-    },
-    "stepping": {
-        "adaptive": {"tolerance": 1e-4, "contact_steps": 8.0},
-        "fixed": {"step_s": 4e-5},
-    },
+    "discretization": {name: {"elements": 10} for name in FAMILIES["discretization"]},
+    "stepping": {"adaptive": {"tolerance": 1e-4, "contact_steps": 8.0}, "fixed": {"step_s": 4e-5}},
     "frame": {"elastic": {"leg_elements": 5, "top_elements": 6, "bending_ratio": 1e4}},
     # Springs of the ground so soft that steps as long as these resolve them.
     "contact": {"penalty": {"stiffness_N_m": 1e4}, "hunt_crossley": {"stiffness_N_m": 1e4}},
@@ -62,17 +55,13 @@ def composed(choice: Choice) -> Simulation:
 @cache
 def refused(pair: Pair) -> str:
     """Why the default composition with this pair is refused; nothing if it is not."""
-    choices = [dict(pair)]
-    if "integrator" not in choices[0]:
-        choices.append({**DEFAULT, **choices[0]})
-    reasons = []
-    for choice in choices:
+    for choice in (dict(pair), {**DEFAULT, **dict(pair)}):
         try:
             composed(choice)
             return ""
         except ParameterError as error:
-            reasons.append(str(error))
-    return reasons[-1]
+            reason = str(error)
+    return reason
 
 
 def all_pairs() -> list[Pair]:

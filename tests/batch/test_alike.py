@@ -14,14 +14,11 @@ from snapjump.stepping.fixed import FixedStep
 
 BASE = with_tier("draft")
 OTHERS = {
-    "contact": "penalty",
-    "friction": "none",
-    "damping": "none",
-    "integrator": "bdf2",
+    "contact": "penalty", "friction": "none", "damping": "none", "integrator": "bdf2",
     "discretization": replace(BASE.discretization, elements=58),
     "stepping": replace(BASE.stepping, tolerance=2e-6),
     "sim": replace(BASE.sim, time_limit_s=0.2),
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("family", OTHERS)

@@ -9,6 +9,7 @@ from differences import slope
 
 from snapjump import ParameterError, Robot
 from snapjump.batch import model_derivatives, variant
+from snapjump.batch.derivatives import place
 from snapjump.composition import with_tier
 from snapjump.declare.inputs import DEFAULT_INPUTS, inputs_of, with_inputs
 from snapjump.engine.model import numbers_of
@@ -57,14 +58,11 @@ def test_any_input_against_direct_differences(path, value, curve):
     assert np.abs(found / scale).max() > 0.01
 
 
-@pytest.mark.parametrize("design", DESIGNS)
+# The last one lies beyond the curve.
+@pytest.mark.parametrize("design", [*DESIGNS, (0.1, 0.32, 0.768, 0.3)])
 @pytest.mark.parametrize("mount_height", ["optimal", "fitted"])
 def test_against_direct_differences(design, mount_height, curve):
     base = replace(BASE, robot=replace(BASE.robot, mount_height=mount_height))
-    check_design(base, design, curve)
-
-
-def check_design(base, design, curve):
     found = model_derivatives(base, np.array([design]), curve)[0]
     scale = np.maximum(np.abs(numbers_of(jump_model(variant(base, design)))), 1.0)[:, None]
     assert found.shape == (len(scale), 4)
@@ -88,20 +86,18 @@ def test_numbers_that_do_not_depend_on_the_design_have_no_derivative(curve):
 
 def test_the_kink_where_the_clamps_change_places(curve):
     """The left clamp starts later by what it lags, but not earlier by what it leads."""
-    model = jump_model(variant(BASE, DESIGNS[0]))
-    start = len(model.discretization) + len(model.frame)
+    start = place(jump_model(BASE), "clamp", "start")
     designs = np.array([(lag, *DESIGNS[0][1:]) for lag in (-1e-9, 0.0)])
     lags, leads = model_derivatives(BASE, designs, curve)[:, start, 0]
     assert leads == 0.0
     assert lags == pytest.approx(1.0, rel=1e-9)
 
 
-def test_beyond_the_curve_and_of_another_beam_thresholds_are_computed(curve):
-    check_design(BASE, (0.1, 0.32, 0.768, 0.3), curve)
+def test_thresholds_of_another_beam_are_computed(curve):
     # Thin as the robot of the curve is not: what its thresholds do with the compression is alike.
     inputs = ("design.epsilon", "robot.thickness_m")
     near, far = model_derivatives(BASE, np.array([(0.2, 5e-5), (0.2, 4e-5)]), curve, inputs)
-    start = len(jump_model(BASE).discretization) + len(jump_model(BASE).frame)
+    start = place(jump_model(BASE), "clamp", "start")
     assert near[start, 0] == pytest.approx(far[start, 0], rel=1e-3)
 
 

@@ -17,12 +17,9 @@ from snapjump.statics.threshold_curve import ThresholdCurve
 
 # delta_alpha, epsilon, mass_bar, mu
 GOOD = (
-    (0.10, 0.20, 0.768, 0.3),
-    (0.02, 0.11, 0.400, 0.1),
-    (0.15, 0.29, 1.500, 0.6),
-    (0.05, 0.17, 2.000, 0.2),
-    (-0.10, 0.23, 0.500, 0.5),
-)
+    (0.10, 0.20, 0.768, 0.3), (0.02, 0.11, 0.400, 0.1), (0.15, 0.29, 1.500, 0.6),
+    (0.05, 0.17, 2.000, 0.2), (-0.10, 0.23, 0.500, 0.5),
+)  # fmt: skip
 BAD = {
     (0.1, 0.41, 0.768, 0.3): "bad_design",  # compressed too far
     (0.6, 0.20, 0.768, 0.3): "bad_design",  # too oblique
@@ -78,7 +75,6 @@ def test_rows_are_those_of_single_jumps(batch):
 
 
 def test_the_flight_is_one_parabola(batch):
-    """Lift-off and apex lie on one parabola, in SI units."""
     length, gravity = BASE.robot.length_m, BASE.robot.gravity_m_s2
     aloft = batch.apex_time_s - batch.liftoff_time_s
     rise = batch.liftoff_vy_m_s * aloft - 0.5 * gravity * aloft**2
@@ -120,9 +116,8 @@ def test_the_backend_says_how_many_lanes_and_threads(batch):
 
 def test_progress_ends_with_all_jumps():
     told: list[tuple[float, str]] = []
-    simulate_designs(
-        BASE, np.array(GOOD), threads=2, lanes=1, progress=lambda *args: told.append(args)
-    )
+    options = {"threads": 2, "lanes": 1, "progress": lambda *args: told.append(args)}
+    simulate_designs(BASE, np.array(GOOD), **options)
     assert told[-1][0] == 1.0 and told[-1][1].startswith("5 of 5 jumps")
 
 

@@ -18,17 +18,11 @@ from snapjump.statics.threshold_curve import ThresholdCurve
 
 BASE = replace(FINE, friction=ImplicitFriction(velocity_threshold_m_s=0.01))
 # delta_alpha, epsilon, mass_bar, mu; the last one cannot be built.
-DESIGNS = np.array(
-    [
-        [0.02, 0.12, 0.4, 0.1],
-        [0.10, 0.20, 0.768, 0.3],
-        [0.15, 0.28, 1.5, 0.6],
-        [0.05, 0.20, 2.0, 0.2],
-        [0.00, 0.25, 0.9, 0.3],
-        [0.10, 0.20, 0.768, 0.0],
-        [0.10, 0.20, 1e-6, 0.3],
-    ]
-)
+DESIGNS = np.array([
+    [0.02, 0.12, 0.4, 0.1], [0.10, 0.20, 0.768, 0.3], [0.15, 0.28, 1.5, 0.6],
+    [0.05, 0.20, 2.0, 0.2], [0.00, 0.25, 0.9, 0.3], [0.10, 0.20, 0.768, 0.0],
+    [0.10, 0.20, 1e-6, 0.3],
+])  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -107,16 +101,16 @@ def test_inputs_that_are_none_of_the_four():
     assert alone.sensitivities.dx_bar[0, 0] == found.sensitivities.dx_bar[0, 1]
 
 
-@pytest.mark.parametrize(
-    ("base", "named"),
-    [
-        (replace(BASE, frame="elastic"), "frame"),
-        (replace(BASE, contact="signorini", integrator="implicit_euler"), "contact"),
-        (replace(BASE, backend="cuda"), "backend"),
-        # Steps jump over its stick zone.
-        (FINE, "friction.velocity_threshold_m_s = 0.0001"),
-    ],
-)
-def test_modules_that_they_do_not_know(base, named, curve):
+UNKNOWN = {
+    "frame": replace(BASE, frame="elastic"),
+    "contact": replace(BASE, contact="signorini", integrator="implicit_euler"),
+    "backend": replace(BASE, backend="cuda"),
+    # Steps jump over its stick zone.
+    "friction.velocity_threshold_m_s = 0.0001": FINE,
+}
+
+
+@pytest.mark.parametrize("named", UNKNOWN)
+def test_modules_that_they_do_not_know(named, curve):
     with pytest.raises(ParameterError, match=named):
-        simulate_designs(base, DESIGNS[:1], curve=curve, sensitivities=True)
+        simulate_designs(UNKNOWN[named], DESIGNS[:1], curve=curve, sensitivities=True)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from bare_models import bare_model
 from chains import CHAINS, ELEMENTS, LENGTH, RODS, TURNING
-from plain_python import assembled, complex_step, dense, residual_of
+from plain_python import assembled, complex_step, dense
 
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.mass_proportional import MassProportional
@@ -41,8 +41,11 @@ def model_of(chain: Any, damping: Any = ELASTIC, **others: Any) -> Model:
     return bare_model(chain.beam, frame, clamp=CLAMP, damping=damping, **others)
 
 
-def masses_of(chain: Any, q: Any, each: float = 0.0) -> Any:
-    return np.full(len(q) // chain.dofs, each)
+def held_to(model: Model, motion: Motion, q: Any, each: float = 0.0, origin: Any = None) -> Any:
+    """The memory after an assembly, nodes weighing so much ``each``."""
+    masses = np.full(len(q) // model.discretization.node_dofs(), each)
+    arrays = {} if origin is None else {"position_predictor": origin}
+    return assembled(model, motion, masses, q, **arrays)[1]
 
 
 def free(chain: Any) -> slice:
@@ -50,15 +53,13 @@ def free(chain: Any) -> slice:
 
 
 def directions(time: float = 0.0) -> tuple[float, float]:
-    """Directions of the clamps."""
     turned = CLAMP.start + CLAMP.rate * time
     return -turned, turned - CLAMP.delta_alpha
 
 
 def tangents_of(left: float, right: float, left_rate: float, right_rate: float) -> EndTangents:
-    return EndTangents(
-        np.cos(left), np.sin(left), left_rate, np.cos(right), np.sin(right), right_rate, 0.0, 0.0
-    )
+    begin, end = (np.cos(left), np.sin(left)), (np.cos(right), np.sin(right))
+    return EndTangents(*begin, left_rate, *end, right_rate, 0.0, 0.0)
 
 
 def energy_gradient(chain: Any, q: Any, time: float = 0.0) -> Any:
@@ -105,8 +106,7 @@ def test_residual_is_the_gradient_of_the_energy(chain, seed):
     own = complex_step(lambda y: chain.beam.internal_energy(y, tangents), q)
     scale = np.abs(gradient).max()
     assert np.abs(own - gradient).max() <= 1e-10 * scale
-    _, work = assembled(model_of(chain), STILL, masses_of(chain, q), q)
-    error = (residual_of(work, 0) - gradient)[free(chain)]
+    error = (held_to(model_of(chain), STILL, q).residual - gradient)[free(chain)]
     assert np.abs(error).max() <= chain.close * scale
 
 
@@ -115,20 +115,17 @@ def test_residual_is_the_gradient_of_the_energy(chain, seed):
 @pytest.mark.parametrize("damping", [ELASTIC, VISCOUS, MassProportional.Law(3.0)])
 def test_band_is_the_derivative_of_the_residual(chain, seed, damping):
     """The band leaves out the term that damping would make unsymmetric, eta J^T dJ/dt."""
-    q = chain.bent(seed)
+    q, model = chain.bent(seed), model_of(chain, damping)
     origin, dofs, inner = moved_back(q, seed), chain.dofs, free(chain)
-    model, masses = model_of(chain, damping), masses_of(chain, q, LENGTH)
-
-    def residual(y):
-        return residual_of(assembled(model, MOVING, masses, y, position_predictor=origin)[1], 0)
 
     def jacobian(time):
         left, right = directions(MOVING.time + time)
         position = q + time * (q - origin) * MOVING.rate_factor
         return complex_step(lambda y: chain.strains(y, left, right), position)
 
-    _, work = assembled(model, MOVING, masses, q, position_predictor=origin)
-    matrix, expected = dense(work, 0), complex_step(residual, q)
+    work = held_to(model, MOVING, q, LENGTH, origin)
+    matrix = dense(work, 0)
+    expected = complex_step(lambda y: held_to(model, MOVING, y, LENGTH, origin).residual, q)
     if damping is VISCOUS:
         change = (jacobian(1e-5) - jacobian(-1e-5)) / 2e-5
         expected = expected - RELAXATION * jacobian(0.0).T @ change
@@ -137,15 +134,15 @@ def test_band_is_the_derivative_of_the_residual(chain, seed, damping):
     # Slave nodes are left as identities without a load.
     assert np.array_equal(matrix[:dofs, :], np.eye(dofs, len(q)))
     assert np.array_equal(matrix[-dofs:, :], np.eye(len(q))[-dofs:])
-    assert not residual_of(work, 0)[[*range(dofs), *range(-dofs, 0)]].any()
+    assert not work.residual[:dofs].any() and not work.residual[-dofs:].any()
 
 
 @chains
 @seeds
 def test_kelvin_voigt_is_the_gradient_of_its_dissipation(chain, seed):
     """Viscous forces are eta J^T s' with the strains' Jacobian J and rates s'."""
-    q = chain.bent(seed)
-    origin, masses, inner = moved_back(q, seed), masses_of(chain, q), free(chain)
+    q, inner = chain.bent(seed), free(chain)
+    origin = moved_back(q, seed)
     velocity = (q - origin) * MOVING.rate_factor
     left, right = directions(MOVING.time)
     everything = np.concatenate([q, [left, right]])
@@ -153,10 +150,8 @@ def test_kelvin_voigt_is_the_gradient_of_its_dissipation(chain, seed):
     rates = jacobian @ np.concatenate([velocity, [-CLAMP.rate, CLAMP.rate]])
     expected = RELAXATION * jacobian[:, :-2].T @ rates
     damped, elastic = (
-        residual_of(
-            assembled(model_of(chain, d), MOVING, masses, q, position_predictor=origin)[1], 0
-        )
-        for d in (VISCOUS, ELASTIC)
+        held_to(model_of(chain, damping), MOVING, q, 0.0, origin).residual
+        for damping in (VISCOUS, ELASTIC)
     )
     error = np.abs((damped - elastic)[inner] - expected[inner]).max()
     assert error <= 1e-8 * np.abs(expected).max()
@@ -171,9 +166,8 @@ def test_kelvin_voigt_is_the_gradient_of_its_dissipation(chain, seed):
 def test_end_forces_and_moments_are_those_of_the_energy(chain):
     q = chain.bent(4)
     gradient = energy_gradient(chain, q)
-    at_nodes = gradient[:-2]
     last = len(q) - chain.dofs
-    expected = [*chain.moments(gradient), *at_nodes[:2], *at_nodes[last : last + 2]]
+    expected = [*chain.moments(gradient), *gradient[:2], *gradient[last : last + 2]]
     tangents = tangents_of(*directions(), 0.0, 0.0)
     actual = chain.beam.chain_powers(ELASTIC, q, 0.0 * q, tangents)[1:]
     near = chain.closest * np.abs(gradient).max()
@@ -217,21 +211,17 @@ def test_free_end_feels_its_force_and_moment_only(name, seed):
     q, (left, _), dofs = chain.bent(seed), directions(), chain.dofs
     load = TipLoad(3.0, -4.0, 2.5)
     model = model_of(chain, frame=CantileverFrame(), load=load)
-    masses = masses_of(chain, q)
 
     def potential(y):
         work = load.force_x * y[-dofs] + load.force_y * y[1 - dofs]
         work = work + load.moment * chain.tip_turn(y)
         return 0.5 * np.sum(chain.strains(y, left, 0.0, held=0.0) ** 2) - work
 
-    def residual(y):
-        return residual_of(assembled(model, STILL, masses, y)[1], 0)
-
-    gradient = complex_step(potential, q)
-    error = np.abs(residual(q) - gradient)[dofs:].max()
+    gradient, work = complex_step(potential, q), held_to(model, STILL, q)
+    error = np.abs(work.residual - gradient)[dofs:].max()
     assert error <= chain.close * np.abs(gradient).max()
-    expected = complex_step(residual, q)
-    error = np.abs(dense(assembled(model, STILL, masses, q)[1], 0) - expected)[dofs:, dofs:].max()
+    expected = complex_step(lambda y: held_to(model, STILL, y).residual, q)
+    error = np.abs(dense(work, 0) - expected)[dofs:, dofs:].max()
     assert error <= 1e-8 * np.abs(expected).max()
 
 
@@ -239,10 +229,7 @@ def test_free_end_feels_its_force_and_moment_only(name, seed):
 def test_lumped_inertia_is_that_of_rigid_half_elements(chain):
     """2 (l/2)^3 / 3 about a node, in theta."""
     q = chain.bent(0)
-    heavy, light = (
-        dense(assembled(model_of(chain), MOVING, masses_of(chain, q, each), q)[1], 0)
-        for each in (LENGTH, 0.0)
-    )
+    heavy, light = (dense(held_to(model_of(chain), MOVING, q, m), 0) for m in (LENGTH, 0.0))
     inertia = np.diag(heavy - light)[free(chain)] / MOVING.rate_factor**2
     expected = np.tile([LENGTH, LENGTH, LENGTH**3 / 12.0 / LENGTH**2], ELEMENTS - 1)
     np.testing.assert_allclose(inertia, expected, rtol=1e-6)

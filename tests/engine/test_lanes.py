@@ -14,18 +14,6 @@ def two(*others):
     return pytest.param(2, *others, marks=pytest.mark.compiles)
 
 
-widths = pytest.mark.parametrize("width", [1, two()])
-
-
-@pytest.fixture(scope="session")
-def starts():
-    """State, velocity and acceleration of every design at the start, found one by one."""
-    march = small_march(DESIGNS, 1)
-    march.find_starts()
-    assert not march.queue.status.any()
-    return march.queue[1:4]
-
-
 @pytest.fixture(scope="session")
 def alone(starts):
     """What becomes of every design when it is simulated by itself."""
@@ -97,7 +85,7 @@ def test_lanes_and_threads_find_the_same_starts(starts, width, threads):
         assert np.array_equal(found, expected)
 
 
-@widths
+@pytest.mark.parametrize("width", [1, two()])
 def test_workers_that_take_turns_share_one_queue(starts, alone, monkeypatch, width):
     """Slices of three workers in an order that no race decides: each gets its part."""
     monkeypatch.setattr(runner, "PASSES_PER_SLICE", 7)

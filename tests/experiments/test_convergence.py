@@ -1,12 +1,13 @@
 """The ladders of tiny compositions, from the command line to the record."""
 
-import json
 import re
-import sqlite3
+from collections import Counter
 from typing import Any
 
 import pytest
+from command_line import result_in
 from families import FAMILIES
+from records import database_in, runs_in
 
 from experiments.compositions import changed, composed, described, groups_of
 from experiments.convergence.ladders import ladders
@@ -70,22 +71,19 @@ def test_from_the_command_line_to_record_and_documentation(command, database, tm
     (tmp_path / "docs").mkdir()
     done = command(*TINY, "publish=docs/studies")
     assert "convergence" in done.stdout and "finding" in done.stdout
-    (result,) = tmp_path.glob("outputs/2*/*/result.json")
-    summary = json.loads(result.read_text())
+    folder, summary = result_in(tmp_path)
     assert summary["status"] == "ok" and summary["cells_kept"] == 0
     # So coarse that there is no order; but the mesh's limit is near the usual one, 0.0507 s.
     assert abs(summary["nodes_snap_time_s_limit"] - 0.0507) < 0.002
-    names = {file.name for file in result.parent.iterdir()}
+    names = {file.name for file in folder.iterdir()}
     assert {"orders.csv", "orders.md", "levels.csv", "ladders.png", "report.md"} <= names
     page = (tmp_path / "docs/studies/convergence.md").read_text()
     assert "`python run.py task=convergence task.levels=3" in page
     (picture,) = re.findall(r"\((convergence-.*\.png)\)", page)
     assert (tmp_path / "docs/studies" / picture).stat().st_size > 10_000
-    with sqlite3.connect(tmp_path / "mlruns.db") as store:
-        parents = store.execute(
-            "select value, count(*) from tags where key = 'mlflow.parentRunId' group by value"
-        ).fetchall()
-    assert [count for _, count in parents] == [summary["cells"]]
+    runs, _ = runs_in(database_in(tmp_path))
+    parents = Counter(run.data.tags.get("mlflow.parentRunId") for run in runs)
+    assert parents.pop(None) == 1 and list(parents.values()) == [summary["cells"]]
     again = command(*TINY, "tracking=off", "figures=false")
     assert f"{summary['cells']} kept" in again.stdout
 

@@ -30,36 +30,27 @@ def checkpoint(tmp_path_factory) -> Path:
     path: Path = tmp_path_factory.mktemp("coarse")
     generated(path / "jumps", small(250, 250))
     data = JumpData(open_dataset(path / "jumps"), Training(), 0)
-    options = member_class("surrogate", "rbf")()
-    return learn(data, options, silent, place=path).file
+    return learn(data, member_class("surrogate", "rbf")(), silent, place=path).file
 
 
 def configured(**task: Any) -> dict[str, Any]:
     given = {"problems": 2, "environments": 0, "methods": ["gauss_newton", "physics"]}
-    return {
-        **COARSE,
-        "task": {"name": "inverse_benchmark", "checkpoint": None, **given, **task},
-        **GIVEN,
-    }
+    given |= {"name": "inverse_benchmark", "checkpoint": None}
+    return {**COARSE, "task": {**given, **task}, **GIVEN}
 
 
 def rows(*misses: float | None, **changes: Any) -> list[dict[str, Any]]:
+    ones = ("target_x_bar", "target_y_bar", "mass_bar", "mu", "epsilon")
+    tenths = ("hidden_delta_alpha_rad", "hidden_epsilon", "delta_alpha_rad")
+    same = dict.fromkeys(ones, 1.0) | dict.fromkeys(tenths, 0.1)
+    same |= {"finished_at": "own", "reachable": True, "seconds": 0.5, "simulations": 24}
     return [
         {
-            "problem": k,
-            "miss_own_mm": miss,
-            "miss_standard_mm": miss,
-            "miss_reference_mm": None if miss is None else 2.0 * miss,
-            "finished_at": "own",
-            "reachable": True,
-            "seconds": 0.5,
-            "simulations": 24,
-            **dict.fromkeys(("target_x_bar", "target_y_bar", "mass_bar", "mu", "epsilon"), 1.0),
-            **dict.fromkeys(("hidden_delta_alpha_rad", "hidden_epsilon", "delta_alpha_rad"), 0.1),
-            **changes,
+            "problem": k, "miss_own_mm": miss, "miss_standard_mm": miss,
+            "miss_reference_mm": None if miss is None else 2.0 * miss, **same, **changes,
         }
         for k, miss in enumerate(misses)
-    ]
+    ]  # fmt: skip
 
 
 def test_problems_are_the_same_whichever_are_asked_for():
@@ -77,15 +68,12 @@ def test_physics_hits_what_the_forward_model_misses(checkpoint, tmp_path, monkey
     monkeypatch.chdir(tmp_path)
     study = InverseBenchmark()
     study.prepare(configured(checkpoint=str(checkpoint)))
-    assert [cell.name for cell in study.cells] == [
-        "gauss_newton: targets 0 to 1",
-        "physics: targets 0 to 1",
-    ]
+    names = [f"{method}: targets 0 to 1" for method in ("gauss_newton", "physics")]
+    assert [cell.name for cell in study.cells] == names
     found = {cell.inputs["method"]: study.compute(cell) for cell in study.cells}
     for row in found["physics"]:
-        reached = [row["delta_alpha_rad"], row["epsilon"]]
-        assert 0.01 <= reached[0] <= 0.19
-        assert 0.1 <= reached[1] <= 0.3
+        assert 0.01 <= row["delta_alpha_rad"] <= 0.19
+        assert 0.1 <= row["epsilon"] <= 0.3
         assert row["simulations"] >= 8
     assert all(row["simulations"] == 0 for row in found["gauss_newton"])
     own = {name: np.mean([row["miss_own_mm"] for row in all_]) for name, all_ in found.items()}
@@ -121,21 +109,15 @@ def test_a_summary_is_of_the_misses_that_are_known():
     assert row["failed_standard"] == 1
     assert row["solved"] == 2
     assert row["simulations_mean"] == 24.0
-
-
-def test_solved_is_judged_where_the_method_finished():
-    assert summary_row("physics", rows(0.06))["solved"] == 1
-    assert summary_row("physics", rows(0.06, finished_at="reference"))["solved"] == 0
-
-
-def test_what_is_called_unreachable_is_not_solved():
-    row = summary_row("physics", rows(0.01, 0.02, reachable=False))
-    assert (row["solved"], row["called_unreachable"]) == (0, 2)
-
-
-def test_a_method_whose_every_design_failed_has_no_mean():
     row = summary_row("bayesian", rows(None, None))
     assert np.isnan(row["mean_mm_standard"]) and row["failed_standard"] == 2
+
+
+def test_solved_is_what_is_reachable_and_reached_where_the_method_finished():
+    assert summary_row("physics", rows(0.06))["solved"] == 1
+    assert summary_row("physics", rows(0.06, finished_at="reference"))["solved"] == 0
+    row = summary_row("physics", rows(0.01, 0.02, reachable=False))
+    assert (row["solved"], row["called_unreachable"]) == (0, 2)
 
 
 def test_every_miss_of_a_method_with_a_simulator_is_listed():
@@ -143,17 +125,12 @@ def test_every_miss_of_a_method_with_a_simulator_is_listed():
     assert [row["problem"] for row in missed] == [1, 2]
 
 
-def test_the_block_has_every_method_and_the_paper_s_numbers():
-    table = [summary_row(name, rows(0.01, 0.02)) for name in METHODS]
-    text = readme_block(table, 2)
-    assert "`physics`, finishing at reference" in text
-    for row in PAPER:
-        assert str(row["mean_mm"]) in text
-
-
-def test_every_member_is_compared():
+def test_every_member_is_compared_and_in_the_block_beside_the_paper_s_numbers():
     assert {group["name"] for group in METHODS.values()} == set(member_names("inverse"))
     assert chosen(None).keys() == METHODS.keys()
+    text = readme_block([summary_row(name, rows(0.01, 0.02)) for name in METHODS], 2)
+    assert "`physics`, finishing at reference" in text
+    assert all(str(row["mean_mm"]) in text for row in PAPER)
 
 
 def test_the_figure_is_drawn_with_misses_that_are_unknown(tmp_path):

@@ -5,14 +5,7 @@ import pytest
 from hydra_config import hydra_config
 
 from experiments.compositions import changed, composed, groups_of
-from experiments.released.data import (
-    ROWS,
-    by_quarter,
-    differences,
-    figures,
-    read_rows,
-    share_within,
-)
+from experiments.released import data
 from experiments.released.settings import WITHOUT, converged, released
 from experiments.released.study import draw_comparison
 
@@ -30,31 +23,24 @@ def test_every_quirk_changes_something_and_can_be_left_out():
 
 
 def test_rows_are_spread_over_the_file_and_its_ranges():
-    everything, few = read_rows(10_000), read_rows(40)
-    assert len(everything.designs) == 300
-    assert len(few.designs) == 40
-    assert few.designs[0] == everything.designs[0]
-    assert few.designs[-1] == everything.designs[-1]
-    low, high = np.min(few.designs, axis=0), np.max(few.designs, axis=0)
-    assert (low <= [0.03, 0.12, 0.5, 0.2]).all()
-    assert (high >= [0.17, 0.28, 1.8, 0.5]).all()
-    assert ROWS.with_name("README.md").exists()
+    everything, few = (data.read_rows(count).designs for count in (10_000, 40))
+    assert (len(everything), len(few)) == (300, 40)
+    assert (few[0], few[-1]) == (everything[0], everything[-1])
+    assert (np.min(few, axis=0) <= [0.03, 0.12, 0.5, 0.2]).all()
+    assert (np.max(few, axis=0) >= [0.17, 0.28, 1.8, 0.5]).all()
+    assert data.ROWS.with_name("README.md").exists()
 
 
 def test_differences_of_x_are_relative_to_a_tenth_of_y_where_it_is_small():
-    x, y = differences(
-        np.array([1.1, 0.2, np.nan]),
-        np.array([10.2, 9.0, np.nan]),
-        np.array([1.0, 0.1, 1.0]),
-        np.array([10.0, 10.0, 10.0]),
-    )
+    ours = np.array([1.1, 0.2, np.nan]), np.array([10.2, 9.0, np.nan])
+    x, y = data.differences(*ours, np.array([1.0, 0.1, 1.0]), np.full(3, 10.0))
     assert x[:2] == pytest.approx([10.0, 10.0])
     assert y[:2] == pytest.approx([2.0, -10.0])
-    row = figures(x, y)
+    row = data.figures(x, y)
     assert row["failed"] == 1
     assert row["y_median_percent"] == pytest.approx(6.0)
-    assert share_within(y, 5.0) == pytest.approx(100.0 / 3.0)
-    quarters = by_quarter(np.array([1.0, 2.0, 3.0]), x, y, "mu")
+    assert data.share_within(y, 5.0) == pytest.approx(100.0 / 3.0)
+    quarters = data.by_quarter(np.array([1.0, 2.0, 3.0]), x, y, "mu")
     assert sum(q["rows"] for q in quarters) == 3
 
 

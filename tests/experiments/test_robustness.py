@@ -4,14 +4,8 @@ import numpy as np
 import pytest
 from families import FAMILIES
 
+from experiments.robustness import invalid
 from experiments.robustness.fields import all_fields, outside
-from experiments.robustness.invalid import (
-    ACCEPTED,
-    UNCLEAR,
-    Invalid,
-    invalid_configurations,
-    refusal,
-)
 from experiments.robustness.study import HIGH, LOW, random_designs
 from experiments.stability.jumps import by_status
 from snapjump.run.studies.base import REFUSED
@@ -20,16 +14,18 @@ from snapjump.simulation import build
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_no_invalid_configuration_is_accepted_or_crashes(seed):
-    for one in invalid_configurations(300, seed):
-        outcome, message = refusal(one)
+    for one in invalid.invalid_configurations(300, seed):
+        outcome, message = invalid.refusal(one)
         assert outcome == REFUSED, (one, message)
         assert message.startswith(one.key) and "\n" not in message
 
 
 def test_what_is_valid_is_not_counted_as_refused():
-    assert refusal(Invalid("none", "design.epsilon", {"design": {"epsilon": 0.2}}))[0] == ACCEPTED
-    outcome, _ = refusal(Invalid("none", "robot.width_m", {"design": {"epsilon": -1.0}}))
-    assert outcome == UNCLEAR
+    for key, epsilon, outcome in (
+        ("design.epsilon", 0.2, invalid.ACCEPTED), ("robot.width_m", -1.0, invalid.UNCLEAR),
+    ):  # fmt: skip
+        one = invalid.Invalid("none", key, {"design": {"epsilon": epsilon}})
+        assert invalid.refusal(one)[0] == outcome
 
 
 def test_every_number_of_every_member_has_a_range_that_it_is_taken_out_of():
@@ -54,7 +50,5 @@ def test_designs_are_seeded_and_inside_their_ranges():
     np.testing.assert_array_equal(designs, random_designs(200, (3, 0)))
     assert not np.array_equal(designs, random_designs(200, (3, 200)))
     assert np.all(designs >= LOW) and np.all(designs <= HIGH)
-    assert by_status([{"status": "ok"}, {"status": "no_jump"}, {"status": "ok"}]) == {
-        "ok": 2,
-        "no_jump": 1,
-    }
+    found = by_status([{"status": status} for status in ("ok", "no_jump", "ok")])
+    assert found == {"ok": 2, "no_jump": 1}

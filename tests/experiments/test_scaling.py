@@ -46,8 +46,7 @@ def test_throughput():
 
 
 def test_the_pieces_leave_the_march_as_it_was(robots):
-    undisturbed = started(robots).run()
-    march = started(robots)
+    undisturbed, march = started(robots).run(), started(robots)
     worker = march.crew[0]
     march_on(*march.arguments(worker), 100)
     with untouched(worker.memory):
@@ -58,9 +57,8 @@ def test_the_pieces_leave_the_march_as_it_was(robots):
 
 def test_the_parts_make_a_pass(robots):
     parts = split(*robots, 1)
-    assert sum(value for key, value in parts.items() if key != "pass") == pytest.approx(
-        parts["pass"], abs=1e-3
-    )
+    whole = parts.pop("pass")
+    assert sum(parts.values()) == pytest.approx(whole, abs=1e-3)
 
 
 def test_the_page():

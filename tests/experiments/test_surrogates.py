@@ -39,9 +39,8 @@ def test_the_study_trains_judges_and_concludes(datasets, tmp_path, monkeypatch):
     monkeypatch.setattr("experiments.surrogates.floor.JUMPS", 64)
     study = CompareSurrogates()
     study.prepare(configured(**datasets))
-    names = [cell.name for cell in study.cells]
-    assert "resnet, 100 jumps" in names
-    assert "resnet, 240 jumps" in names
+    names = {cell.name for cell in study.cells}
+    assert names >= {f"resnet, {count} jumps" for count in (100, 240)}
     assert "ensemble, 100 jumps" not in names
     assert "gradient_mlp, 128 jumps, slopes left out" in names
     outcome, folder = run_study(study, configured(**datasets), tmp_path / "run")
@@ -61,10 +60,9 @@ def test_a_cubic_leaves_nothing_of_a_cubic_and_all_of_noise():
     cubic = np.stack([1.0 + a * b * c - d**3, a**2 * d - 0.5 * b], axis=1)
     assert np.abs(left_out(points, cubic)).max() < 1e-10
     noise = rng.standard_normal((128, 2))
-    # Left out in turn, a fit with 35 coefficients to 128 points errs by 1/(1 - 35/128) in variance.
-    assert (left_out(points, noise) ** 2).mean() == pytest.approx(
-        1.0 / (1.0 - 35.0 / 128.0), rel=0.2
-    )
+    # Left out in turn, a fit with 35 coefficients to 128 points errs by this in variance.
+    variance = 1.0 / (1.0 - 35.0 / 128.0)
+    assert (left_out(points, noise) ** 2).mean() == pytest.approx(variance, rel=0.2)
 
 
 def test_the_floor_is_measured_in_cells_of_the_grid():

@@ -123,10 +123,9 @@ def test_a_tier_leaves_the_physical_model_alone():
     model = {"friction": {"velocity_threshold_m_s": 1e-3}, "contact": {"distance_m": 1e-3}}
     base = changed(described(with_tier("draft")), model)
     groups = tiers.tier_groups(base, "reference")
-    assert groups["friction"]["velocity_threshold_m_s"] == 1e-3
-    assert groups["contact"]["distance_m"] == 1e-3
-    assert groups["discretization"] == described(with_tier("reference"))["discretization"]
-    assert groups["stepping"] == described(with_tier("reference"))["stepping"]
+    assert groups["friction"]["velocity_threshold_m_s"] == groups["contact"]["distance_m"] == 1e-3
+    tier = described(with_tier("reference"))
+    assert all(groups[family] == tier[family] for family in ("discretization", "stepping"))
     assert tiers.tier_groups(base, "paper")["friction"]["name"] == "lagged"
 
 

@@ -37,6 +37,7 @@ OPTIONS = ElasticFrame(30.0, 2.0, 6, 5, inset_m=3e-4)
 MOVING = Motion(0.2, 50.0, 50.0, 0.0)
 REST = Motion(0.0, 0.0, 0.0, 0.0)
 FLAT = ConstantRate(0.0, 1.0, 1.0, 0.0).angles(0.0)
+STANDING = ConstantRate(0.35, 1.5, 0.0, 0.1)
 clamps = pytest.mark.parametrize("clamp", ["half_element", "two_nodes"])
 
 
@@ -58,11 +59,10 @@ class Case:
         rng = np.random.default_rng(3)
         state = resting_guess(simulation, self.model)
         state = state + 2e-4 * rng.uniform(-1.0, 1.0, len(state))
-        self.keep = np.r_[0 : self.dofs + 0, self.dofs + 2 : len(state) - 2]
-        turn = 0.004
-        x, y = state[0::2].copy(), state[1::2].copy()
-        state[0::2], state[1::2] = x - turn * y, y + turn * x
-        self.free = state[self.keep]
+        self.keep = np.r_[0 : self.dofs, self.dofs + 2 : len(state) - 2]
+        turn = np.array([[1.0, 0.004], [-0.004, 1.0]])
+        self.free = np.ravel(state.reshape(-1, 2) @ turn)[self.keep]
+        self.origin = self.state(self.free)
 
     def state(self, free: Any, time: float = 0.0) -> Any:
         state = np.zeros(len(free) + 4, np.asarray(free).dtype)
@@ -71,18 +71,17 @@ class Case:
         self.model.frame.place_ends(self.mesh, self.model.discretization, angles, state)
         return state
 
-    def assembled(self, free: Any, motion: Motion, origin: Any) -> Any:
-        state = self.state(free, motion.time)
-        return assembled(
-            self.model, motion, self.masses, state, self.mesh, position_predictor=origin
-        )
-
     def tangents(self, state: Any, angles: Any = FLAT) -> Any:
         frame, load = self.model.frame, self.model.load
         return frame.end_tangents(self.mesh, load, angles, state, STILL)
 
-    def residual(self, free: Any, motion: Motion, origin: Any) -> Any:
-        work = self.assembled(free, motion, origin)[1]
+    def memory(self, model: Any, motion: Motion, state: Any, **arrays: Any) -> Any:
+        """That of an assembly from the origin, or from ``arrays`` that are given."""
+        given = {"position_predictor": self.origin, **arrays}
+        return assembled(model, motion, self.masses, state, self.mesh, **given)[1]
+
+    def residual(self, free: Any, motion: Motion) -> Any:
+        work = self.memory(self.model, motion, self.state(free, motion.time))
         return residual_of(work, self.dofs)[self.keep]
 
 
@@ -106,9 +105,8 @@ def test_residual_is_the_gradient_of_the_whole_energy(clamp, contact):
                 energy = energy + weight * model.contact.energy(state[k + 1])
         return energy + fall * (case.masses @ state[dofs + 1 :: 2])
 
-    origin = case.state(case.free)
     expected = complex_step(potential, case.free)
-    actual = case.residual(case.free, REST, origin)
+    actual = case.residual(case.free, REST)
     np.testing.assert_allclose(actual, expected, rtol=0.0, atol=1e-9 * np.abs(expected).max())
 
 
@@ -116,16 +114,12 @@ def test_residual_is_the_gradient_of_the_whole_energy(clamp, contact):
 @pytest.mark.parametrize("damping", [NoDamping.Law(), KelvinVoigt.Law(1e-3)])
 def test_solution_of_the_linearised_system(clamp, damping):
     """Elimination of the beam, mounts, band and border against a dense, exact tangent."""
-    still = ConstantRate(0.35, 1.5, 0.0, 0.1)
-    case = Case(small_robot(clamp), damping=damping, clamp=still)
-    origin = case.state(case.free)
-    matrix = complex_step(lambda z: case.residual(z, MOVING, origin), case.free)
+    case = Case(small_robot(clamp), damping=damping, clamp=STANDING)
+    matrix = complex_step(lambda z: case.residual(z, MOVING), case.free)
     np.testing.assert_allclose(matrix, matrix.T, rtol=0.0, atol=1e-9 * np.abs(matrix).max())
-    right = case.residual(case.free, MOVING, origin)
-    expected = np.linalg.solve(matrix, right)
-    work = plain_work(len(case.masses), case.dofs, mesh=case.mesh)
-    work.state[:] = case.state(case.free)
-    work.position_predictor[:] = origin
+    expected = np.linalg.solve(matrix, case.residual(case.free, MOVING))
+    work = plain_work(case.model, len(case.masses), mesh=case.mesh)
+    work.state[:] = work.position_predictor[:] = case.origin
     solution = solve_linearised(case.model, MOVING, case.masses, work)
     actual = np.concatenate([work.frame_residual, work.residual])[case.keep]
     np.testing.assert_allclose(actual, expected, rtol=0.0, atol=1e-8 * np.abs(expected).max())
@@ -135,7 +129,7 @@ def test_solution_of_the_linearised_system(clamp, damping):
 
 def test_mounts_turn_with_their_edges():
     case = Case(small_robot())
-    state = case.state(case.free)
+    state = case.origin
     vector = np.random.default_rng(1).normal(size=len(state))
 
     def directions(t):
@@ -149,23 +143,19 @@ def test_mounts_turn_with_their_edges():
 
 
 def test_material_damping_takes_out_the_power_of_its_forces():
-    case = Case(
-        small_robot(), damping=KelvinVoigt.Law(1e-3), clamp=ConstantRate(0.3, 1.5, 0.0, 0.1)
-    )
-    rate = 50.0
-    motion = Motion(0.0, rate, rate, 0.0)
+    case = Case(small_robot(), damping=KelvinVoigt.Law(1e-3), clamp=STANDING)
+    motion = MOVING._replace(time=0.0)
     rng = np.random.default_rng(2)
-    state = case.state(case.free)
-    origin = case.state(case.free - 1e-6 * rng.normal(size=len(case.free)))
-    velocity = (state - origin) * rate
-    work = case.assembled(case.free, motion, origin)[1]
-    work.velocity_predictor[:] = velocity  # without inertia
-    free = {"position_predictor": origin, "velocity_predictor": velocity}
-    damped = assembled(case.model, motion, case.masses, state, case.mesh, **free)[1]
-    elastic = case.model._replace(damping=NoDamping.Law())
-    undamped = assembled(elastic, motion, case.masses, state, case.mesh, **free)[1]
+    state = case.state(case.free + 1e-6 * rng.normal(size=len(case.free)))
+    velocity = (state - case.origin) * motion.rate_factor
+    undamped = case.model._replace(damping=NoDamping.Law())
+    # Without inertia.
+    damped, undamped = (
+        case.memory(model, motion, state, velocity_predictor=velocity)
+        for model in (case.model, undamped)
+    )
     force = residual_of(damped, case.dofs) - residual_of(undamped, case.dofs)
-    found = powers(case.model, motion, case.masses, work, state, velocity)
+    found = powers(case.model, motion, case.masses, damped, state, velocity)
     assert found.damping == pytest.approx(force[case.keep] @ velocity[case.keep], rel=1e-4)
 
 
@@ -197,7 +187,7 @@ def test_an_even_mesh_rounds_the_mount_to_an_edge_s_middle():
 
 def test_no_node_falls_below_its_share_of_the_gap():
     case = Case(small_robot())
-    state = case.state(case.free)
+    state = case.origin
     drop = np.zeros(len(state))
     drop[1] = 4.0 * state[1]
     share = gap_safe_share(case.model, case.masses, case.mesh, state, drop, drop[case.dofs :])
@@ -207,7 +197,7 @@ def test_no_node_falls_below_its_share_of_the_gap():
 def test_a_clamp_that_does_not_follow_its_leg_turns_with_the_mounts_line():
     """Only the right tangent changes; a share of one is the mount's own edge."""
     all_of_it, none = (Case(small_robot(right_follow=share)) for share in (1.0, 0.0))
-    state = all_of_it.state(all_of_it.free)
+    state = all_of_it.origin
     with_leg, without = (case.tangents(state) for case in (all_of_it, none))
     assert without[:3] == with_leg[:3]
     first, last = (2 * int(edge) for edge in (all_of_it.mesh[1], right_mount(all_of_it.mesh)))

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from bare_models import bare_model
+from families import FAMILIES
 from plain_python import assembled, complex_step, dense, residual_of
 
 from snapjump import Robot
@@ -16,9 +17,6 @@ from snapjump.contact.logbarrier import LogBarrier
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.mass_proportional import MassProportional
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.corotational import Corotational
-from snapjump.discretization.der import DiscreteElasticRod
-from snapjump.discretization.geometrically_exact import GeometricallyExact
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clamp.constant_rate import ConstantRate
@@ -41,19 +39,16 @@ STILL = Motion(0.0, 0.0, 0.0, 0.0)
 MOVING = Motion(0.2, 50.0, 50.0, 0.0)
 DOFS = 3
 
-RODS = {
-    "half_element": DiscreteElasticRod(ELEMENTS, "half_element"),
-    "two_nodes": DiscreteElasticRod(ELEMENTS, "two_nodes"),
-    "corotational": Corotational(ELEMENTS),
-    "geometrically_exact": GeometricallyExact(ELEMENTS),
-}
+MEMBERS = FAMILIES["discretization"]
+RODS = {name: cls(ELEMENTS) for name, cls in MEMBERS.items()}
+RODS["two_nodes"] = MEMBERS["der"](ELEMENTS, "two_nodes")
 clamps = pytest.mark.parametrize("clamp", RODS)
 
 
 class Case:
     """A robot with members that are given, its clamps turned until a time."""
 
-    def __init__(self, rod: str = "half_element", time: float = 0.0, **members: Any):
+    def __init__(self, rod: str = "der", time: float = 0.0, **members: Any):
         self.beam = members.pop("beam", RODS[rod].beam(Robot()))
         others = {"clamp": CLAMP, "ground": Ground(7.0, 1.5, 0.025)}
         self.model = bare_model(self.beam, FRAME, **(others | members))
@@ -169,19 +164,17 @@ def test_tangent_of_friction_at_the_corners(slip):
     origin = case.state(free)
     origin[0] -= slip / MOVING.rate_factor
     origin[2] -= 0.1 / MOVING.rate_factor
-    case.check_tangent(free, origin)
-    square = case.assembled(MOVING, case.state(free), position_predictor=origin).corner_block
+    square = case.check_tangent(free, origin).corner_block
     assert abs(square[0, 1] - square[1, 0]) > 0.01 * np.abs(square).max()
 
 
 def test_friction_opposes_sliding_at_the_feet():
-    rough, smooth, away = Case(contact=BARRIER, friction=FRICTION), Case(contact=BARRIER), Case()
-    state = rough.state(rough.arch(height=0.27, turn=0.0))
+    cases = Case(contact=BARRIER, friction=FRICTION), Case(contact=BARRIER), Case()
+    state = cases[0].state(cases[0].arch(height=0.27, turn=0.0))
     origin = state.copy()
     origin[0] -= 1.0  # the frame slides along +x
     with_friction, without, clear = (
-        case.on_the_frame(MOVING, state, position_predictor=origin)
-        for case in (rough, smooth, away)
+        case.on_the_frame(MOVING, state, position_predictor=origin) for case in cases
     )
     drag, normal = with_friction - without, clear[1] - without[1]
     # Sliding beyond the threshold: mu N against the motion, at the feet below the centre.

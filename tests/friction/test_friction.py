@@ -24,10 +24,8 @@ def test_once_continuously_differentiable_at_the_threshold():
 
 
 def test_slope_is_the_derivative():
-    for v in speeds:
-        if abs(abs(v) - THRESHOLD) < 1e-6:
-            continue
-        step = 1e-7 * THRESHOLD
+    step = 1e-7 * THRESHOLD
+    for v in speeds[np.abs(np.abs(speeds) - THRESHOLD) >= 1e-6]:
         up, down = (regularised_sign(v + s, THRESHOLD)[0] for s in (step, -step))
         slope = regularised_sign(v, THRESHOLD)[1]
         assert slope * THRESHOLD == pytest.approx((up - down) / (2.0 * step) * THRESHOLD, abs=1e-6)
@@ -48,10 +46,9 @@ def test_creep_on_a_slope(row):
 
 
 def test_implicit_law_has_the_slope_at_rest_after_a_change_of_sign():
-    kept = LAW.slope(5.0 * THRESHOLD, 0.5 * THRESHOLD)
-    turned = LAW.slope(5.0 * THRESHOLD, -0.5 * THRESHOLD)
     assert LAW.ratio(5.0 * THRESHOLD) == MU
-    assert kept == 0.0
+    assert LAW.slope(5.0 * THRESHOLD, 0.5 * THRESHOLD) == 0.0
+    turned = LAW.slope(5.0 * THRESHOLD, -0.5 * THRESHOLD)
     assert turned == pytest.approx(2.0 * MU / THRESHOLD)
     # At the first iterate there is no velocity before.
     assert LAW.slope(0.5 * THRESHOLD, 0.0) == pytest.approx(MU / THRESHOLD)

@@ -43,11 +43,10 @@ class Integration:
     def __init__(self, name, model, state, velocity, acceleration):
         self.scheme = VARIANTS[name].scheme()
         self.model = model
-        self.work = plain_work(1, 0, stages=self.scheme.slots())
+        self.work = plain_work(model, 1, self.scheme.slots())
         self.work.start[:] = self.work.state[:] = state
-        for k in range(self.scheme.slots()):
-            self.work.velocity[k] = velocity
-            self.work.acceleration[k] = acceleration
+        self.work.velocity[:] = velocity
+        self.work.acceleration[:] = acceleration
 
     def step(self, size: float) -> float:
         """Take a step; returns its estimated error."""
@@ -59,12 +58,11 @@ class Integration:
             begin_stage(self.model, self.scheme, MASSES, work, True)
             motion = stage_motion(self.scheme, work)
             for _ in range(30):
+                now = (self.model, motion, MASSES, work, True)
                 if self.scheme.is_explicit():
-                    outcome = evaluate_forces(self.model, motion, MASSES, work, True)
+                    outcome = evaluate_forces(*now)
                 else:
-                    outcome = newton_iteration(
-                        self.model, motion, MASSES, work, True, 1e-13, 30.0, 4.0
-                    )
+                    outcome = newton_iteration(*now, 1e-13, 30.0, 4.0)
                 if outcome.converged:
                     break
             assert outcome.converged
@@ -86,11 +84,8 @@ def test_what_is_declared_fits_the_scheme(name):
 
 
 # A mass that oscillates in the barrier under a slope's gravity: smooth, nonlinear, damped.
-MODEL = loose_nodes(
-    contact=LogBarrier.Law(40.0, 1.0, 0.0),
-    damping=MassProportional.Law(0.3),
-    load=Gravity(1.0, 10, 1),
-)
+DAMPED = {"damping": MassProportional.Law(0.3), "load": Gravity(1.0, 10, 1)}
+MODEL = loose_nodes(contact=LogBarrier.Law(40.0, 1.0, 0.0), **DAMPED)
 DURATION = 0.3
 BEGIN = np.array([0.0, 0.75, 0.2, 0.3])
 
@@ -185,7 +180,7 @@ def amplification(name, omega_h):
 
     columns, parts = [], 1
     while len(columns) < parts:
-        run = Integration(name, spring, (0.0, 0.0), (0.0, 0.0), (0.0, 0.0))
+        run = Integration(name, spring, *np.zeros((3, 2)))
         run.work.clock[LAST_STEP] = 1.0
         parts = len(memory(run))
         memory(run)[len(columns)] += size
@@ -240,11 +235,11 @@ def test_errors_of_a_pendulum(name):
 def test_no_contact_is_free_flight():
     """Every scheme moves a free mass exactly."""
     model = loose_nodes(load=Gravity(1.0, 10.0, 0.0))
+    expected = (0.7, 2.0 + 2.1 - 0.5 * 10.0 * 0.49)
     for name in sorted(VARIANTS.keys() - {"bdf2"}):  # its first step is implicit Euler's
         run = Integration(name, model, (0.0, 2.0), (1.0, 3.0), (0.0, -10.0))
         for _ in range(7):
             run.step(0.1)
-        expected = (0.7, 2.0 + 2.1 - 0.5 * 10.0 * 0.49)
         tolerance = 1e-12 if VARIANTS[name].order > 1 else 0.4
         assert run.work.start == pytest.approx(expected, abs=tolerance), name
         assert run.work.velocity[0] == pytest.approx((1.0, -4.0), abs=1e-12), name

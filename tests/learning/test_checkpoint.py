@@ -64,30 +64,29 @@ def test_a_changed_byte_anywhere(kept_model):
 
 
 def test_foreign_files(tmp_path):
-    file = tmp_path / "foreign.safetensors"
-    save_file({"weight": torch.ones(2)}, file)
+    file, weights = tmp_path / "foreign.safetensors", {"weight": torch.ones(2)}
+    save_file(weights, file)
     unusable(file, "its format is None")
-    save_file({"weight": torch.ones(2)}, file, {"format": "snapjump forward model 99"})
+    save_file(weights, file, {"format": "snapjump forward model 99"})
     unusable(file, "forward model 99")
     file.write_text("a text")
     unusable(file, "it cannot be read")
-    torch.save({"weight": torch.ones(2)}, file)
+    torch.save(weights, file)
     unusable(file, "it cannot be read")
 
 
-@pytest.mark.parametrize(
-    ("change", "why"),
-    [
-        ({"width": 17}, "its weights are of another network"),
-        ({"blocks": 2}, "its weights are of another network"),
-        ({"name": "transformer"}, "it has members that are not known here"),
-        ({"depth": 3}, "it has members that are not known here"),
-    ],
-)
-def test_weights_of_another_surrogate(tmp_path, change, why):
+OTHERS = {
+    "its weights are of another network": [{"width": 17}, {"blocks": 2}],
+    "it has members that are not known here": [{"name": "transformer"}, {"depth": 3}],
+}
+
+
+@pytest.mark.parametrize("why", OTHERS)
+def test_weights_of_another_surrogate(tmp_path, why):
     file = tmp_path / "model.safetensors"
-    write_checkpoint(file, network(), about({**RESNET, **change}))
-    unusable(file, why)
+    for change in OTHERS[why]:
+        write_checkpoint(file, network(), about({**RESNET, **change}))
+        unusable(file, why)
 
 
 def test_nan_reaches_no_file(tmp_path):
@@ -106,22 +105,16 @@ GROUPS = {
 }
 
 
-@pytest.fixture(scope="module")
-def exported(tmp_path_factory) -> dict[str, bytes]:
-    """The ONNX files of the groups."""
-    found = {}
-    for name, group in GROUPS.items():
-        path = tmp_path_factory.mktemp(name) / "model.onnx"
-        told = export(ForwardModel(network(group), about(group)), path)
-        assert told.max_difference < 1e-5 and told.onnx_us > 0.0 and told.torch_us > 0.0
-        found[name] = path.read_bytes()
-    return found
+def model_of(name: str, seed: int = 0) -> ForwardModel:
+    return ForwardModel(network(GROUPS[name], seed), about(GROUPS[name]))
 
 
 @pytest.mark.parametrize("name", GROUPS)
-def test_onnx_says_what_torch_says(exported, name):
-    model = ForwardModel(network(GROUPS[name]), about(GROUPS[name]))
-    session = one_core(exported[name])
+def test_onnx_says_what_torch_says(tmp_path, name):
+    model, file = model_of(name), tmp_path / "model.onnx"
+    told = export(model, file)
+    assert told.max_difference < 1e-5 and told.onnx_us > 0.0 and told.torch_us > 0.0
+    session = one_core(file.read_bytes())
     for count in (1, 2, 500):
         designs = jumps(count, 7).designs.numpy()
         (apexes,) = session.run(None, {"designs": designs})
@@ -130,12 +123,11 @@ def test_onnx_says_what_torch_says(exported, name):
         assert np.allclose(apexes, expected, rtol=1e-4, atol=1e-4 * np.abs(expected).max())
 
 
-def test_a_difference_is_told_and_no_file_left(exported, tmp_path, monkeypatch):
-    group = GROUPS["resnet"]
-    other = ForwardModel(network(group, seed=1), about(group))
-    monkeypatch.setattr(module, "_onnx", lambda model: exported["resnet"])
+def test_a_difference_is_told_and_no_file_left(tmp_path, monkeypatch):
+    exported = module._onnx(model_of("resnet"))
+    monkeypatch.setattr(module, "_onnx", lambda model: exported)
     with pytest.raises(ArithmeticError, match="differs from torch"):
-        export(other, tmp_path / "model.onnx")
+        export(model_of("resnet", seed=1), tmp_path / "model.onnx")
     assert not list(tmp_path.iterdir())
 
 

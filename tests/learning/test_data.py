@@ -16,37 +16,38 @@ from snapjump.run.tasks.complete import whole
 
 
 def test_a_split_is_of_all_rows_and_by_the_seed():
-    parts = split(1000, Training(test_share=0.2, validation_share=0.1), 3)
+    training = Training(test_share=0.2, validation_share=0.1)
+    parts, again = (split(1000, training, 3) for _ in range(2))
     assert [len(part) for part in parts] == [720, 80, 200]
     assert sorted(np.concatenate(parts)) == list(range(1000))
-    again = split(1000, Training(test_share=0.2, validation_share=0.1), 3)
     assert all(np.array_equal(one, other) for one, other in zip(parts, again, strict=True))
-    other = split(1000, Training(), 4)
-    assert set(other.test) != set(parts.test)
+    assert set(split(1000, Training(), 4).test) != set(parts.test)
 
 
 def test_fewer_rows_have_the_same_test_set():
-    whole, some = split(1000, Training(), 0), split(1000, Training(rows=300), 0)
+    whole, some, more = (split(1000, Training(rows=rows), 0) for rows in (None, 300, 600))
     assert np.array_equal(whole.test, some.test)
     assert [len(some.train), len(some.validation)] == [270, 30]
-    more = split(1000, Training(rows=600), 0)
     # Those of the smaller one are among those of the larger: curves against size are of one path.
     assert {*some.train, *some.validation} <= {*more.train, *more.validation}
     assert len(split(1000, Training(rows=800), 0).train) == len(whole.train)
 
 
-@pytest.mark.parametrize(
-    ("count", "training", "key"),
-    [
-        (49, Training(), "dataset.path"),
-        (100, Training(validation_share=0.01), "dataset.path"),
-        (1000, Training(rows=801), "training.rows"),
-        (1000, Training(rows=94), "training.rows"),
-    ],
-)
-def test_splits_that_there_are_not(count, training, key):
+NO_SPLITS = (
+    ("dataset.path", 49, {}), ("dataset.path", 100, {"validation_share": 0.01}),
+    ("training.rows", 1000, {"rows": 801}), ("training.rows", 1000, {"rows": 94}),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("key", "count", "values"), NO_SPLITS)
+def test_splits_that_there_are_not(key, count, values):
     with refused(key):
-        split(count, training, 0)
+        split(count, Training(**values), 0)
+
+
+def follows_the_law(rows):
+    apexes, _ = law(rows.designs.double().numpy())
+    assert np.allclose(rows.apexes.numpy(), apexes, rtol=1e-5, atol=1e-5)
 
 
 def test_the_rows_are_the_dataset_s(jump_set):
@@ -54,24 +55,23 @@ def test_the_rows_are_the_dataset_s(jump_set):
     parts = (found.train, found.validation, found.test)
     assert [len(part.designs) for part in parts] == [288, 32, 80]
     for part in parts:
-        apexes, _ = law(part.designs.double().numpy())
-        assert np.allclose(part.apexes.numpy(), apexes, rtol=1e-5, atol=1e-5)
-        assert torch.isnan(part.slopes).all() and part.slopes.shape == (len(apexes), 2, 4)
+        follows_the_law(part)
+        assert torch.isnan(part.slopes).all() and part.slopes.shape == (len(part.designs), 2, 4)
 
 
 def test_batches_are_all_rows_once_in_an_order_of_seed_and_epoch(jump_set):
     found = jump_set()
     batches = found.train_dataloader()
     assert isinstance(batches, Batches) and len(batches) == len(list(batches)) == 18
-    first = torch.cat([rows.designs for rows in batches])
-    again = torch.cat([rows.designs for rows in found.train_dataloader()])
+    first, again, other = (
+        torch.cat([rows.designs for rows in some])
+        for some in (batches, found.train_dataloader(), Batches(found.train, 16, (0, 1)))
+    )
     assert torch.equal(first, again) and not torch.equal(first, found.train.designs)
     assert torch.equal(first.sort(dim=0).values, found.train.designs.sort(dim=0).values)
-    other = torch.cat([rows.designs for rows in Batches(found.train, 16, (0, 1))])
     assert not torch.equal(first, other)
     for rows in batches:
-        apexes, _ = law(rows.designs.double().numpy())
-        assert np.allclose(rows.apexes.numpy(), apexes, rtol=1e-5, atol=1e-5)
+        follows_the_law(rows)
 
 
 def test_slopes_of_a_dataset_that_has_them(tmp_path):
@@ -102,7 +102,7 @@ def test_a_dataset_without_a_jump_is_refused(tmp_path):
 def test_batches_double_in_equal_stretches():
     training = Training(epochs=50, batch_first=64, batch_last=1024)
     sizes = [training.batch_size(epoch) for epoch in range(50)]
-    assert sizes == [64] * 10 + [128] * 10 + [256] * 10 + [512] * 10 + [1024] * 10
+    assert sizes == np.repeat([64, 128, 256, 512, 1024], 10).tolist()
     assert {Training(batch_first=9, batch_last=9).batch_size(e) for e in range(240)} == {9}
     few = Training(epochs=2)
     assert [few.batch_size(epoch) for epoch in range(2)] == [64, 256]

@@ -100,21 +100,19 @@ def test_a_training_that_was_killed_goes_on_to_the_same_bits(
     assert fit.curves == expected.curves
 
 
+def check_ended(data: JumpData, folder: Path, epochs: int) -> None:
+    """A training ends after so many epochs, and is not gone on with."""
+    first, again = (fitted(data, folder)[1] for _ in range(2))
+    assert len(first.curves) == epochs and again == first
+
+
 def test_a_training_that_had_ended_is_not_gone_on_with(jump_set, tmp_path):
-    complete = jump_set()
-    for _ in range(2):
-        _, fit = fitted(complete, tmp_path)
-        assert len(fit.curves) == 6
+    check_ended(jump_set(), tmp_path, 6)
 
 
-def test_it_stops_when_nothing_becomes_better(jump_set, tmp_path, steady):
-    found = jump_set(epochs=50, patience=3)
-    for _ in range(2):
-        _, fit = fitted(found, tmp_path)
-        assert len(fit.curves) == 4
-    _, first = fitted(jump_set(epochs=50, patience=2), tmp_path / "sooner")
-    _, again = fitted(jump_set(epochs=50, patience=2), tmp_path / "sooner")
-    assert len(first.curves) == 3 and again == first
+@pytest.mark.parametrize("patience", [2, 3])
+def test_it_stops_when_nothing_becomes_better(jump_set, tmp_path, steady, patience):
+    check_ended(jump_set(epochs=50, patience=patience), tmp_path, patience + 1)
 
 
 def test_patience_goes_on_where_it_was(jump_set, tmp_path, every_epoch, steady):

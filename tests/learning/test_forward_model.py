@@ -16,7 +16,7 @@ from snapjump.integrator.bdf2 import Bdf2
 from snapjump.learning.forward_model import ForwardModel
 from snapjump.learning.measures import errors, measures
 from snapjump.simulation import build
-from snapjump.surrogate.base import Rows, Surrogate
+from snapjump.surrogate.base import Surrogate
 from snapjump.surrogate.resnet import Resnet
 
 
@@ -38,16 +38,11 @@ def test_it_predicts_what_the_network_does(model):
 
 def test_its_slopes_are_those_of_its_values(model):
     model.network.double()
-    designs = jumps(7).designs.double().numpy()
-    step = 1e-5
-    expected = np.stack(
-        [
-            (model.predict(designs + move) - model.predict(designs - move)) / (2.0 * step)
-            for move in step * np.eye(4)
-        ],
-        axis=2,
-    )
-    assert np.allclose(model.jacobian(designs), expected, rtol=1e-6, atol=1e-6)
+    designs, step = jumps(7).designs.double().numpy(), 1e-5
+    for axis, move in enumerate(step * np.eye(4)):
+        slopes = (model.predict(designs + move) - model.predict(designs - move)) / (2.0 * step)
+        found = model.jacobian(designs)[:, :, axis]
+        assert np.allclose(found, slopes, rtol=1e-6, atol=1e-6)
 
 
 def test_slopes_of_a_network_that_torch_cannot_differentiate(model, monkeypatch):
@@ -91,41 +86,41 @@ def test_the_same_physical_model_at_other_numerics(model):
     model.check_model(replace(finer, integrator=Bdf2(), accuracy="reference"))
 
 
-@pytest.mark.parametrize(
-    ("part", "key"),
-    [
-        ({"robot": Robot(width_m=0.02)}, "robot.width_m"),
-        ({"damping": KelvinVoigt(1e-6)}, "damping.relaxation_time_s"),
-        ({"contact": with_tier("draft").contact}, "contact.distance_m"),
-        ({"friction": with_tier("paper").friction}, "friction"),
-    ],
-)
-def test_another_physical_model_is_refused(model, part, key):
+OTHERS = {
+    "robot.width_m": Robot(width_m=0.02),
+    "damping.relaxation_time_s": KelvinVoigt(1e-6),
+    "contact.distance_m": with_tier("draft").contact,
+    "friction": with_tier("paper").friction,
+}
+
+
+@pytest.mark.parametrize("key", OTHERS)
+def test_another_physical_model_is_refused(model, key):
+    part = {key.partition(".")[0]: OTHERS[key]}
     with refused(key, "trained with"):
         model.check_model(replace(build(CONFIG), **part))
 
 
-OFF = torch.tensor([[3.0, -1.0], [-4.0, 1.0]]).repeat(50, 1)
+ROWS, OFF = jumps(100), torch.tensor([[3.0, -1.0], [-4.0, 1.0]]).repeat(50, 1)
 
 
 class Off(Surrogate):
     """Wrong by OFF; its intervals are 3.5 wide, so that one x in two lies inside, and all y."""
 
-    def __init__(self, rows: Rows, known: bool):
+    def __init__(self, half_width: float | None = None):
         super().__init__()
-        self.rows, self.known = rows, known
+        self.half_width = half_width
 
     def forward(self, designs: torch.Tensor) -> torch.Tensor:
-        return self.rows.apexes + OFF
+        return ROWS.apexes + OFF
 
     def half_widths(self, designs: torch.Tensor) -> torch.Tensor | None:
-        return torch.full((len(designs), 2), 3.5) if self.known else None
+        return None if self.half_width is None else torch.full((len(designs), 2), self.half_width)
 
 
 def test_measures():
-    rows = jumps(100)
-    assert np.allclose(errors(Off(rows, True), rows), OFF, atol=1e-5)
-    found = measures(Off(rows, True), rows)
+    assert np.allclose(errors(Off(3.5), ROWS), OFF, atol=1e-5)
+    found = measures(Off(3.5), ROWS)
     expected = {
         "mae_bar": (3.5 + 1.0) / 2.0, "mae_x_bar": 3.5, "mae_y_bar": 1.0,
         "rms_x_bar": np.sqrt(12.5), "median_x_bar": 3.5, "p95_x_bar": 4.0, "p95_y_bar": 1.0,
@@ -134,8 +129,5 @@ def test_measures():
     }  # fmt: skip
     for key, value in expected.items():
         assert found[key] == pytest.approx(value, rel=1e-4), key
-
-
-def test_without_intervals_there_is_no_coverage():
-    rows = jumps(100)
-    assert "coverage" not in measures(Off(rows, False), rows)
+    # Without intervals there is no coverage.
+    assert "coverage" not in measures(Off(), ROWS)

@@ -76,9 +76,8 @@ def test_intervals_come_from_the_validation_set(jump_set, tmp_path):
     measured = learned.about["measures"]
     assert 0.7 < measured["coverage"] <= 1.0 and measured["half_width_bar"] > 0.0
     half_widths = open_forward_model(learned.file).half_widths(jump_set().test.designs.numpy())
-    assert half_widths is not None and half_widths.mean() == pytest.approx(
-        measured["half_width_bar"], rel=1e-4
-    )
+    assert half_widths is not None
+    assert half_widths.mean() == pytest.approx(measured["half_width_bar"], rel=1e-4)
 
 
 def test_slopes_must_be_there_for_what_needs_them(jump_set, tmp_path):
@@ -97,10 +96,8 @@ def test_slopes_must_be_there_for_what_needs_them(jump_set, tmp_path):
 @pytest.mark.parametrize("name", member_names("surrogate"))
 def test_a_forward_model_has_the_inputs_of_its_dataset(name, tmp_path):
     inputs = {"robot.thickness_m": None, "environment.mass_bar": None, "design.epsilon": None}
-    changes: dict[str, Any] = {
-        "plan": {"name": "latin_hypercube", "count": 160, "inputs": inputs},
-        "friction": WIDE_STICK,
-    }
+    plan = {"name": "latin_hypercube", "count": 160, "inputs": inputs}
+    changes: dict[str, Any] = {"plan": plan, "friction": WIDE_STICK}
     specification = small(160, 160, sensitivities=True, **changes)
     dataset = made_up_dataset(tmp_path / "data", specification)
     data = JumpData(dataset, Training(epochs=1), 0)

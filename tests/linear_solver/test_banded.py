@@ -4,11 +4,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from bare_models import on_rigid_frame
 from numba import njit
-from plain_python import dense, plain_work, sizes
+from plain_python import dense, plain_work
 
 from snapjump.engine.view import view_work
-from snapjump.engine.work import make_memory
+from snapjump.engine.work import make_memory, sizes_of
+from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.linear_solver.banded import (
     begin_elimination,
     eliminate_node,
@@ -69,13 +71,11 @@ def fill(work: Any, seed: int, shift: float, unsymmetric: bool = False) -> tuple
     for k in range(1, 6):
         work.band[size - k :, k] = 0.0
     work.band[:, 0] += shift
-    work.border[:6] = rng.normal(size=(6, 3))
-    work.border[-6:] = rng.normal(size=(6, 3))
+    work.border[:6], work.border[-6:] = rng.normal(size=(2, 6, 3))
     square = rng.normal(size=(3, 3))
-    square = square + square.T + 4.0 * shift * np.eye(3)
+    work.corner_block[...] = square + square.T + 4.0 * shift * np.eye(3)
     if unsymmetric:
-        square[0, 1:] += [2.0, -1.0]
-    work.corner_block[...] = square
+        work.corner_block[0, 1:] += [2.0, -1.0]
     work.residual[...] = rng.normal(size=size)
     work.frame_residual[...] = rng.normal(size=3)
     return dense(work, 3), np.concatenate([work.frame_residual, work.residual])
@@ -85,7 +85,7 @@ def fill(work: Any, seed: int, shift: float, unsymmetric: bool = False) -> tuple
 @pytest.mark.parametrize("seed", range(5))
 @pytest.mark.parametrize("unsymmetric", [False, True])
 def test_bordered_solution(seed, unsymmetric, per_node):
-    work = plain_work(NODES, 3, per_node=per_node)
+    work = plain_work(on_rigid_frame(per_node), NODES)
     matrix, right = fill(work, seed, 8.0, unsymmetric)
     expected = np.linalg.solve(matrix, right)
     negative = solve(work, True, per_node == 3)
@@ -97,7 +97,7 @@ def test_bordered_solution(seed, unsymmetric, per_node):
 @dofs_of_nodes
 @pytest.mark.parametrize("seed", range(5))
 def test_solution_without_a_frame(seed, per_node):
-    work = plain_work(NODES, 0, per_node=per_node)
+    work = plain_work(on_rigid_frame(per_node)._replace(frame=NoFrame()), NODES)
     matrix, right = fill(work, seed, 8.0)
     expected = np.linalg.solve(matrix[3:, 3:], right[3:])
     assert solve(work, False, per_node == 3) == 0.0
@@ -109,7 +109,7 @@ def test_solution_without_a_frame(seed, per_node):
 def test_pivots_count_negative_eigenvalues(bordered, per_node):
     counts = set()
     for seed in range(30):
-        work = plain_work(NODES, 3, per_node=per_node)
+        work = plain_work(on_rigid_frame(per_node), NODES)
         matrix, _ = fill(work, seed, 3.0)
         matrix = matrix if bordered else matrix[3:, 3:]
         negative = int((np.linalg.eigvalsh(matrix) < 0.0).sum())
@@ -121,26 +121,22 @@ def test_pivots_count_negative_eigenvalues(bordered, per_node):
 @dofs_of_nodes
 @pytest.mark.parametrize("bordered", [False, True])
 def test_lanes_and_scalars_solve_alike(bordered, per_node):
-    rotations = per_node == 3
-    plain = [plain_work(NODES, 3, per_node=per_node) for _ in range(WIDTH)]
-    lanes = make_memory(sizes(NODES, 3, per_node, WIDTH))
-    singles = [make_memory(sizes(NODES, 3, per_node)) for _ in range(WIDTH)]
-    for lane, work in enumerate(plain):
+    rotations, model = per_node == 3, on_rigid_frame(per_node)
+    plain = [plain_work(model, NODES) for _ in range(WIDTH)]
+    lanes = make_memory(sizes_of(model, NODES, lanes=WIDTH))
+    singles = [make_memory(sizes_of(model, NODES)) for _ in range(WIDTH)]
+    for lane, (work, single) in enumerate(zip(plain, singles, strict=True)):
         fill(work, lane, 4.0, True)
         for name in ("residual", "band", "border", "frame_residual", "corner_block"):
-            values = getattr(work, name)
-            getattr(lanes, name)[..., lane] = values
-            getattr(singles[lane], name)[..., 0] = values
+            getattr(lanes, name)[..., lane] = getattr(work, name)
+            getattr(single, name)[..., 0] = getattr(work, name)
     solve_compiled(lanes, (0,) * WIDTH, bordered, rotations)
-    for lane, work in enumerate(plain):
+    for lane, (work, single) in enumerate(zip(plain, singles, strict=True)):
         negative = solve(work, bordered, rotations)
-        single = singles[lane]
         solve_compiled(single, (0,), bordered, rotations)
         assert lanes.clock[0, lane] == single.clock[0, 0] == negative
         for name in ("residual", "frame_residual"):
-            scalar = getattr(single, name)[..., 0]
+            scalar, expected = getattr(single, name)[..., 0], getattr(work, name)
             assert np.array_equal(getattr(lanes, name)[..., lane], scalar)
-            expected = getattr(work, name)
-            np.testing.assert_allclose(
-                scalar, expected, rtol=0.0, atol=1e-10 * np.abs(expected).max()
-            )
+            near = 1e-10 * np.abs(expected).max()
+            np.testing.assert_allclose(scalar, expected, rtol=0.0, atol=near)

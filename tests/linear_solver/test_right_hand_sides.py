@@ -4,11 +4,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from bare_models import on_rigid_frame
 from numba import njit
-from plain_python import sizes
+from plain_python import whole
+from scipy.linalg import block_diag
 
 from snapjump.engine.view import view_memory
-from snapjump.engine.work import make_memory
+from snapjump.engine.work import make_memory, sizes_of
 from snapjump.linear_solver.right_hand_sides import solve_right_hand_sides
 from snapjump.number.memory import aligned_zeros
 
@@ -25,7 +27,7 @@ def solve_compiled(
 
 def factors(per_node: int) -> Any:
     """Random factors as an elimination leaves them: one over a pivot, L D, and the border's."""
-    system = make_memory(sizes(NODES, 3, per_node, LANES))
+    system = make_memory(sizes_of(on_rigid_frame(per_node), NODES, lanes=LANES))
     random = np.random.default_rng(per_node)
     for array in (system.band, system.border, system.corner_block):
         array[:] = 0.3 * random.normal(size=array.shape)
@@ -39,18 +41,16 @@ def factors(per_node: int) -> Any:
     return system
 
 
-def whole(system: Any, lane: int) -> Any:
-    """The matrix that was eliminated."""
-    size = len(system.band)
-    lower = np.eye(size + 3)
-    middle = np.zeros((size + 3, size + 3))
-    for j in range(size):
-        middle[j, j] = 1.0 / system.band[j, 0, lane]
-        for k in range(1, min(5, size - 1 - j) + 1):
-            lower[j + k, j] = system.band[j, k, lane] * system.band[j, 0, lane]
-        lower[size:, j] = system.border[j, :, lane] * system.band[j, 0, lane]
-    middle[size:, size:] = system.corner_block[:, :, lane]
-    return lower @ middle @ lower.T
+def eliminated(system: Any, lane: int) -> Any:
+    """The matrix that was, from its factors."""
+    band, border, corner = (
+        array[..., lane] for array in (system.band, system.border, system.corner_block)
+    )
+    over = band[:, :1]
+    columns = np.hstack([np.ones_like(over), band[:, 1:6] * over])
+    lower = block_diag(np.tril(whole(columns)), np.eye(3))
+    lower[-3:, :-3] = (border * over).T
+    return lower @ block_diag(np.diag(1.0 / band[:, 0]), corner) @ lower.T
 
 
 @pytest.mark.parametrize("per_node", [2, 3])
@@ -67,7 +67,7 @@ def test_solutions_of_the_chosen_lanes_alone(per_node):
     solve_compiled(system, sides, frame_sides, chosen, 3, per_node == 3)
     found = np.concatenate([sides[:, 5:-5], frame_sides], axis=1)
     for lane in (0, 2, 3):
-        expected = np.linalg.solve(whole(system, lane), given[lane])
+        expected = np.linalg.solve(eliminated(system, lane), given[lane])
         assert np.allclose(found[lane], expected, rtol=1e-11, atol=1e-11)
     assert np.array_equal(found[1], given[1])
     assert not sides[:, :5].any() and not sides[:, -5:].any()

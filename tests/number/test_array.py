@@ -39,21 +39,21 @@ def test_arrays_of_nested_tuples_are_seen_and_written_in_place():
     assert table.tolist() == [[0.0, -1.0], [2.0, -1.0], [4.0, -1.0]]
 
 
+@njit(no_cpython_wrapper=True)
+def copy(part: Any, other: Any) -> None:
+    for k in range(part.shape[0]):
+        other[k] = part[k]
+
+
 @njit
 def copy_parts(thing: Any, other: Any, row: int) -> None:
-    view = uncounted(thing)
-    rest = view.inner.rows[1:]
-    line = view.inner.rows[row]
+    rows = uncounted(thing).inner.rows
+    rest, line = rows[1:], rows[row]
     for i in range(rest.shape[0]):
         other[0, i] = rest[i, 0]
-    for k in range(line.shape[0]):
-        other[1, k] = line[k]
-    tail = line[2:]
-    for k in range(tail.shape[0]):
-        other[2, k] = tail[k]
-    column = view.inner.rows[:, 1]
-    for i in range(column.shape[0]):
-        other[3, i] = column[i]
+    copy(line, other[1])
+    copy(line[2:], other[2])
+    copy(rows[:, 1], other[3])
 
 
 def test_parts_are_views():

@@ -17,6 +17,11 @@ def copied(tmp_path, monkeypatch):
     return package
 
 
+def edit(file):
+    with file.open("a") as source:
+        source.write("\nEDITED = True\n")
+
+
 def test_folder_is_the_same_for_the_same_sources(copied, monkeypatch):
     copy = compile_cache.source_hash()
     monkeypatch.undo()
@@ -26,8 +31,7 @@ def test_folder_is_the_same_for_the_same_sources(copied, monkeypatch):
 @pytest.mark.parametrize("package", compile_cache.KERNEL_PACKAGES)
 def test_folder_changes_with_any_kernel_source(copied, package):
     before = compile_cache.cache_folder()
-    with (copied / package / "base.py").open("a") as source:
-        source.write("\nEDITED = True\n")
+    edit(copied / package / "base.py")
     sources.forget(copied)
     assert compile_cache.cache_folder() != before
 
@@ -81,8 +85,7 @@ def test_a_copy_finds_what_was_compiled_and_an_edited_one_does_not(copied, tmp_p
     kernel.write_text(text.replace("@compiled", "# A comment.\n\n@compiled"))
     assert compiled_in(elsewhere, cache) == (1, 0)
     # A function that the kernel calls, in a file of its own.
-    with (elsewhere / "snapjump" / "contact" / "logbarrier.py").open("a") as source:
-        source.write("\nEDITED = True\n")
+    edit(elsewhere / "snapjump" / "contact" / "logbarrier.py")
     assert compiled_in(elsewhere, cache) == (0, 1)
 
 

@@ -60,34 +60,22 @@ def total(law: Any, gap: Any) -> Any:
     return law.force(gap) + law.loss(gap) + law.twice(gap)
 
 
-compiled_total = program(total)
+compiled_total, part_of_a_program = program(total), njit(total)
 
 
 @program
 def total_in_lanes(law, gaps, found, lanes):
-    gap = view_numbers(gaps, lanes)
-    out = view_numbers(found, lanes)
-    for i in range(gap.shape[0]):
-        out[i] = total_of(law, gap[i])
-
-
-total_of = njit(total)
-
-
-def as_lanes(numbers):
-    found = aligned_zeros((1, len(numbers)))
-    found[0] = numbers
-    return found
+    view_numbers(found, lanes)[0] = part_of_a_program(law, view_numbers(gaps, lanes)[0])
 
 
 @pytest.mark.parametrize("law", [Linear(3.0), Lossy(2.0, 0.5), Nothing()])
 def test_compiled_plain_and_lanes_agree(law):
-    gaps = np.linspace(-1.0, 1.0, 8)
-    plain = [total(law, gap) for gap in gaps]
-    assert [compiled_total(law, gap) for gap in gaps] == plain
+    gaps, found = aligned_zeros((1, 8)), aligned_zeros((1, 8))
+    gaps[0] = np.linspace(-1.0, 1.0, 8)
+    plain = [total(law, gap) for gap in gaps[0]]
+    assert [compiled_total(law, gap) for gap in gaps[0]] == plain
     assert plain[0] == 3.0 * law.force(-1.0) + law.loss(-1.0)
-    found = aligned_zeros((1, 8))
-    total_in_lanes(law, as_lanes(gaps), found, (0,) * 8)
+    total_in_lanes(law, gaps, found, (0,) * 8)
     assert found[0].tolist() == plain
 
 
@@ -108,3 +96,19 @@ def test_other_arguments_are_refused():
 
             def force(self, depth):
                 return self.stiffness * depth
+
+
+def test_an_argument_may_have_its_former_name():
+    class Law(Contract):
+        @required
+        def force(self, gap, state):
+            """Push of the ground."""
+
+    @Law.member
+    class Old(NamedTuple):
+        stiffness: float
+
+        def force(self, gap, approach):
+            return self.stiffness * gap + approach
+
+    assert Old(2.0).force(3.0, 1.0) == 7.0

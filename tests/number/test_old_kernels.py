@@ -5,6 +5,8 @@ import subprocess
 import sys
 import time
 
+import numba
+
 from snapjump.number.compile_cache import cache_folder, use_cache_folder
 from snapjump.number.old_kernels import OLD_S, remove_old, use
 
@@ -12,7 +14,7 @@ OLD, YOUNG = (f"kernels-{k:016x}" for k in (1, 2))
 
 
 def aged(folder, seconds):
-    (folder / "contact").mkdir(parents=True)
+    (folder / "contact").mkdir(parents=True, exist_ok=True)
     (folder / "contact" / "kernel.nbc").write_text("")
     then = time.time() - seconds
     os.utime(folder, (then, then))
@@ -22,7 +24,7 @@ def aged(folder, seconds):
 def test_only_old_folders_of_kernels_go(tmp_path):
     kept = {YOUNG, "kernels-0", "kernels-" + "F" * 16, OLD + "-mine", "data", "kernels-" + "b" * 16}
     for name in (OLD, *kept):
-        aged(tmp_path / name, OLD_S + 60.0 if name != YOUNG else OLD_S - 60.0)
+        aged(tmp_path / name, OLD_S + (60.0 if name != YOUNG else -60.0))
     (tmp_path / "source_hashes.json").write_text("{}")
     remove_old(tmp_path / ("kernels-" + "b" * 16))
     assert {path.name for path in tmp_path.iterdir()} == {*kept, "source_hashes.json"}
@@ -41,8 +43,7 @@ def test_a_process_keeps_its_folder_however_long_it_runs(tmp_path):
     command = [sys.executable, "-c", script, str(folder)]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         process.stdout.readline()
-        then = time.time() - OLD_S - 60.0
-        os.utime(folder, (then, then))
+        aged(folder, OLD_S + 60.0)
         remove_old(tmp_path / YOUNG)
         assert folder.exists()
         process.stdin.close()
@@ -52,8 +53,6 @@ def test_a_process_keeps_its_folder_however_long_it_runs(tmp_path):
 
 
 def test_a_new_folder_takes_the_place_of_old_ones(tmp_path, monkeypatch):
-    import numba
-
     monkeypatch.setattr(numba.config, "CACHE_DIR", "")
     monkeypatch.setattr(numba.config, "CACHE_LOCATOR_CLASSES", "")
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))

@@ -5,7 +5,12 @@ import subprocess
 import sys
 import time
 
+import numba
+import pytest
+
 from snapjump.number import announcement
+from snapjump.number.once import one_process_compiles
+from snapjump.statics.resting_gap import resting_gap
 
 COMPILE = """
 import sys
@@ -20,34 +25,20 @@ print(sum(resting_gap.stats.cache_hits.values()), sum(resting_gap.stats.cache_mi
 
 
 def test_one_of_three_processes_compiles(tmp_path):
-    processes = [
-        subprocess.Popen(
-            [sys.executable, "-c", COMPILE],
-            env={**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)},
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            text=True,
-        )
-        for _ in range(3)
-    ]
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
+    command = [sys.executable, "-c", COMPILE]
+    processes = [subprocess.Popen(command, env=environment, **pipes) for _ in range(3)]
     # All have been imported and none has begun.
     assert [process.stdout.readline() for process in processes] == 3 * ["ready\n"]
-    counts = []
     for process in processes:
         process.stdin.close()
-    for process in processes:
-        counts.append(process.stdout.read().split())
-        assert process.wait() == 0
+    counts = [process.stdout.read().split() for process in processes]
+    assert [process.wait() for process in processes] == [0, 0, 0]
     assert sorted(counts) == [["0", "1"], ["1", "0"], ["1", "0"]]
 
 
 def test_the_lock_is_free_after_a_failure(tmp_path, monkeypatch):
-    import numba
-    import pytest
-
-    from snapjump.number.once import one_process_compiles
-    from snapjump.statics.resting_gap import resting_gap
-
     monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
     for _ in range(2):
         with pytest.raises(ZeroDivisionError), one_process_compiles(resting_gap, (1.0, 2.0), 1.0):
@@ -56,31 +47,25 @@ def test_the_lock_is_free_after_a_failure(tmp_path, monkeypatch):
 
 
 class Kernel:
-    """Takes its time; ``compiles`` says whether a signature appears meanwhile."""
+    """Takes its time, before or after it has been compiled."""
 
-    def __init__(self, seconds):
-        self.signatures = []
-        self.seconds = seconds
-        self.calls = []
+    def __init__(self, seconds, compiled_at_once=False):
+        self.seconds, self.compiled_at_once = seconds, compiled_at_once
+        self.signatures, self.calls = [], []
 
     def __call__(self, *args):
         self.calls.append(args)
+        if self.compiled_at_once:
+            self.signatures.append(args)
         time.sleep(self.seconds)
 
 
 def test_only_a_long_compilation_is_announced(monkeypatch, capsys):
     monkeypatch.setattr(announcement, "PATIENCE_SECONDS", 0.05)
-    quick, slow, running = Kernel(0.0), Kernel(0.3), Kernel(0.3)
-    announcement.load(quick, 1)
-    assert capsys.readouterr().err == ""
+    slow = Kernel(0.3)
     announcement.load(slow, 1, 2)
     assert "compiling kernels, once" in capsys.readouterr().err
     assert slow.calls == [(1, 2)]
-
-    def starts_at_once(*args):
-        running.signatures.append(args)
-        time.sleep(0.3)
-
-    starts_at_once.signatures = running.signatures
-    announcement.load(starts_at_once, 1)
-    assert capsys.readouterr().err == ""
+    for silent in (Kernel(0.0), Kernel(0.3, compiled_at_once=True)):
+        announcement.load(silent, 1)
+        assert capsys.readouterr().err == ""

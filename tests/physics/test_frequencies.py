@@ -4,9 +4,9 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from bands import whole
 from bare_models import bare_model, cantilever
 from physical import DISCRETIZATIONS, arch, beam, discretized, slender, snap
+from plain_python import whole
 from references import outputs_of as reference
 from scipy.linalg import eigh
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from robots import model_at, similar
+from robots import similar
 
 from snapjump import Design, Environment, ParameterError, Robot
 from snapjump.checks import check_choice, check_integer, check_number
@@ -10,6 +10,7 @@ from snapjump.composition import with_tier
 from snapjump.declare.inputs import with_inputs
 from snapjump.engine.model import numbers_of
 from snapjump.scenes.frame_body import frame_model
+from snapjump.scenes.jump_start import composed_model
 from snapjump.units import Scales
 
 WRONG_TYPES = [float("nan"), float("inf"), -float("inf"), "1", None, True, [1.0]]
@@ -91,7 +92,7 @@ def test_mass_is_defined_by_its_weight():
 
 def dimensionless(simulation):
     """All numbers of a jump's model but its clamps' start, which statics determines."""
-    return numbers_of(model_at(simulation, 0.8, 0.08))
+    return numbers_of(composed_model(simulation, 0.8, 0.08))
 
 
 def test_scaling_the_robot_at_fixed_groups_changes_no_number():

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from bands import whole
+from plain_python import whole
 
 from snapjump.statics.band import (
     WIDTH,

@@ -4,6 +4,8 @@ from typing import Any
 
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
+from snapjump.discretization.corotational import Corotational
+from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.discretization.parts.loose_nodes import LooseNodes
 from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.load.none import NoLoad
@@ -11,6 +13,7 @@ from snapjump.engine.load.tip import TipLoad
 from snapjump.engine.model import Model
 from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.frame.parts.no_frame import NoFrame
+from snapjump.frame.rigid import RigidFrame
 from snapjump.friction.none import NoFriction
 
 NOTHING = {
@@ -27,6 +30,12 @@ def bare_model(discretization: Any, frame: Any, **members: Any) -> Model:
 def loose_nodes(**members: Any) -> Model:
     """Nodes that no elements and no frame hold."""
     return bare_model(LooseNodes(), NoFrame(), **members)
+
+
+def on_rigid_frame(per_node: int) -> Model:
+    """A robot whose nodes have so many coordinates, where its numbers do not matter."""
+    beams = {2: DiscreteElasticRod.Beam(0.1, 1e4, 0.1, 0.0), 3: Corotational.Beam(0.1, 1e4)}
+    return bare_model(beams[per_node], RigidFrame.Body(0.4, -0.15, -0.25, 0.25, 15.0, 1.3))
 
 
 def cantilever(discretization: Any, force_x: float = 0.0) -> Model:

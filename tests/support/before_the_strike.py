@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from plain_march import without_compiling
 from pytest import MonkeyPatch
-from robots import number_of
 
+from snapjump.batch.derivatives import place
 from snapjump.batch.simulate import marches
 from snapjump.composition import Simulation
 from snapjump.engine import clock as c
@@ -46,7 +46,6 @@ def begin_before_the_strike(monkeypatch: MonkeyPatch, usual: Simulation) -> None
 
 
 def go_on(march: March, way: Way) -> None:
-    """Move a march's queue to the strike."""
     queue, model = march.queue, march.models[0]
     for state in queue.state:
         before = smallest_gap(model, march.masses, march.mesh, state)
@@ -57,7 +56,7 @@ def go_on(march: March, way: Way) -> None:
             state += (before - gap) * upwards(march)
     queue.velocity[:] = way.velocity
     queue.acceleration[:] = way.acceleration
-    queue.numbers[:, number_of(model, "clamp", "start")] += model.clamp.rate * way.duration
+    queue.numbers[:, place(model, "clamp", "start")] += model.clamp.rate * way.duration
 
 
 def upwards(march: March) -> Any:
@@ -71,7 +70,6 @@ def upwards(march: March) -> Any:
 
 @cache
 def way(usual: Simulation, find_starts: Any) -> Way:
-    """The way that a robot of these modules goes."""
     ((_, march),) = marches([usual], [jump_model(usual)], 1, 1, MOST_ITERATIONS)
     find_starts(march)
     return to_the_strike(march)

@@ -6,33 +6,23 @@ that they are written in. What it is compared with is the same Python, marched w
 
 import json
 import sys
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from plain_march import without_compiling
 from pytest import MonkeyPatch
-from robots import DESIGNS, small_march, small_robot
+from robots import DESIGNS, small_march
 
-from snapjump.backend.cuda import CudaBackend
 from snapjump.engine.cuda.plan import Plan
 from snapjump.engine.outcome import STATUS
-from snapjump.scenes.card_march import CardMarch
 
 ROBOTS = (DESIGNS[1], DESIGNS[3])
 NO_START = 7.0
 
 
-def on_card(designs: Any, threads: int, robots_a_chunk: int, duration: float = 20.0) -> CardMarch:
+def on_card(designs: Any, threads: int, robots_a_chunk: int, duration: float = 20.0) -> Any:
     """The robots in so many threads, so many of them in the queue at a time."""
-    alone = small_march(designs, 1, duration=duration)
-    march = CardMarch(
-        models=alone.models,
-        masses=alone.masses,
-        states=np.array([small_robot(design)[1] for design in designs]),
-        simulation=replace(alone.simulation, backend=CudaBackend()),
-        termination=alone.termination,
-    )
+    march: Any = small_march(designs, 1, duration=duration, backend="cuda")
     march.plan = march.card.plan = Plan(1, threads, robots_a_chunk)
     return march
 
@@ -61,16 +51,13 @@ def main() -> None:
         march.find_starts()
         march.queue.status[1] = NO_START
         march.run()
-    print(
-        json.dumps(
-            {
-                "starts": starts, "outcome": refilled.queue.outcome.tolist(), "progress": told,
-                "passes": int(refilled.passes), "bytes_sent": refilled.card.bytes_sent,
-                "differs_in_chunks": difference(chunked, short),
-                "status_in_chunks": chunked.queue.outcome[:, STATUS].tolist(),
-            }
-        )
-    )  # fmt: skip
+    found = {
+        "starts": starts, "outcome": refilled.queue.outcome.tolist(), "progress": told,
+        "passes": int(refilled.passes), "bytes_sent": refilled.card.bytes_sent,
+        "differs_in_chunks": difference(chunked, short),
+        "status_in_chunks": chunked.queue.outcome[:, STATUS].tolist(),
+    }  # fmt: skip
+    print(json.dumps(found))
 
 
 if __name__ == "__main__":

@@ -64,14 +64,12 @@ class Turning:
         self.beam = beam
 
     def bent(self, seed: int) -> Any:
-        """A random arch, 0.1 % stretched, with kinks."""
         rng = np.random.default_rng(seed)
         places = kinked(rng, ELEMENTS + 1, 0.1)
         turns = np.linspace(1.0, -1.0, ELEMENTS + 1) + rng.uniform(-0.1, 0.1, ELEMENTS + 1)
         return np.ravel(np.column_stack([places, LENGTH * turns]))
 
     def strains(self, q: Any, left: Any, right: Any, held: float = 1.0) -> Any:
-        """Strains whose squares sum up to twice the energy."""
         beam = self.beam
         ex, ey = np.diff(q[0::3]), np.diff(q[1::3])
         theta = q[2::3] / LENGTH

@@ -43,9 +43,5 @@ def network(group: dict[str, Any] = RESNET, seed: int = 0) -> Surrogate:
 
 def about(group: dict[str, Any] = RESNET) -> dict[str, Any]:
     """What a checkpoint says of it, as far as the forward model needs it."""
-    specification = dict(small().plain)
-    return {
-        "surrogate": group,
-        "ranges": RANGES,
-        "dataset": {"sha256": "0" * 64, "specification": specification},
-    }
+    dataset = {"sha256": "0" * 64, "specification": dict(small().plain)}
+    return {"surrogate": group, "ranges": RANGES, "dataset": dataset}

@@ -78,6 +78,5 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 @pytest.fixture(scope="module")
 def golden(request: pytest.FixtureRequest) -> Golden:
-    """Outcomes of the tests in this file."""
     name = request.path.stem.removeprefix("test_")
     return Golden(FOLDER / f"{name}.json", request.config)

@@ -34,7 +34,6 @@ def place_of(file: str) -> int:
 
 
 def in_order(items: list[pytest.Item], root: Path) -> list[pytest.Item]:
-    """The tests in the order of their places."""
     return sorted(items, key=lambda item: place_of(item.path.relative_to(root).as_posix()))
 
 

@@ -83,12 +83,7 @@ class MadeUpSimulator:
 
 def problem(target: Any, forward: Any = None, simulator: Any = None, **changes: Any) -> Problem:
     """A problem in the environment m_bar = 1, mu = 0.3, over the paper's ranges."""
-    given = {"mass_bar": 1.0, "mu": 0.3, "seed": 0, **changes}
-    return Problem(
-        target=np.array(target, dtype=float),
-        low=np.array([0.01, 0.1]),
-        high=np.array([0.19, 0.3]),
-        forward=forward,
-        simulator=simulator or MadeUpSimulator(),
-        **given,
-    )
+    low, high = np.array(RANGES[:2]).T
+    simulator = simulator or MadeUpSimulator()
+    given = {"mass_bar": 1.0, "mu": 0.3, "seed": 0, "forward": forward, "simulator": simulator}
+    return Problem(target=np.array(target, dtype=float), low=low, high=high, **(given | changes))

@@ -4,20 +4,14 @@ from dataclasses import replace
 from math import sqrt
 from typing import Any
 
-import numpy as np
-
 from snapjump import Design, Environment
 from snapjump.composition import Simulation, with_tier
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.declare.inputs import value_at, with_inputs
 from snapjump.discretization.der import DiscreteElasticRod
-from snapjump.engine.clamp.constant_rate import ConstantRate
-from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.model import Model, TimeLimit
-from snapjump.engine.termination.flight import FlightTermination
-from snapjump.scenes.frame_body import frame_model
-from snapjump.scenes.resting import resting_guess
-from snapjump.scenes.runner import March
+from snapjump.scenes.jump_march import jump_march
+from snapjump.scenes.jump_start import composed_model
 from snapjump.stepping.adaptive import AdaptiveStep
 
 # epsilon: critical angle (rad) and depth of the lowest point there (L), S5 of physics.json
@@ -25,18 +19,10 @@ CRITICAL = {0.1: (0.6385, 0.0543), 0.2: (0.9117, 0.0736), 0.3: (1.127, 0.0860)}
 
 # epsilon, delta_alpha, mu, m_bar
 DESIGNS = (
-    (0.1, 0.02, 0.1, 0.4),
-    (0.2, 0.10, 0.3, 0.768),
-    (0.3, 0.15, 0.6, 1.5),
-    (0.2, 0.05, 0.2, 2.0),
-    (0.1, 0.19, 0.5, 0.3),
-    (0.3, 0.02, 0.3, 0.9),
-    (0.2, 0.15, 0.4, 1.2),
-    (0.1, 0.10, 0.2, 0.6),
-    (0.2, 0.01, 0.6, 0.5),
-    (0.3, 0.19, 0.1, 0.3),
-    (0.2, 0.00, 0.3, 1.0),
-)
+    (0.1, 0.02, 0.1, 0.4), (0.2, 0.10, 0.3, 0.768), (0.3, 0.15, 0.6, 1.5), (0.2, 0.05, 0.2, 2.0),
+    (0.1, 0.19, 0.5, 0.3), (0.3, 0.02, 0.3, 0.900), (0.2, 0.15, 0.4, 1.2), (0.1, 0.10, 0.2, 0.6),
+    (0.2, 0.01, 0.6, 0.5), (0.3, 0.19, 0.1, 0.300), (0.2, 0.00, 0.3, 1.0),
+)  # fmt: skip
 
 
 def small_simulation(epsilon: float, delta_alpha: float, mu: float, mass_bar: float) -> Simulation:
@@ -53,28 +39,10 @@ def small_simulation(epsilon: float, delta_alpha: float, mu: float, mass_bar: fl
 BASELINE = small_simulation(0.2, 0.1, 0.3, 0.768)
 
 
-def small_robot(design: tuple[float, ...]) -> tuple[Model, Any]:
-    """The model and a first guess of its equilibrium, without any statics."""
-    simulation = small_simulation(*design)
+def small_model(simulation: Simulation) -> Model:
+    """A robot that starts near its threshold, without any statics."""
     angle, depth = CRITICAL[simulation.design.epsilon]
-    model = model_at(simulation, 0.85 * angle, 1.05 * depth)
-    return model, resting_guess(simulation, model)
-
-
-def model_at(simulation: Simulation, start: float, mount_height_bar: float) -> Model:
-    """A jump's model, its clamps at an angle (rad) that is given."""
-    robot, scales = simulation.robot, simulation.robot.scales
-    rate = robot.rotation_rate_rad_s * scales.time_s
-    return Model(
-        simulation.discretization.beam(robot),
-        frame_model(simulation, mount_height_bar),
-        ConstantRate(start, robot.rotation_end_rad, rate, simulation.design.delta_alpha),
-        simulation.contact.law(scales),
-        simulation.friction.law(scales, simulation.environment.mu),
-        simulation.damping.law(scales),
-        Gravity(robot.gravity_m_s2 / scales.acceleration_m_s2),
-        simulation.contact.ground(scales, simulation.discretization.elements),
-    )
+    return composed_model(simulation, 0.85 * angle, 1.05 * depth)
 
 
 def similar(base: Simulation, larger: float, stiffer: float, denser: float) -> Simulation:
@@ -98,29 +66,19 @@ def similar(base: Simulation, larger: float, stiffer: float, denser: float) -> S
 
 
 def small_march(
-    designs: Any, lanes: int, starts: Any = None, duration: float = 20.0, threads: int = 1
-) -> March:
+    designs: Any,
+    lanes: int,
+    starts: Any = None,
+    duration: float = 20.0,
+    threads: int = 1,
+    **parts: Any,
+) -> Any:
     """A march of robots of these designs; ``starts``: a queue's state, velocity, acceleration."""
-    simulation = small_simulation(*designs[0])
+    simulations = [replace(small_simulation(*design), **parts) for design in designs]
     limit = TimeLimit(duration)
-    robots = [small_robot(design) for design in designs]
-    march = March(
-        models=[model._replace(time_limit=limit) for model, _ in robots],
-        masses=simulation.discretization.masses(),
-        states=np.array([guess for _, guess in robots]),
-        simulation=simulation,
-        termination=FlightTermination(),
-        lanes=lanes,
-        threads=threads,
-    )
+    models = [small_model(simulation)._replace(time_limit=limit) for simulation in simulations]
+    march = jump_march(simulations, models, lanes=lanes, threads=threads)
     if starts is not None:
         for target, values in zip(march.queue[1:4], starts, strict=True):
             target[...] = values
     return march
-
-
-def number_of(model: Model, member: str, name: str) -> int:
-    """Position of a member's number in the model's numbers."""
-    before = list(model._fields).index(member)
-    place = getattr(model, member)._fields.index(name)
-    return sum(len(part) for part in model[:before]) + int(place)

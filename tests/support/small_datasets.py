@@ -46,18 +46,12 @@ def generated(
     path: Path, specification: Specification, executor: Any = None, **options: Any
 ) -> Generation:
     """What becomes of generating a dataset in a folder."""
-    folder = DatasetFolder(path)
+    folder, executor = DatasetFolder(path), executor or LocalExecutor()
     folder.check(specification)
     locks = folder.claim(options.get("part", 1), options.get("parts", 1))
+    progress = options.pop("progress", silent)
     try:
-        return generate(
-            folder,
-            specification,
-            executor or LocalExecutor(),
-            BACKEND,
-            options.pop("progress", silent),
-            **options,
-        )
+        return generate(folder, specification, executor, BACKEND, progress, **options)
     finally:
         for lock in locks:
             lock.release()
@@ -102,7 +96,6 @@ def made_up(path: Path, specification: Specification) -> DatasetFolder:
 
 
 def made_up_dataset(path: Path, specification: Specification) -> Dataset:
-    """A complete dataset of made-up numbers, opened."""
     return open_dataset(made_up(path, specification).path)
 
 

@@ -44,11 +44,9 @@ def test_slopes_are_those_with_a_wider_stick_zone():
     simulator = JumpSimulator(base)
     wider = replace(base, friction=ImplicitFriction(velocity_threshold_m_s=0.01))
     curve = ThresholdCurve.through(base.robot, base.discretization, 0.1, 0.3)
-    batch = simulate_designs(
-        wider, DESIGNS[:2], curve=curve, threads=1, lanes=8, sensitivities=True
-    )
-    assert batch.sensitivities is not None
-    expected = np.stack([batch.sensitivities.dx_bar, batch.sensitivities.dy_bar], axis=1)
+    options = {"curve": curve, "threads": 1, "lanes": 8, "sensitivities": True}
+    found = simulate_designs(wider, DESIGNS[:2], **options).sensitivities
+    expected = np.stack([found.dx_bar, found.dy_bar], axis=1)
     alone = np.concatenate([simulator.slopes(design[None, :]) for design in DESIGNS[:2]])
     np.testing.assert_allclose(alone, expected, rtol=1e-3)
     np.testing.assert_allclose(simulator.slopes(DESIGNS[:2]), expected, rtol=1e-3)
@@ -57,10 +55,8 @@ def test_slopes_are_those_with_a_wider_stick_zone():
 
 @pytest.mark.parametrize("backend", ["scalar", "lanes"])
 def test_every_backend_of_the_processor(backend):
-    base = replace(BASE, backend=backend)
-    np.testing.assert_array_equal(
-        JumpSimulator(base).apexes(DESIGNS[:1]), JumpSimulator(BASE).apexes(DESIGNS[:1])
-    )
+    bases = (replace(BASE, backend=backend), BASE)
+    np.testing.assert_array_equal(*(JumpSimulator(base).apexes(DESIGNS[:1]) for base in bases))
 
 
 def test_modules_without_derivatives_and_other_scenes_are_refused():

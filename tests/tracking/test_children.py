@@ -12,8 +12,6 @@ from snapjump.tracking.parts.tracked import read_curves, record_folder, write_ch
 
 
 class Memory(Off):
-    """A store in memory."""
-
     place = "memory"
 
     @cached_property

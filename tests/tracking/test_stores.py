@@ -114,16 +114,12 @@ def server(tables, tmp_path) -> Iterator[str]:
     uri = f"http://127.0.0.1:{port}"
     store.mkdir()
     shutil.copy(tables, store / "store.db")
+    command = [sys.executable, "-m", "mlflow", "server", "--host", "127.0.0.1", "--port", port]
+    command += ["--workers", "1", "--backend-store-uri", f"sqlite:///{store}/store.db"]
+    command += ["--artifacts-destination", str(store / "artifacts")]
     with open(store / "log", "wb") as log:
-        process = subprocess.Popen(
-            [sys.executable, "-m", "mlflow", "server", "--host", "127.0.0.1", "--port", port]
-            + ["--workers", "1", "--backend-store-uri", f"sqlite:///{store}/store.db"]
-            + ["--artifacts-destination", str(store / "artifacts")],
-            stdout=log,
-            stderr=log,
-            cwd=store,
-            start_new_session=True,
-        )
+        options = {"stdout": log, "stderr": log, "cwd": store, "start_new_session": True}
+        process = subprocess.Popen(command, **options)
     try:
         wait_until_it_answers(process, uri, store / "log")
         yield uri

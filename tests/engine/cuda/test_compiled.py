@@ -56,14 +56,15 @@ def ptx_of(monkeypatch: Any, kernel: Any, *arguments: Any) -> str:
     return str(ptx)
 
 
-def arguments_of(march: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
-    """What the kernels that find starts and march are called with, but for arrays on the card."""
-    queue = march.queue._replace(
-        counts=np.zeros((1, 2), dtype=np.int64), carried=np.zeros(1, dtype=np.int64)
-    )
-    model, masses, memory = march.models[0], march.masses, march.memory
-    starts = (model, masses, memory, queue, 1)
-    return starts, (model, masses, march.method, march.recorder, memory, queue, 1)
+def arguments_of(march: Any) -> dict[str, tuple[Any, ...]]:
+    """What the kernels are called with, but for arrays on the card."""
+    counts, carried = np.zeros((1, 2), dtype=np.int64), np.zeros(1, dtype=np.int64)
+    last = (march.memory, march.queue._replace(counts=counts, carried=carried), 1)
+    robot = (march.models[0], march.masses)
+    return {
+        "find_starts": (*robot, *last),
+        "march": (*robot, march.method, march.recorder, *last),
+    }
 
 
 def resources(ptx: str, folder: Path) -> dict[str, int]:
@@ -76,27 +77,25 @@ def resources(ptx: str, folder: Path) -> dict[str, int]:
         return {}
     source = folder / "kernel.ptx"
     source.write_text(ptx)
-    architecture = "sm_{}{}".format(*CAPABILITY)
-    command = [ptxas, "-v", f"-arch={architecture}", source, "-o", folder / "kernel.cubin"]
+    architecture = "-arch=sm_{}{}".format(*CAPABILITY)
+    command = [ptxas, "-v", architecture, source, "-o", folder / "kernel.cubin"]
     done = subprocess.run(command, capture_output=True, text=True)
-    told = done.stderr
-    if "Unsupported .version" in told:
+    if "Unsupported .version" in done.stderr:
         return {}
-    assert done.returncode == 0, told
+    assert done.returncode == 0, done.stderr
     found = {
         "registers": r"Used (\d+) registers",
         "stack_bytes": r"(\d+) bytes stack frame",
         "spilled_bytes": r"(\d+) bytes spill stores",
     }
-    return {name: int(re.findall(pattern, told)[-1]) for name, pattern in found.items()}
+    return {name: int(re.findall(pattern, done.stderr)[-1]) for name, pattern in found.items()}
 
 
 @pytest.mark.parametrize("kernel", ["find_starts", "march"])
 def test_kernel(kernel, monkeypatch, tmp_path):
     from snapjump.engine.cuda import kernels
 
-    starts, steps = arguments_of(small_march(DESIGNS[:1], 1))
-    arguments = {"find_starts": starts, "march": steps}[kernel]
+    arguments = arguments_of(small_march(DESIGNS[:1], 1))[kernel]
     ptx = ptx_of(monkeypatch, getattr(kernels, kernel), *arguments)
     assert ".target sm_90" in ptx
     # Products and sums that could still be merged have no rounding mode.

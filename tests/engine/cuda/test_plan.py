@@ -10,6 +10,7 @@ from snapjump.composition import with_tier
 from snapjump.engine.cuda import availability
 from snapjump.engine.cuda.availability import check_card
 from snapjump.engine.cuda.plan import GIB, ROBOTS_A_THREAD, make_plan
+from snapjump.scenes import jump_start
 from snapjump.simulation import simulate
 
 THREAD, ROBOT = 40_000, 6_000
@@ -49,21 +50,13 @@ def test_a_missing_package_is_named(without_package):
         check_card(0)
 
 
-@pytest.fixture
-def cuda(monkeypatch):
-    """numba's, which thinks that its package is there."""
+def test_a_missing_card_and_a_device_beyond_the_last_are_named(monkeypatch):
+    cuda = pytest.importorskip("numba.cuda")
     monkeypatch.setattr(availability, "find_spec", lambda name: name)
-    return pytest.importorskip("numba.cuda")
-
-
-def test_a_missing_card_is_named(monkeypatch, cuda):
     monkeypatch.setattr(cuda, "is_available", lambda: False)
     monkeypatch.setattr(cuda, "cuda_error", lambda: "no driver\nat all")
     with pytest.raises(ParameterError, match=r"NVIDIA card.*\(no driver\)$"):
         check_card(0)
-
-
-def test_a_device_beyond_the_last_is_refused(monkeypatch, cuda):
     monkeypatch.setattr(cuda, "is_available", lambda: True)
     monkeypatch.setattr(cuda, "gpus", [None, None])
     check_card(1)
@@ -71,20 +64,14 @@ def test_a_device_beyond_the_last_is_refused(monkeypatch, cuda):
         check_card(2)
 
 
-@pytest.mark.parametrize(
-    "begin",
-    [
-        lambda simulation: simulation.sim.check_start(simulation),
-        simulate,
-        lambda simulation: simulate_batch([simulation]),
-    ],
-)
-def test_no_statics_are_solved_before(without_package, monkeypatch, begin):
-    from snapjump.scenes import jump_start
-
+def test_no_statics_are_solved_before(without_package, monkeypatch):
     def never(*arguments):
         raise AssertionError("work has begun")
 
     monkeypatch.setattr(jump_start, "symmetric_threshold", never)
-    with pytest.raises(ParameterError, match="numba-cuda"):
-        begin(with_tier("draft", backend=CudaBackend()))
+    on_card = with_tier("draft", backend=CudaBackend())
+    for begin, given in (
+        (on_card.sim.check_start, on_card), (simulate, on_card), (simulate_batch, [on_card]),
+    ):  # fmt: skip
+        with pytest.raises(ParameterError, match="numba-cuda"):
+            begin(given)

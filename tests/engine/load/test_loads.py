@@ -5,6 +5,9 @@ import pytest
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.load.none import NoLoad
 from snapjump.engine.load.tip import TipLoad
+from snapjump.scenes.mass import mass_model
+from snapjump.sim.slide import Slide
+from snapjump.simulation import build
 
 
 def test_every_load_pulls_where_it_says():
@@ -16,10 +19,6 @@ def test_every_load_pulls_where_it_says():
 
 
 def test_a_slope_turns_gravity():
-    from snapjump.scenes.mass import mass_model
-    from snapjump.sim.slide import Slide
-    from snapjump.simulation import build
-
     simulation = build({"sim": {"name": "slide"}, "frame": {"name": "fixed"}})
     assert isinstance(simulation.sim, Slide)
     load = mass_model(simulation, 10.0, -math.atan(0.75)).load

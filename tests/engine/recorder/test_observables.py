@@ -2,27 +2,22 @@
 
 import numpy as np
 import pytest
-from families import FAMILIES
 
 from snapjump.composition import with_tier
-from snapjump.declare.members import member_class
+from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.scenes.observed import crossing, observe_jump, peak
 from snapjump.sim.jump import Jump
 from snapjump.simulation import simulate
-
-ROD = FAMILIES["discretization"]["der"]
-
-
-def tiny(**parts):
-    adaptive = member_class("stepping", "adaptive")(tolerance=1e-5)
-    return with_tier("draft", stepping=adaptive, **parts)
+from snapjump.stepping.adaptive import AdaptiveStep
 
 
 @pytest.mark.compiles
 @pytest.mark.parametrize("clamp", ["half_element", "two_nodes"])
 def test_observables_are_those_of_the_trajectory(clamp):
-    simulation = tiny(
-        discretization=ROD(elements=17, clamp=clamp),
+    simulation = with_tier(
+        "draft",
+        stepping=AdaptiveStep(tolerance=1e-5),
+        discretization=DiscreteElasticRod(elements=17, clamp=clamp),
         sim=Jump(sample_interval_s=2.0e-7, time_limit_s=0.03),
     )
     seen, jump = observe_jump(simulation), simulate(simulation)
@@ -32,15 +27,13 @@ def test_observables_are_those_of_the_trajectory(clamp):
     assert seen["peak_force_N"] == pytest.approx(forces.max(), rel=0.02)
     assert seen["peak_force_N"] >= forces.max() * (1.0 - 1e-12)
     # The frame's mounts, from its corners: the feet, and the mount height above them.
-    angle = arrays["frame_angle_rad"]
+    angle, nodes = arrays["frame_angle_rad"], jump.nodes_m()
     up = np.stack([-np.sin(angle), np.cos(angle)], axis=1)
     feet = np.stack([arrays["corner_x_m"][:, 0], arrays["corner_y_m"][:, 0]], axis=1)
-    nodes = jump.nodes_m()
     last = nodes.shape[1] - 1
     middle = 0.5 * (nodes[:, last // 2] + nodes[:, (last + 1) // 2])
-    heights = (
-        np.sum((middle - feet) * up, axis=1) - seen["mount_height_bar"] * simulation.robot.length_m
-    )
+    mount_m = seen["mount_height_bar"] * simulation.robot.length_m
+    heights = np.sum((middle - feet) * up, axis=1) - mount_m
     assert seen["snap_time_s"] == pytest.approx(crossing(arrays["time_s"], heights), rel=1e-9)
 
 

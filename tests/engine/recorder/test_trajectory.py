@@ -17,9 +17,9 @@ MASSES = np.array([2.0])
 
 
 def march(recorder, steps, accepted=lambda k: True):
-    """Steps of the recorder alone; returns the memory and the times at which steps ended."""
+    """Steps of the recorder alone; returns the times at which they ended."""
     stages = len(TABLEAU.nodes)
-    work = plain_work(1, 0, stages)
+    work = plain_work(MODEL, 1, stages)
     recorder.record_start(MODEL, MASSES, work)
     times = [0.0]
     for k, step in enumerate(steps):
@@ -40,11 +40,10 @@ def march(recorder, steps, accepted=lambda k: True):
 
 @pytest.fixture(autouse=True)
 def known_powers(monkeypatch):
-    monkeypatch.setattr(
-        trajectory,
-        "powers",
-        lambda model, motion, *others: (1.0, 2.0 * motion.time, -motion.time, 3.0),
-    )
+    def known(model, motion, *others):
+        return 1.0, 2.0 * motion.time, -motion.time, 3.0
+
+    monkeypatch.setattr(trajectory, "powers", known)
 
 
 def test_works_are_integrals_of_the_powers():
@@ -80,7 +79,7 @@ def test_samples_keep_their_distance_and_never_overflow():
 
 def test_residual_left_in_a_stage_is_recorded():
     recorder = trajectory.make_recorder(2, 1.0, 0.1)
-    work = plain_work(1, 0, len(TABLEAU.nodes))
+    work = plain_work(MODEL, 1, len(TABLEAU.nodes))
     work.clock[STAGE] = 1.0
     now = Motion(0.1, 20.0, 20.0, 0.0)
     recorder.record_stage(MODEL, MASSES, now, TABLEAU, work, True)
