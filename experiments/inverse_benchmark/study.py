@@ -81,8 +81,7 @@ class InverseBenchmark(Study):
             tables={
                 "methods": Table("Misses in mm at L = 20 mm", table),
                 "unsolved": Table(
-                    "Targets that physics missed, and the least miss of 64 designs around",
-                    missed,
+                    "Targets that physics missed, and the least miss of 64 designs around", missed
                 ),
                 "region": Table("Random targets and what was decided about them", regions),
                 "paper": Table("The paper, judged by its own program", PAPER),

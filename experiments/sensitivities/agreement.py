@@ -23,10 +23,7 @@ FOURTH_ORDER = ((8.0, 1), (-8.0, -1), (-1.0, 2), (1.0, -2))
 
 
 def jump_of(
-    base: Simulation,
-    design: Any,
-    curve: ThresholdCurve,
-    inputs: Sequence[str] = DEFAULT_INPUTS,
+    base: Simulation, design: Any, curve: ThresholdCurve, inputs: Sequence[str] = DEFAULT_INPUTS
 ) -> March:
     """The march of one robot, whose inputs have the values of ``design``; its start is found."""
     ready = prepare_designs(base, np.array([design]), curve, inputs)

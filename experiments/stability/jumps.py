@@ -21,9 +21,7 @@ KEPT = (
 
 
 def jump_rows(
-    points: Sequence[Mapping[str, Any]],
-    designs: Sequence[Sequence[float]],
-    most_iterations: float,
+    points: Sequence[Mapping[str, Any]], designs: Sequence[Sequence[float]], most_iterations: float
 ) -> list[Row]:
     """A row for each point and design: inputs, status, apex, smallest gap, cost and estimate.
 

@@ -12,12 +12,7 @@ from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS, input_at, value_at, with_inputs
 from snapjump.engine.model import Model, numbers_of
 from snapjump.scenes.frame_body import compression
-from snapjump.scenes.jump_start import (
-    composed_model,
-    critical,
-    mount_height_bar,
-    start_angle_rad,
-)
+from snapjump.scenes.jump_start import composed_model, critical, mount_height_bar, start_angle_rad
 from snapjump.statics.threshold import Threshold
 from snapjump.statics.threshold_curve import ThresholdCurve
 

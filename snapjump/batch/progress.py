@@ -24,11 +24,7 @@ class BatchProgress:
     """
 
     def __init__(
-        self,
-        total: int,
-        tell: Progress,
-        clock: Callable[[], float] = time.monotonic,
-        done: int = 0,
+        self, total: int, tell: Progress, clock: Callable[[], float] = time.monotonic, done: int = 0
     ) -> None:
         self._total, self._tell, self._clock = total, tell, clock
         self._finished = done

@@ -35,6 +35,4 @@ class Penalty(ContactOptions):
 
     def law(self, scales: Scales) -> Law:
         """The dimensionless law."""
-        return self.Law(
-            stiffness=self.stiffness_N_m / scales.stiffness_N_m,
-        )
+        return self.Law(stiffness=self.stiffness_N_m / scales.stiffness_N_m)

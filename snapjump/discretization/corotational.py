@@ -12,10 +12,7 @@ from typing import Any, NamedTuple
 
 from snapjump.discretization.base import DiscretizationOptions
 from snapjump.discretization.parts.beam_chain import BeamElements
-from snapjump.discretization.parts.beam_elements import (
-    Span,
-    Straining,
-)
+from snapjump.discretization.parts.beam_elements import Span, Straining
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import fma, sqrt
 from snapjump.number.trigonometry import arctan, cos, sin

@@ -71,12 +71,7 @@ class DiscreteElasticRod(DiscretizationOptions):
         def clamp_distance(self) -> Any:
             return self.clamp_offset
 
-        def begin_chain(
-            self,
-            damping: Any,
-            nodes: NodeMotion,
-            tangents: Any,
-        ) -> Any:
+        def begin_chain(self, damping: Any, nodes: NodeMotion, tangents: Any) -> Any:
             zero = 0.0 * nodes.rate_factor
             edge = edge_at(0, nodes)
             t = half_angle_tangent(tangents.left_x, tangents.left_y, edge.cx, edge.cy)

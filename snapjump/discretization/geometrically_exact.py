@@ -10,10 +10,7 @@ from typing import Any, NamedTuple
 from snapjump.declare.fields import number
 from snapjump.discretization.base import DiscretizationOptions
 from snapjump.discretization.parts.beam_chain import BeamElements
-from snapjump.discretization.parts.beam_elements import (
-    Span,
-    Straining,
-)
+from snapjump.discretization.parts.beam_elements import Span, Straining
 from snapjump.number.functions import fma
 from snapjump.number.trigonometry import cos, sin
 from snapjump.robot.robot import Robot

@@ -40,9 +40,7 @@ class Sweep(NamedTuple):
 def with_force(extremes: Extremes, force: Any) -> Extremes:
     """The extremes with one more force."""
     return Extremes(
-        maximum(extremes.largest_force, force),
-        extremes.smallest_gap,
-        extremes.contact_rate_squared,
+        maximum(extremes.largest_force, force), extremes.smallest_gap, extremes.contact_rate_squared
     )
 
 

@@ -7,29 +7,15 @@ happens under masks, so that no lane waits for another.
 
 from typing import Any
 
-from snapjump.engine.clock import (
-    ACTIVE,
-    FAILURES,
-    ITERATIONS,
-    STAGE,
-    STATUS,
-    STEP,
-)
+from snapjump.engine.clock import ACTIVE, FAILURES, ITERATIONS, STAGE, STATUS, STEP
 from snapjump.engine.explicit import evaluate_forces
 from snapjump.engine.model import with_numbers
 from snapjump.engine.newton import newton_iteration
 from snapjump.engine.outcome import COLUMNS, ROWS_OF_CLOCK
 from snapjump.engine.queue import Queue, load_robot, refill
-from snapjump.engine.stage import (
-    begin_stage,
-    keep_stage,
-    stage_motion,
-)
+from snapjump.engine.stage import begin_stage, keep_stage, stage_motion
 from snapjump.engine.start import follow_branch
-from snapjump.engine.status import (
-    ITERATION_LIMIT,
-    STEP_UNDERFLOW,
-)
+from snapjump.engine.status import ITERATION_LIMIT, STEP_UNDERFLOW
 from snapjump.engine.step import Method, finish_step
 from snapjump.engine.view import view_memory, view_work
 from snapjump.number.array import uncounted

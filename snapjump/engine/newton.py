@@ -4,21 +4,8 @@ from typing import Any, NamedTuple
 
 from snapjump.contact.base import Extremes
 from snapjump.discretization.base import NODES_COUPLED
-from snapjump.engine.assemble import (
-    Motion,
-    assemble_node,
-    begin_assembly,
-    end_assembly,
-)
-from snapjump.engine.clock import (
-    BACKTRACKS,
-    FASTEST,
-    GAP,
-    ITERATION,
-    RESIDUAL,
-    SHARE,
-    SIZE,
-)
+from snapjump.engine.assemble import Motion, assemble_node, begin_assembly, end_assembly
+from snapjump.engine.clock import BACKTRACKS, FASTEST, GAP, ITERATION, RESIDUAL, SHARE, SIZE
 from snapjump.engine.gaps import gap_safe_share
 from snapjump.linear_solver.banded import begin_elimination, eliminate_node, substitute_back
 from snapjump.linear_solver.banded_rotations import (

@@ -3,16 +3,7 @@
 from typing import Any
 
 from snapjump.engine.assemble import Motion
-from snapjump.engine.clock import (
-    BACKTRACKS,
-    ITERATION,
-    LAST_STEP,
-    SHARE,
-    SIZE,
-    STAGE,
-    STEP,
-    TIME,
-)
+from snapjump.engine.clock import BACKTRACKS, ITERATION, LAST_STEP, SHARE, SIZE, STAGE, STEP, TIME
 from snapjump.engine.gaps import gap_safe_share
 from snapjump.integrator.base import Rates
 from snapjump.number.dispatch import kernel, routine

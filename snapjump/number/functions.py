@@ -24,13 +24,7 @@ from snapjump.number.dual import (
     together,
     value_of,
 )
-from snapjump.number.lane import (
-    LaneType,
-    MaskType,
-    lane_type,
-    splat,
-    vector_intrinsic,
-)
+from snapjump.number.lane import LaneType, MaskType, lane_type, splat, vector_intrinsic
 
 
 def _scalar_function(module: ir.Module, name: str) -> ir.Function:

@@ -96,9 +96,7 @@ class StaticArch:
         chain = self.discretization.moving_elements
         skipped = self.rod.clamp_distance()
         return chain_state(
-            self.rod,
-            resampled(x, skipped, chain),
-            resampled(y if upward else -y, skipped, chain),
+            self.rod, resampled(x, skipped, chain), resampled(y if upward else -y, skipped, chain)
         )
 
     def _run(

@@ -8,14 +8,7 @@ from scipy.optimize import brentq
 from snapjump.composition import Simulation
 from snapjump.statics.arch import Equilibrium, StaticArch
 from snapjump.statics.branch import Branch, Point
-from snapjump.statics.critical import (
-    Snap,
-    arclength,
-    find_snap,
-    longest_step,
-    refine,
-    start_point,
-)
+from snapjump.statics.critical import Snap, arclength, find_snap, longest_step, refine, start_point
 
 ANGLE_TOLERANCE = 1e-9  # of the arclength to the fold
 

@@ -114,9 +114,7 @@ def test_elements_with_rotations_jump_like_discrete_rods(name):
     loss = alone.arrays["numerical_loss_J"]
     assert np.abs(loss).max() < 5e-3 * alone.arrays["elastic_J"].max()
     wide = simulate_jump(
-        accuracy="draft",
-        discretization=members[name](elements=104),
-        backend="lanes",
+        accuracy="draft", discretization=members[name](elements=104), backend="lanes"
     )
     assert (wide.x_bar, wide.y_bar) == (alone.x_bar, alone.y_bar)
     assert wide.summary["newton_iterations"] == alone.summary["newton_iterations"]

@@ -208,9 +208,7 @@ def gap_row(step_s: float, rows: Sequence[Row]) -> Row:
 
 
 def tables(
-    moved: Mapping[tuple[str, str], Shift],
-    by_step: Mapping[float, Shift],
-    counted: Sequence[Row],
+    moved: Mapping[tuple[str, str], Shift], by_step: Mapping[float, Shift], counted: Sequence[Row]
 ) -> tuple[dict[str, Sequence[Row]], dict[str, dict[str, int]]]:
     """All three, and their digits."""
 

@@ -84,10 +84,7 @@ class Designs(Part):
             "designs": partial(draw_flights, shown),
             "designs_misses": partial(draw_misses, misses),
         }
-        tables = {
-            "designs_methods": lines,
-            "designs": [design_line(row) for row in misses[SHOWN]],
-        }
+        tables = {"designs_methods": lines, "designs": [design_line(row) for row in misses[SHOWN]]}
         return Found(
             WORDS.section(self.title, figures, tables, **told(misses)),
             [millimetres(misses)],

@@ -87,12 +87,7 @@ class ForwardModels(Part):
 
     name = "forward_model"
     title = "Dataset, forward model, inverse design"
-    kinds = {
-        DATASET: dataset_rows,
-        TRAINED: forward_rows,
-        "inverse": inverse_rows,
-        PACE: pace_rows,
-    }
+    kinds = {DATASET: dataset_rows, TRAINED: forward_rows, "inverse": inverse_rows, PACE: pace_rows}
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
         """The dataset, the network, each method on its targets, ten at a time, and the pace."""

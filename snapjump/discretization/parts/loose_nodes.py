@@ -16,12 +16,7 @@ class LooseNodes(NamedTuple):
     def axial_stiffness(self) -> float:
         return 0.0
 
-    def begin_chain(
-        self,
-        damping: Any,
-        nodes: NodeMotion,
-        tangents: Any,
-    ) -> Any:
+    def begin_chain(self, damping: Any, nodes: NodeMotion, tangents: Any) -> Any:
         zero = 0.0 * nodes.rate_factor
         return Nothing(zero), EndHinge(zero, zero, zero, zero)
 

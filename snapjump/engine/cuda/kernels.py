@@ -63,13 +63,7 @@ def find_starts(template: Any, masses: Any, memory: Any, queue: Any, blocks: Any
 
 @cuda.jit(**PROGRAM)
 def march(
-    template: Any,
-    masses: Any,
-    method: Any,
-    recorder: Any,
-    memory: Any,
-    queue: Any,
-    passes: Any,
+    template: Any, masses: Any, method: Any, recorder: Any, memory: Any, queue: Any, passes: Any
 ) -> None:
     """Go on with every thread's robots for at most so many passes of the time loop."""
     thread = cuda.grid(1)

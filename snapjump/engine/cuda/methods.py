@@ -7,12 +7,7 @@ from numba.cuda.cudadecl import registry as typing
 from numba.cuda.cudaimpl import registry as lowering
 
 from snapjump.engine.view import WorkParts, WorkType, part_of
-from snapjump.number.methods import (
-    CALLS,
-    METHODS_KEY,
-    MethodsOfTuples,
-    MethodsOfUniformTuples,
-)
+from snapjump.number.methods import CALLS, METHODS_KEY, MethodsOfTuples, MethodsOfUniformTuples
 
 typing.register_attr(WorkParts)
 lowering.lower_getattr_generic(WorkType)(part_of)

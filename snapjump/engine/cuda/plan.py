@@ -27,11 +27,7 @@ class Plan(NamedTuple):
 
 
 def make_plan(
-    robots: int,
-    bytes_a_thread: int,
-    bytes_a_robot: int,
-    memory_gib: float,
-    threads_per_block: int,
+    robots: int, bytes_a_thread: int, bytes_a_robot: int, memory_gib: float, threads_per_block: int
 ) -> Plan:
     """The plan for so many robots within a bound on memory.
 

@@ -40,13 +40,7 @@ class ObservablesRecorder(NamedTuple):
         keep(self)
 
     def record_stage(
-        self,
-        model: Any,
-        masses: Any,
-        motion: Any,
-        scheme: Any,
-        work: Any,
-        converged: Any,
+        self, model: Any, masses: Any, motion: Any, scheme: Any, work: Any, converged: Any
     ) -> None:
         last = scheme.stage_count()
         if any_true(work.clock[STAGE] >= 1.0 * last):

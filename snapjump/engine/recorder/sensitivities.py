@@ -69,13 +69,7 @@ class SensitivityRecorder(NamedTuple):
             self.falling[lane, point] = 0.0
 
     def record_stage(
-        self,
-        model: Any,
-        masses: Any,
-        motion: Any,
-        scheme: Any,
-        work: Any,
-        converged: Any,
+        self, model: Any, masses: Any, motion: Any, scheme: Any, work: Any, converged: Any
     ) -> None:
         count = marked(self, work, converged)
         differentiate_stages(

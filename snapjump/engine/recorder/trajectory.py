@@ -49,13 +49,7 @@ class TrajectoryRecorder(NamedTuple):
         keep_sample(self, work)
 
     def record_stage(
-        self,
-        model: Any,
-        masses: Any,
-        motion: Any,
-        scheme: Any,
-        work: Any,
-        converged: Any,
+        self, model: Any, masses: Any, motion: Any, scheme: Any, work: Any, converged: Any
     ) -> None:
         if not scheme.is_explicit():
             assembly = assemble(model, motion, masses, work)

@@ -65,11 +65,7 @@ def execute(
 
 
 def write_outcome(
-    config: Mapping[str, Any],
-    folder: ResultFolder,
-    command: str,
-    started_at: str,
-    outcome: Outcome,
+    config: Mapping[str, Any], folder: ResultFolder, command: str, started_at: str, outcome: Outcome
 ) -> None:
     """Write what every job leaves; ``result.json`` last. Takes NaN out of the outcome."""
     summary, not_finite = finite(outcome.summary)

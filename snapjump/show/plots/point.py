@@ -12,10 +12,7 @@ from snapjump.show.plots.saving import picture
 
 # Label of an axis, and its curves: array, colour, name in the legend.
 GROUND = {
-    "speed (m/s)": (
-        ("node_vx_m_s", palette.CLAMP, "along"),
-        ("node_vy_m_s", palette.CENTRE, "up"),
-    ),
+    "speed (m/s)": (("node_vx_m_s", palette.CLAMP, "along"), ("node_vy_m_s", palette.CENTRE, "up")),
     "force (N)": (
         ("node_normal_N", palette.FORCE, "normal"),
         ("node_friction_N", palette.VIOLET, "friction"),

@@ -15,10 +15,7 @@ class ProgressBar:
     It draws only on a terminal, or where SNAPJUMP_PROGRESS=1 asks for it."""
 
     def __init__(
-        self,
-        stream: TextIO | None = None,
-        show_after_s: float = SHOW_AFTER_S,
-        visible: bool = True,
+        self, stream: TextIO | None = None, show_after_s: float = SHOW_AFTER_S, visible: bool = True
     ):
         self._stream = stream if stream is not None else sys.stderr
         wanted = os.environ.get("SNAPJUMP_PROGRESS", "")

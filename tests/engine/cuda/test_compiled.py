@@ -61,10 +61,7 @@ def arguments_of(march: Any) -> dict[str, tuple[Any, ...]]:
     counts, carried = np.zeros((1, 2), dtype=np.int64), np.zeros(1, dtype=np.int64)
     last = (march.memory, march.queue._replace(counts=counts, carried=carried), 1)
     robot = (march.models[0], march.masses)
-    return {
-        "find_starts": (*robot, *last),
-        "march": (*robot, march.method, march.recorder, *last),
-    }
+    return {"find_starts": (*robot, *last), "march": (*robot, march.method, march.recorder, *last)}
 
 
 def resources(ptx: str, folder: Path) -> dict[str, int]:

@@ -9,16 +9,7 @@ from cells import COARSE, STANDARD, all_done, check_figures, done
 
 from experiments.compositions import changed, composed, groups_at
 from experiments.errors import Shift, shift
-from experiments.exchanges import (
-    DAMPING,
-    ENDS,
-    FRAME,
-    PAPER,
-    REFERENCE,
-    choices,
-    program,
-    variants,
-)
+from experiments.exchanges import DAMPING, ENDS, FRAME, PAPER, REFERENCE, choices, program, variants
 from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.causes import part as judge
 from experiments.paper.causes import words
@@ -126,11 +117,7 @@ def test_report(tmp_path):
 
     cells = all_done(part, STANDARD, rows_of)
     found = part.conclude(cells)
-    assert [one.verdict for one in found.statements] == [
-        *[LIMITED] * 4,
-        NOT_CONFIRMED,
-        CONFIRMED,
-    ]
+    assert [one.verdict for one in found.statements] == [*[LIMITED] * 4, NOT_CONFIRMED, CONFIRMED]
     assert "ε = 0.190" in found.statements[0].found
     check_figures(found, tmp_path)
     assert "Failed jumps" not in " ".join(found.section.paragraphs)

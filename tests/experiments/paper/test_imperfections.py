@@ -9,12 +9,7 @@ from cells import STANDARD, all_done, check_figures
 
 from experiments.compositions import described
 from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
-from experiments.paper.imperfections.part import (
-    Imperfections,
-    curves_of,
-    elsewhere,
-    robust,
-)
+from experiments.paper.imperfections.part import Imperfections, curves_of, elsewhere, robust
 from experiments.paper.settings import BASELINE, NAMES
 from snapjump.composition import with_tier
 from snapjump.run.studies.base import Cell, Row
