@@ -9,6 +9,10 @@ from numba.core.typing.templates import AbstractTemplate, infer_global, signatur
 from numpy.typing import NDArray
 
 from snapjump.contact.base import Ground
+from snapjump.contact.none import NoContact
+from snapjump.damping.none import NoDamping
+from snapjump.engine.load.none import NoLoad
+from snapjump.friction.none import NoFriction
 from snapjump.number.array import INDEX, View
 
 
@@ -32,10 +36,10 @@ class Model(NamedTuple):
     discretization: Any
     frame: Any
     clamp: Any
-    contact: Any
-    friction: Any
-    damping: Any
-    load: Any
+    contact: Any = NoContact.Law()
+    friction: Any = NoFriction.Law()
+    damping: Any = NoDamping.Law()
+    load: Any = NoLoad()
     ground: Any = NO_GROUND
     time_limit: Any = NO_LIMIT
 

@@ -8,7 +8,6 @@ import numpy as np
 
 from snapjump.composition import Simulation
 from snapjump.contact.base import ContactState, force_if_active
-from snapjump.damping.none import NoDamping
 from snapjump.discretization.parts.loose_nodes import LooseNodes
 from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.load.gravity import Gravity
@@ -31,11 +30,10 @@ def mass_model(simulation: Simulation, gravity_m_s2: float, slope_rad: float) ->
         LooseNodes(),
         NoFrame(),
         ConstantRate(0.0, 1.0, 1.0, 0.0),
-        simulation.contact.law(scales),
-        simulation.friction.law(scales, simulation.environment.mu),
-        NoDamping.Law(),
-        Gravity(fall, cos(slope_rad), 0.0 - sin(slope_rad)),
-        simulation.contact.ground(scales, None),
+        contact=simulation.contact.law(scales),
+        friction=simulation.friction.law(scales, simulation.environment.mu),
+        load=Gravity(fall, cos(slope_rad), 0.0 - sin(slope_rad)),
+        ground=simulation.contact.ground(scales, None),
     )
 
 

@@ -6,7 +6,6 @@ from typing import Any
 from snapjump.composition import Simulation
 from snapjump.contact.base import ContactOptions
 from snapjump.engine.clamp.smooth_start import SmoothStart
-from snapjump.engine.load.none import NoLoad
 from snapjump.engine.model import Model
 from snapjump.engine.termination.timed import TimedTermination
 from snapjump.frame.fixed import FixedFrame
@@ -43,7 +42,6 @@ def snap_march(
         contact=(contact or simulation.contact).law(scales),
         friction=simulation.friction.law(scales, simulation.environment.mu),
         damping=simulation.damping.law(scales),
-        load=NoLoad(),
     )
     return March(
         models=[model],

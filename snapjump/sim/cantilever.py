@@ -7,8 +7,6 @@ from typing import Any
 import numpy as np
 
 from snapjump.composition import Simulation
-from snapjump.contact.none import NoContact
-from snapjump.damping.none import NoDamping
 from snapjump.declare.fields import number
 from snapjump.declare.outputs import INTEGER, output
 from snapjump.engine.clamp.base import ClampAngles
@@ -19,7 +17,6 @@ from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.work import make_memory, sizes_of
 from snapjump.frame.base import NO_MESH, STILL
 from snapjump.frame.parts.cantilever import CantileverFrame
-from snapjump.friction.none import NoFriction
 from snapjump.results import Result
 from snapjump.scenes.march_outputs import RunOutputs
 from snapjump.sim.base import AT_REST, NEEDS_NO_GROUND, Progress, SceneOptions
@@ -33,8 +30,7 @@ def bend_cantilever(
     """Nodes (N + 1, 2) in L, elastic energy (EI/L) and negative pivots under a tip load.
     Force in EI/L^2, moment in EI/L. Raises ArithmeticError where Newton's method fails."""
     clamp, load = ConstantRate(0.0, 1.0, 1.0, 0.0), TipLoad(0.0, 0.0, 0.0)
-    laws = NoContact.Law(), NoFriction.Law(), NoDamping.Law()
-    model = Model(rod, CantileverFrame(), clamp, *laws, load)
+    model = Model(rod, CantileverFrame(), clamp, load=load)
     dofs = rod.node_dofs()
     memory = make_memory(sizes_of(model, elements + 1))
     memory.state[0::dofs, 0] = np.linspace(0.0, 1.0, elements + 1)

@@ -6,8 +6,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.contact.none import NoContact
-from snapjump.damping.none import NoDamping
 from snapjump.engine.clamp.base import ClampAngles
 from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.equilibrate import equilibrate
@@ -17,7 +15,6 @@ from snapjump.engine.newton import ROUNDING
 from snapjump.engine.work import make_memory, sizes_of
 from snapjump.frame.base import NO_MESH, STILL
 from snapjump.frame.fixed import FixedFrame
-from snapjump.friction.none import NoFriction
 from snapjump.robot.robot import Robot
 from snapjump.statics.band import smallest_eigenvalue
 from snapjump.statics.chain_state import chain_state
@@ -79,16 +76,7 @@ class StaticArch:
         self.memory = make_memory(sizes_of(model, len(self.masses)))
 
     def _model(self, left: float, right: float) -> Model:
-        clamp = ConstantRate(left, 10.0, 1.0, left - right)
-        return Model(
-            self.rod,
-            self.frame,
-            clamp,
-            NoContact.Law(),
-            NoFriction.Law(),
-            NoDamping.Law(),
-            NoLoad(),
-        )
+        return Model(self.rod, self.frame, ConstantRate(left, 10.0, 1.0, left - right))
 
     def guess(self, upward: bool = True) -> Array:
         """State of the exact arch between flat clamps, buckled up or down."""
