@@ -17,10 +17,9 @@ class Queue(NamedTuple):
 
     numbers (R, P): of each model; state, velocity, acceleration (R, D): at its beginning;
     status (R): 0 to march, else skipped; outcome (R, COLUMNS): see
-    :mod:`snapjump.engine.outcome`;
-    cursor (2): next robot to find the start of, and to march. Threads share all these. Each has
-    its own counts (2): robots under way (-1 before the first pass), passes done; and carried (W):
-    which robot each lane carries.
+    :mod:`snapjump.engine.outcome`; cursor (2): next robot to find the start of, and to march.
+    Threads share all these. Each has its own counts (2): robots under way (-1 before the first
+    pass), passes done; and carried (W): which robot each lane carries.
     """
 
     numbers: NDArray[np.float64]

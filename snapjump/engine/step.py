@@ -56,7 +56,8 @@ def reach_end(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> Any
         share = where(mask, 1.0, scheme.abscissa(clock[STAGE]))
         angles = model.clamp.angles(clock[TIME] + share * clock[STEP])
         model.frame.place_ends(mesh, model.discretization, angles, work.state)
-    # Of its gap at the stage every point must keep GAP_FRACTION; said of the gap at the end.
+    # Of its gap at the stage every point must keep GAP_FRACTION; said of the gap at the end, for
+    # which that share of the way back stands in the correction's place until the next stage.
     for i in range(work.state.shape[0]):
         moved = GAP_FRACTION * (correction[i] - work.state[i])
         correction[i] = where(mask, moved, correction[i])
