@@ -25,8 +25,9 @@ IMAGE = re.compile(r"(!\[[^\]]*\])\(docs/")
 
 def packages() -> list[str]:
     """The top modules, then every package with a module, by their dotted names."""
-    folders = sorted(path.parent for path in PACKAGE.glob("*/__init__.py"))
-    return ["snapjump", *(f"snapjump.{folder.name}" for folder in folders if modules(folder))]
+    folders = sorted(path.parent for path in PACKAGE.glob("*/**/__init__.py"))
+    names = (".".join(folder.relative_to(ROOT).parts) for folder in folders if modules(folder))
+    return ["snapjump", *names]
 
 
 def modules(folder: Path) -> list[str]:
