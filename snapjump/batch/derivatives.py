@@ -67,7 +67,7 @@ def input_slopes(
             threshold.alpha_rad + by_angle * way, threshold.h1_bar + by_depth * way, 0.0
         )
         start, mount = start_angle_rad(moved, near), mount_height_bar(moved, near)
-        return numbers_of(composed_model(moved, start, mount))
+        return numbers_of(composed_model(moved, start, mount, moved.sim.time_limit_s))
 
     return difference(numbers, simulation, path, STEP)
 

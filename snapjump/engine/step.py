@@ -22,6 +22,7 @@ from snapjump.engine.clock import (
 )
 from snapjump.engine.gaps import GAP_FRACTION, gap_safe_share, smallest_gap
 from snapjump.engine.status import NOT_FINITE, STEP_UNDERFLOW
+from snapjump.engine.sticking import settles_sliding
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import maximum, minimum, negate, sqrt, where
 
@@ -103,8 +104,12 @@ def finish_step(
     termination = method.termination
     clock = work.clock
     h = clock[STEP]
-    error = error / termination.tolerance_factor(model, work)
     rate = contact_frequency(work)
+    factor = termination.tolerance_factor(model, work)
+    if settles_sliding(model):
+        sticking = stepping.stick_factor(h, model.friction.stick_speed())
+        factor = where(rate > 0.0, minimum(factor, sticking), factor)
+    error = error / factor
     good = ended & stepping.accepts(error, h, rate)
     if scheme.is_explicit():
         good = good & (h <= clock[STABLE_STEP])

@@ -44,6 +44,11 @@ class FrictionLaw(Contract):
     def ratio(self, velocity: Any) -> Any:
         """Friction force over normal force."""
 
+    def stick_speed(self) -> Any:
+        """Sliding velocity (L/T) below which friction sticks, which steps and iterations then
+        resolve; 1e30 where nothing needs to be."""
+        return 1e30
+
     def slope(self, velocity: Any, previous: Any) -> Any:
         """Its derivative by the velocity.
 

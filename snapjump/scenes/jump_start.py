@@ -56,9 +56,19 @@ def start_angle_rad(simulation: Simulation, threshold: Threshold | None = None) 
     the same share of the critical angle."""
     if simulation.sim.start_fraction == 0.0:
         return 0.0
-    ahead = max(0.0, -simulation.design.delta_alpha)
     alpha = (threshold or critical(simulation)).alpha_rad
-    return simulation.sim.start_fraction * alpha - ahead
+    return simulation.sim.start_fraction * alpha - ahead(simulation)
+
+
+def ahead(simulation: Simulation) -> float:
+    """How far the right clamp leads the left one (rad), 0 where it lags."""
+    return max(0.0, -simulation.design.delta_alpha)
+
+
+def loading_s(simulation: Simulation, start: float, threshold: Threshold) -> float:
+    """Time from the start of the motion until the leading clamp is at the critical angle."""
+    angle = threshold.alpha_rad - ahead(simulation) - start
+    return max(0.0, angle) / simulation.robot.rotation_rate_rad_s
 
 
 def check_mount_height(simulation: Simulation, start: float) -> None:
@@ -85,6 +95,7 @@ def jump_model(simulation: Simulation, threshold: Threshold | None = None) -> Mo
     Raises ParameterError for a robot that cannot begin a jump.
     """
     robot = simulation.robot
+    threshold = threshold or critical(simulation)
     start = start_angle_rad(simulation, threshold)
     check_mount_height(simulation, start)
     if start >= robot.rotation_end_rad:
@@ -93,11 +104,15 @@ def jump_model(simulation: Simulation, threshold: Threshold | None = None) -> Mo
             robot.rotation_end_rad,
             f"above {start:.4g} rad, where the motion starts (sim.start_fraction)",
         )
-    return composed_model(simulation, start, mount_height_bar(simulation, threshold))
+    limit_s = loading_s(simulation, start, threshold) + simulation.sim.time_limit_s
+    return composed_model(simulation, start, mount_height_bar(simulation, threshold), limit_s)
 
 
-def composed_model(simulation: Simulation, start: float, mount_height: float) -> Model:
-    """The dimensionless robot that starts at an angle (rad), its clamps at a height (in L)."""
+def composed_model(
+    simulation: Simulation, start: float, mount_height: float, limit_s: float
+) -> Model:
+    """The dimensionless robot that starts at an angle (rad), its clamps at a height (in L); its
+    march gives up after ``limit_s``."""
     robot, scales = simulation.robot, simulation.robot.scales
     friction = simulation.friction.law(scales, simulation.environment.mu)
     return Model(
@@ -114,7 +129,7 @@ def composed_model(simulation: Simulation, start: float, mount_height: float) ->
         damping=simulation.damping.law(scales),
         load=weight(simulation, friction),
         ground=simulation.contact.ground(scales, simulation.discretization.elements),
-        time_limit=TimeLimit(simulation.sim.time_limit_s / scales.time_s),
+        time_limit=TimeLimit(limit_s / scales.time_s),
     )
 
 

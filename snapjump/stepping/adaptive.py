@@ -2,7 +2,9 @@
 
 An error estimate alone misses resting and chattering contact, so a step is also limited to
 ``contact_steps`` / (contact frequency sqrt(k/m)) of every node inside the barrier, and repeated
-if it came to rest in a barrier that it did not resolve.
+if it came to rest in a barrier that it did not resolve. Where friction may stick, an error over the
+step is a sliding velocity: beyond the threshold eps_v it would flip the friction of a foot at rest,
+step by step, and so it is held to a few times eps_v.
 """
 
 from typing import Any, NamedTuple
@@ -40,16 +42,18 @@ class AdaptiveStep(SteppingOptions):
     """Steps by the embedded error estimate and by the time scale of contact.
 
     ``tolerance``: error in position a step may make (root mean square over the nodes, in L);
-    ``contact_steps``: largest step in units of sqrt(m/k) of a node that bounces in the barrier.
+    ``contact_steps``: largest step in units of sqrt(m/k) of a node that bounces in the barrier;
+    ``stick_share``: largest error of a step in contact, over the way that eps_v goes in it.
     """
 
-    tolerance: float = number(4.5e-8, least=1e-12, most=1e-2)
+    tolerance: float = number(1e-6, least=1e-12, most=1e-2)
     contact_steps: float = number(2.0, above=0.0)
+    stick_share: float = number(4.0, above=0.0)
 
     @StepControl.member
     class Control(NamedTuple):
-        """Error of a step (L), steps a contact time, first, smallest and largest step (T), and
-        the share of the tolerance that Newton's method may leave."""
+        """Error of a step (L), steps a contact time, first, smallest and largest step (T), the
+        share of the tolerance that Newton's method may leave, and the error over eps_v h."""
 
         tolerance: float
         contact_steps: float
@@ -57,6 +61,7 @@ class AdaptiveStep(SteppingOptions):
         smallest: float
         largest: float
         newton_share: float
+        stick_share: float
 
         def first_step(self) -> Any:
             return self.first
@@ -64,6 +69,9 @@ class AdaptiveStep(SteppingOptions):
         def accepts(self, error: Any, step: Any, contact_rate: Any) -> Any:
             resolved = step * contact_rate <= OVERSHOOT * self.contact_steps
             return (error <= self.tolerance) & resolved
+
+        def stick_factor(self, step: Any, stick_speed: Any) -> Any:
+            return self.stick_share * stick_speed * step / self.tolerance
 
         def next_step(self, error: Any, error_order: Any, step: Any, contact_rate: Any) -> Any:
             ratio = maximum(error / self.tolerance, 1e-12 + 0.0 * error)
@@ -90,4 +98,5 @@ class AdaptiveStep(SteppingOptions):
             smallest=SMALLEST_STEP_BAR,
             largest=LARGEST_STEP_BAR,
             newton_share=NEWTON_SHARE * min(1.0, LOOSEST_NEWTON_BAR / self.tolerance),
+            stick_share=self.stick_share,
         )

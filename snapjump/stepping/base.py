@@ -18,6 +18,11 @@ class StepControl(Contract):
     def accepts(self, error: Any, step: Any, contact_rate: Any) -> Any:
         """Whether a step stands, given its error estimate (L) and the fastest contact frequency."""
 
+    def stick_factor(self, step: Any, stick_speed: Any) -> Any:
+        """Largest factor by which a step's error may exceed the tolerance where friction below a
+        sliding velocity (L/T) sticks."""
+        return 1e30
+
     @required
     def next_step(self, error: Any, error_order: Any, step: Any, contact_rate: Any) -> Any:
         """Size of the next step, or of the repetition of a refused one (T)."""

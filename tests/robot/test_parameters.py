@@ -92,7 +92,7 @@ def test_mass_is_defined_by_its_weight():
 
 def dimensionless(simulation):
     """All numbers of a jump's model but its clamps' start, which statics determines."""
-    return numbers_of(composed_model(simulation, 0.8, 0.08))
+    return numbers_of(composed_model(simulation, 0.8, 0.08, simulation.sim.time_limit_s))
 
 
 def test_scaling_the_robot_at_fixed_groups_changes_no_number():

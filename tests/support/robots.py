@@ -42,7 +42,7 @@ BASELINE = small_simulation(0.2, 0.1, 0.3, 0.768)
 def small_model(simulation: Simulation) -> Model:
     """A robot that starts near its threshold, without any statics."""
     angle, depth = CRITICAL[simulation.design.epsilon]
-    return composed_model(simulation, 0.85 * angle, 1.05 * depth)
+    return composed_model(simulation, 0.85 * angle, 1.05 * depth, simulation.sim.time_limit_s)
 
 
 def similar(base: Simulation, larger: float, stiffer: float, denser: float) -> Simulation:

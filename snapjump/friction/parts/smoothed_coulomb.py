@@ -4,6 +4,7 @@ from typing import Any, ClassVar
 
 from snapjump.declare.fields import number
 from snapjump.friction.base import FrictionLaw, FrictionOptions, regularised_sign
+from snapjump.number.functions import where
 from snapjump.units import Scales
 
 
@@ -16,6 +17,9 @@ class SmoothedCoulomb(FrictionLaw):
     def holds(self) -> Any:
         return self.mu > 0.0
 
+    def stick_speed(self) -> Any:
+        return where(self.mu > 0.0, self.velocity_threshold, 1e30)
+
     def ratio(self, velocity: Any) -> Any:
         sign, _ = regularised_sign(velocity, self.velocity_threshold)
         return self.mu * sign
@@ -27,7 +31,7 @@ class SmoothedCoulombOptions(FrictionOptions):
     Law: ClassVar[Any]
 
     velocity_threshold_m_s: float = number(
-        1.0e-4,
+        1.0e-3,
         above=0.0,
         unit="m/s",
         doc="half width of the stick zone",
