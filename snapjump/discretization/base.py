@@ -149,7 +149,7 @@ class DiscretizationOptions(Part):
     group = "discretization"
     nodes_without_angles: ClassVar[bool] = False
 
-    elements: int = integer(112, least=8, most=100_000, doc="of the whole beam")
+    elements: int = integer(120, least=8, most=100_000, doc="of the whole beam")
 
     @required
     def beam(self, robot: Robot) -> Any:

@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 from snapjump.friction.base import regularised_sign
 from snapjump.friction.parts.smoothed_coulomb import SmoothedCoulomb, SmoothedCoulombOptions
-from snapjump.number.functions import where
+from snapjump.number.functions import absolute, maximum, where
 
 
 class ImplicitFriction(SmoothedCoulombOptions):
@@ -18,8 +18,9 @@ class ImplicitFriction(SmoothedCoulombOptions):
         velocity_threshold: float
 
         def slope(self, velocity: Any, previous: Any) -> Any:
-            _, slope = regularised_sign(velocity, self.velocity_threshold)
-            # Newton would jump to and fro across the stick zone: after a change of sign, use the
-            # slope at rest, the steepest there is.
-            slope = where(velocity * previous < 0.0, 2.0 / self.velocity_threshold, slope)
+            sign, slope = regularised_sign(velocity, self.velocity_threshold)
+            # Newton would jump to and fro across the stick zone: after a change of sign, take the
+            # chord from rest.
+            chord = absolute(sign) / maximum(absolute(velocity), 1e-300 + 0.0 * velocity)
+            slope = where(velocity * previous < 0.0, maximum(chord, slope), slope)
             return self.mu * slope

@@ -48,7 +48,7 @@ class AdaptiveStep(SteppingOptions):
 
     tolerance: float = number(1e-6, least=1e-12, most=1e-2)
     contact_steps: float = number(2.0, above=0.0)
-    stick_share: float = number(4.0, above=0.0)
+    stick_share: float = number(8.0, above=0.0)
 
     @StepControl.member
     class Control(NamedTuple):
