@@ -24,7 +24,7 @@ from snapjump.scenes.runner import March, Progress
 from snapjump.scenes.trajectory import trajectory_arrays
 from snapjump.units import Scales
 
-# Below any step that a gap takes whose powers are numbers: the barrier closes it to e^-200 and less.
+# Below the steps that the smallest gaps take whose powers are numbers, of e^-200 and less.
 SMALLEST_STEP_BAR = 1e-150
 FEWEST_STEPS = 500  # that a trajectory can be seen by
 # Errors of a speed that Newton's method may leave: in its unit, and of the speed of sticking.
