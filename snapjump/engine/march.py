@@ -114,7 +114,7 @@ def march(
                 masses,
                 work,
                 active,
-                stepping.newton_tolerance(),
+                method.termination.newton_tolerance(work, stepping.newton_tolerance()),
                 method.most_in_stage,
                 MOST_BACKTRACKS,
             )

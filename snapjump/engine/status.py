@@ -12,6 +12,8 @@ ENERGY_GAINED = 8
 # Of designs in a batch, which are refused one by one where a single one is an error.
 BAD_DESIGN = 9
 NO_THRESHOLD = 10
+# Of a bounce.
+IN_CONTACT = 11
 
 NAMES = {
     OK: "ok",
@@ -24,6 +26,7 @@ NAMES = {
     ENERGY_GAINED: "energy_gained",
     BAD_DESIGN: "bad_design",
     NO_THRESHOLD: "no_threshold",
+    IN_CONTACT: "in_contact",
 }
 
 REASONS = {
@@ -37,4 +40,5 @@ REASONS = {
     ENERGY_GAINED: "the steps put energy in: the apex is beyond what the beam could have held",
     BAD_DESIGN: "a value of the design lies outside its range, or its parts do not fit each other",
     NO_THRESHOLD: "the arch of this pre-compression does not buckle, or does not snap",
+    IN_CONTACT: "the duration ended while the mass was still in contact",
 }

@@ -19,6 +19,7 @@ from snapjump.engine.work import Sizes, make_memory, sizes_of
 from snapjump.frame.base import NO_MESH
 from snapjump.number.announcement import load
 from snapjump.scenes.crew import Worker, run_crew
+from snapjump.units import Scales
 
 Array = NDArray[np.float64]
 Progress = Callable[[float, str], None]
@@ -33,7 +34,8 @@ class March:
     """Robots of one composition and one mesh of their frames, their beginnings, and the memory they
     are simulated in: ``lanes`` at a time in each of ``threads``, which take them from one queue.
 
-    ``memory`` and ``queue`` are those of the first thread.
+    ``units``: of all its numbers, the robot's if None. ``memory`` and ``queue`` are those of the
+    first thread.
     """
 
     models: list[Model]
@@ -48,6 +50,7 @@ class March:
     accelerations: Array | None = None
     most_iterations: float = MOST_ITERATIONS
     mesh: NDArray[np.int64] = field(default_factory=lambda: NO_MESH)
+    units: Scales | None = None
 
     def __post_init__(self) -> None:
         robots, size = self.states.shape
@@ -65,7 +68,7 @@ class March:
             carried=np.zeros(self.lanes, dtype=np.int64),
         )
         self.scheme = self.simulation.integrator.scheme()
-        self.stepping = self.simulation.stepping.control(self.simulation.robot.scales)
+        self.stepping = self.simulation.stepping.control(self.scales)
         threads = max(1, min(self.threads, -(-robots // self.lanes)))
         self.crew = [self._worker(shared) for _ in range(threads)]
         self.memory, self.queue = self.crew[0].memory, self.crew[0].queue
@@ -80,6 +83,11 @@ class March:
         counts = np.array([-1, 0], dtype=np.int64)
         carried = np.full(self.lanes, -1, dtype=np.int64)
         return Worker(memory, shared._replace(counts=counts, carried=carried), self.recorder)
+
+    @property
+    def scales(self) -> Scales:
+        """The units of its numbers."""
+        return self.units or self.simulation.robot.scales
 
     @property
     def kernel_seconds(self) -> float:

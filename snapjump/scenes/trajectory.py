@@ -3,7 +3,6 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.composition import Simulation
 from snapjump.discretization.base import ROTARY_INERTIA
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
@@ -37,9 +36,9 @@ def samples_of(march: March) -> tuple[Array, Array, Array, Array]:
     return times, states, velocities, works
 
 
-def trajectory_arrays(simulation: Simulation, model: Model, march: March) -> dict[str, Array]:
+def trajectory_arrays(model: Model, march: March) -> dict[str, Array]:
     """Everything that ``trajectory.npz`` holds; S samples, N + 1 nodes, 4 corners."""
-    scales = simulation.robot.scales
+    scales = march.scales
     times, states, velocities, works = samples_of(march)
     dofs = model.frame.dofs(march.mesh)
     stride = model.discretization.node_dofs()
@@ -66,7 +65,7 @@ def trajectory_arrays(simulation: Simulation, model: Model, march: March) -> dic
 def frame_arrays(march: March, states: Array, velocities: Array) -> dict[str, Array]:
     """Pose of the frame, its corners, and the centre of mass of frame and beam."""
     model, mesh, masses = march.models[0], march.mesh, march.masses
-    scales = march.simulation.robot.scales
+    scales = march.scales
     rows = list(zip(states, velocities, strict=True))
     boxes = [model.frame.box(mesh, q, v) for q, v in rows]
     angle = np.unwrap([np.arctan2(float(b.sine), float(b.cosine)) for b in boxes])
@@ -94,7 +93,7 @@ def contact_arrays(march: March, states: Array, velocities: Array) -> dict[str, 
     of a constraint are none of the state, and are left out.
     """
     model, mesh, masses = march.models[0], march.mesh, march.masses
-    scales, frame, nodes = march.simulation.robot.scales, model.frame, len(masses)
+    scales, frame, nodes = march.scales, model.frame, len(masses)
     gaps = np.empty((len(states), point_count(model, masses, mesh)))
     normal, friction = np.zeros_like(gaps), np.zeros_like(gaps)
     still = Motion(0.0, 0.0, 0.0, 0.0)
@@ -188,5 +187,5 @@ def energy_arrays(
         "contact_loss_J": impacts,
         "numerical_loss_J": numerical,
     }
-    energy_J = march.simulation.robot.scales.energy_J
+    energy_J = march.scales.energy_J
     return {name: values * energy_J for name, values in ledger.items()}

@@ -5,6 +5,7 @@ from snapjump.declare.fields import number
 from snapjump.declare.outputs import output
 from snapjump.results import Result
 from snapjump.scenes.mass import MassOutputs, march_mass, mass_model
+from snapjump.scenes.mass_units import units_of_sliding
 from snapjump.sim.base import NEEDS_A_GROUND, Progress, SampledScene
 from snapjump.statics.resting_gap import resting_gap
 
@@ -44,11 +45,11 @@ class Slide(SampledScene):
 
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
         """Let a mass slide from its resting gap; smoothed Coulomb friction brings it to a creep."""
-        scene, scales = simulation.sim, simulation.robot.scales
-        model = mass_model(
-            simulation, simulation.robot.gravity_m_s2, simulation.environment.slope_rad
-        )
-        weight = scene.mass_kg / scales.mass_kg * model.load.gravity()
+        scene = simulation.sim
+        units = units_of_sliding(simulation)
+        gravity_m_s2 = simulation.robot.gravity_m_s2
+        model = mass_model(simulation, gravity_m_s2, simulation.environment.slope_rad, units)
+        weight = scene.mass_kg / units.mass_kg * model.load.gravity()
         start = (0.0, resting_gap(model.contact, weight, 1.0))
-        velocity = (scene.speed_m_s / scales.velocity_m_s, 0.0)
-        return march_mass(simulation, model, start, velocity, SlideOutputs, progress)
+        velocity = (scene.speed_m_s / units.velocity_m_s, 0.0)
+        return march_mass(simulation, model, start, velocity, SlideOutputs, progress, units)

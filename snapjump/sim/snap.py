@@ -117,6 +117,6 @@ class Snap(SampledScene):
         duration, interval = self.duration_s / time_s, self.sample_interval_s / time_s
         march = snap_march(simulation, lambda size: make_recorder(size, duration, interval))
         outcome, model = march.run(progress), march.models[0]
-        arrays = trajectory_arrays(simulation, model, march)
+        arrays = trajectory_arrays(model, march)
         side, seconds = side_by_side([model]), march.kernel_seconds
         return SnapOutputs(simulation, begun, side, outcome, seconds, arrays).result(arrays)

@@ -89,6 +89,9 @@ class AdaptiveStep(SteppingOptions):
         def newton_tolerance(self) -> Any:
             return self.newton_share * self.tolerance
 
+        def within(self, smallest: float, largest: float) -> Any:
+            return self._replace(smallest=smallest, largest=largest)
+
     def control(self, scales: Scales) -> Control:
         """The dimensionless control."""
         return self.Control(

@@ -39,6 +39,10 @@ class StepControl(Contract):
     def newton_tolerance(self) -> Any:
         """Error (L) that Newton's method may leave in a stage."""
 
+    def within(self, smallest: float, largest: float) -> Any:
+        """The same with steps of this range (T), if it is for the control to choose them."""
+        return self
+
 
 class SteppingOptions(Part):
     """A step control and its numbers."""

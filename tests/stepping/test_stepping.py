@@ -77,6 +77,13 @@ def test_bounds_and_tolerances():
     assert FIXED.newton_tolerance() == 1e-8
 
 
+def test_a_scene_sets_the_range_of_steps_that_are_chosen():
+    narrowed = ADAPTIVE.within(1e-150, 1e-2)
+    assert (narrowed.smallest_step(), narrowed.largest) == (1e-150, 1e-2)
+    assert narrowed.newton_tolerance() == ADAPTIVE.newton_tolerance()
+    assert FIXED.within(1e-150, 1e-2) == FIXED
+
+
 def test_options_are_in_seconds_and_shares_of_the_length():
     scales = Robot().scales
     fixed = FixedStep(1e-5).control(scales)

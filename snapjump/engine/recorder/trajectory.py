@@ -69,8 +69,8 @@ class TrajectoryRecorder(NamedTuple):
             self.pending[w] += step * scheme.quadrature_weight(stage) * self.powers_now[w]
 
     def record_step(self, model: Any, masses: Any, scheme: Any, work: Any, good: Any) -> None:
-        time = work.clock[TIME]
-        if any_true(time > self.clock[0]):
+        if any_true(good):
+            time = work.clock[TIME]
             self.clock[0] = time
             for w in range(LEDGER):
                 self.totals[w] += self.pending[w]

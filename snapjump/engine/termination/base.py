@@ -14,8 +14,12 @@ class Termination(Contract):
 
     @required
     def tolerance_factor(self, model: Any, work: Any) -> Any:
-        """Factor (at least 1) by which a step's error may exceed the tolerance: what can no longer
-        change the result need not be resolved."""
+        """Factor by which a step's error may exceed the tolerance: above 1 where it can no longer
+        change the result, below 1 where the result needs more."""
+
+    def newton_tolerance(self, work: Any, tolerance: Any) -> Any:
+        """Error (L) that Newton's method may leave in a stage, given the step control's own."""
+        return tolerance
 
     @required
     def terminate(self, model: Any, masses: Any, work: Any, ended: Any) -> Any:

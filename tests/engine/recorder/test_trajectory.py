@@ -34,7 +34,7 @@ def march(recorder, steps, accepted=lambda k: True):
             work.start[:] = work.clock[TIME], k
             work.velocity[0] = 10.0 + k
             times.append(float(work.clock[TIME]))
-        recorder.record_step(None, None, None, work, None)
+        recorder.record_step(None, None, None, work, accepted(k))
     return times
 
 
