@@ -29,7 +29,7 @@ class Jump(SceneOptions):
 
     start_fraction: float = number(0.85, least=0.0, most=0.95)
     time_limit_s: float = number(0.1, above=0.0, unit="s")
-    sample_interval_s: float = number(2.0e-5, above=1e-7, unit="s")
+    sample_interval_s: float = number(2.0e-5, above=0.0, unit="s")
 
     def __post_init__(self) -> None:
         super().__post_init__()
