@@ -36,7 +36,7 @@ MESH_X, MESH_Y = (0.12, 2.8), (0.07, 2.8)  # percent at BASE_ELEMENTS, and order
 # Two fixed nodes for a clamp are of first order.
 TWO_NODES = (3.0, 1.0)
 # Without material damping waves that a mesh does not resolve run on: its errors are so much larger.
-UNDAMPED, LITTLE_DAMPING_S = 3.0, 1e-6
+UNDAMPED, LITTLE_DAMPING = 3.0, 2.28e-4  # T
 # A frame that is light against its beam shakes with it: all errors grow by this share of the
 # ratio of their masses.
 LIGHT_FRAME = 0.1
@@ -61,10 +61,10 @@ def steps_factor(simulation: Simulation) -> float:
     return fixed if simulation.stepping.name == "fixed" else adaptive
 
 
-def mesh_percent(discretization: Any, relaxation_s: Any) -> tuple[Any, Any]:
+def mesh_percent(discretization: Any, relaxation: Any) -> tuple[Any, Any]:
     """Errors of x and y that the mesh makes (%) of beams so much damped."""
     ratio = BASE_ELEMENTS / discretization.elements
-    waves = np.where(np.asarray(relaxation_s) >= LITTLE_DAMPING_S, 1.0, UNDAMPED)
+    waves = np.where(np.asarray(relaxation) >= LITTLE_DAMPING, 1.0, UNDAMPED)
     x, y = (waves * value * power(ratio, order) for value, order in (MESH_X, MESH_Y))
     if getattr(discretization, "clamp", "") == "two_nodes":
         value, order = TWO_NODES
@@ -74,17 +74,17 @@ def mesh_percent(discretization: Any, relaxation_s: Any) -> tuple[Any, Any]:
 
 
 def error_estimate(
-    simulation: Simulation, error_sum: Any, beam_over_frame: Any, relaxation_s: Any
+    simulation: Simulation, error_sum: Any, beam_over_frame: Any, relaxation: Any
 ) -> ErrorEstimate:
     """The estimate of jumps whose steps' estimates add up to ``error_sum`` (L).
 
-    ``beam_over_frame``: mass of the beam over that of the frame, of each; ``relaxation_s``: of its
-    material.
+    ``beam_over_frame``: mass of the beam over that of the frame, of each; ``relaxation``: its
+    material's time (T).
     """
     light = 1.0 + LIGHT_FRAME * np.asarray(beam_over_frame)
     steps = light * steps_factor(simulation) * np.asarray(error_sum, dtype=float)
     steps = steps / (1.0 + steps / LEVEL)
-    mesh_x, mesh_y = mesh_percent(simulation.discretization, relaxation_s)
+    mesh_x, mesh_y = mesh_percent(simulation.discretization, relaxation)
     x, y = steps + light * mesh_x, STEPS_Y * steps + light * mesh_y
     promise = TIERS[simulation.accuracy].promise_percent
     return ErrorEstimate(x, y, np.maximum(x, y) <= promise)

@@ -15,12 +15,12 @@ from snapjump.tiers import TIERS
 
 STANDARD = with_tier("standard")
 HEAVY = 1e-3  # beam over frame
-DAMPED_S = 1e-5
+DAMPED = 2e-3  # T
 
 
 def test_it_grows_with_the_steps_estimates_and_levels_off():
     sums = np.array([0.0, 1e-6, 1e-5, 1e-3, 1.0])
-    found = error_estimate(STANDARD, sums, HEAVY, DAMPED_S)
+    found = error_estimate(STANDARD, sums, HEAVY, DAMPED)
     assert np.all(np.diff(found.x_percent) > 0.0) and np.all(np.diff(found.y_percent) > 0.0)
     assert found.x_percent[-1] < 1.01 * LEVEL
     assert found.within_tier.tolist() == [True, True, True, False, False]
@@ -28,18 +28,18 @@ def test_it_grows_with_the_steps_estimates_and_levels_off():
 
 
 def test_a_failed_number_is_not_within_any_tier():
-    assert not error_estimate(STANDARD, np.nan, HEAVY, DAMPED_S).within_tier
+    assert not error_estimate(STANDARD, np.nan, HEAVY, DAMPED).within_tier
 
 
 def test_meshes_clamps_and_light_frames():
     meshes = [DiscreteElasticRod(elements=n) for n in (32, 128)]
-    coarse, fine = (mesh_percent(mesh, DAMPED_S) for mesh in meshes)
+    coarse, fine = (mesh_percent(mesh, DAMPED) for mesh in meshes)
     assert mesh_percent(meshes[1], 0.0)[0] > 2.0 * fine[0]
     assert coarse[0] > 16.0 * fine[0] and coarse[1] > 16.0 * fine[1]
-    nodes = mesh_percent(DiscreteElasticRod(elements=128, clamp="two_nodes"), DAMPED_S)
+    nodes = mesh_percent(DiscreteElasticRod(elements=128, clamp="two_nodes"), DAMPED)
     assert nodes[0] > 5.0 * fine[0]
     ratios = (HEAVY, 24.0)
-    heavy, light = (error_estimate(STANDARD, 1e-6, r, DAMPED_S).x_percent for r in ratios)
+    heavy, light = (error_estimate(STANDARD, 1e-6, r, DAMPED).x_percent for r in ratios)
     assert light > 3.0 * heavy
 
 

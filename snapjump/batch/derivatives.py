@@ -9,7 +9,7 @@ from snapjump.batch.prepare import beam_of, check_curve, covered, thresholds
 from snapjump.batch.variants import variant
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
-from snapjump.declare.inputs import DEFAULT_INPUTS, input_at, value_at, with_inputs
+from snapjump.declare.inputs import DEFAULT_INPUTS, Input, input_at, value_at, with_inputs
 from snapjump.engine.model import Model, numbers_of
 from snapjump.scenes.frame_body import compression
 from snapjump.scenes.jump_start import composed_model, critical, mount_height_bar, start_angle_rad
@@ -19,7 +19,7 @@ from snapjump.statics.threshold_curve import ThresholdCurve
 # Of an input, between the points of a difference of fourth order. A computed threshold is known to
 # 1e-11 or so only, and asks for a longer one.
 STEP, LONG_STEP = 1e-3, 1e-2
-SMALLEST_SHARE = 0.1  # of an input's default: steps are shares of no smaller a number
+SMALLEST_SHARE = 0.1  # of the default of an input without dimension: steps are shares of no less
 # Places, in steps, and the weights of a first derivative.
 BETWEEN = ((-2, 1 / 12), (-1, -8 / 12), (1, 8 / 12), (2, -1 / 12))
 AHEAD = ((0, -25 / 12), (1, 48 / 12), (2, -36 / 12), (3, 16 / 12), (4, -3 / 12))
@@ -97,9 +97,7 @@ def difference(
     """The derivative by an input, of fourth order: central, or to one side where values on the
     other are refused, or have another sign (and a kink in between)."""
     here = float(value_at(simulation, path))
-    default = input_at(simulation, path).default
-    usual = SMALLEST_SHARE * (abs(default) if isinstance(default, float) else 0.0)
-    stride = step * (max(abs(here), usual) or 1.0)
+    stride = step * scale_of(input_at(simulation, path), here)
     refused: ParameterError | None = None
     for stencil in (BETWEEN, AHEAD, BEHIND):
         places = [here + count * stride for count, _ in stencil]
@@ -115,6 +113,15 @@ def difference(
             return np.asarray(sum(changes) / stride)
     assert refused is not None
     raise refused
+
+
+def scale_of(one: Input, here: float) -> float:
+    """What a step is a share of: of an input with a dimension the input itself, which has the
+    robot's scale. One that is 0, as damping may be, enters linearly: a step of any size will do."""
+    default = abs(one.default) if isinstance(one.default, float) else 0.0
+    if one.unit in ("", "rad"):
+        return max(abs(here), SMALLEST_SHARE * default) or 1.0
+    return abs(here) or default or 1.0
 
 
 def place(model: Model, family: str, field: str) -> int:

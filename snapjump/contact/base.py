@@ -139,7 +139,7 @@ def force_if_active(contact: Any, gap: Any, state: Any) -> Any:
 
 
 PAPER_ELEMENTS = 66  # of the mesh whose every node the paper gives the stiffness K_c
-CLEARANCE_M = 2.0e-5  # where nothing pushes from afar, a robot this high is in the air
+CLEARANCE = 1e-3  # L: where nothing pushes from afar, a robot this high is in the air
 PER_LENGTH = "per_length"
 
 
@@ -175,5 +175,5 @@ class ContactOptions(Part):
         return Ground(
             node_share=PAPER_ELEMENTS / elements if elements and self.per_length else 1.0,
             corner_share=1.0,
-            clearance=law.reach() if law.keeps_open() else CLEARANCE_M / scales.length_m,
+            clearance=law.reach() if law.keeps_open() else CLEARANCE,
         )

@@ -42,7 +42,8 @@ class JumpOutputs(GroundOutputs):
         """Estimated errors; NaN, and not within the tier, where there is no apex."""
         steps = np.where(np.isin(self.status, ENDED), self.outcome[:, c.ERROR_SUM], np.nan)
         masses = 1.0 / self.model.frame.mass
-        return error_estimate(self.simulation, steps, masses, self.relaxation_s)
+        relaxation = self.relaxation_s / self.scales.time_s
+        return error_estimate(self.simulation, steps, masses, relaxation)
 
     @cached_property
     def apexes(self) -> Array:

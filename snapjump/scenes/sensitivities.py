@@ -1,5 +1,6 @@
 """Marches with derivatives of their flights by inputs, at most four at a time."""
 
+import math
 from collections.abc import Sequence
 from itertools import count
 
@@ -8,7 +9,7 @@ from numpy.typing import NDArray
 
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
-from snapjump.declare.inputs import DEFAULT_INPUTS
+from snapjump.declare.inputs import DEFAULT_INPUTS, value_at
 from snapjump.declare.members import members_with
 from snapjump.engine.differentiate_start import StartSlopes, differentiate_starts
 from snapjump.engine.recorder.sensitivities import FAR, SensitivityRecorder
@@ -25,7 +26,7 @@ Array = NDArray[np.float64]
 CORRECTIONS = 2
 # Below it steps jump over the stick zone of friction: whether a point sticks is then decided within
 # Newton's tolerance, and the derivative of what was computed tells nothing of what sticking does.
-SMALLEST_STICK_ZONE_M_S = 5.0e-3
+SMALLEST_STICK_ZONE = 1.095e-3  # L/T: 0.005 m/s of the default robot
 ROBOTS_PER_SLICE = 16
 
 
@@ -39,14 +40,21 @@ def check_differentiable(
         if not part.differentiable:
             able = " or ".join(members_with(part.group, "differentiable"))
             raise ParameterError(part.group, part.name, f"{able} with sensitivities")
-    threshold = getattr(simulation.friction, "velocity_threshold_m_s", SMALLEST_STICK_ZONE_M_S)
-    if threshold < SMALLEST_STICK_ZONE_M_S:
+    if stick_zone(simulation) < SMALLEST_STICK_ZONE:
+        path = "friction.velocity_threshold_m_s"
+        smallest_m_s = SMALLEST_STICK_ZONE * simulation.robot.scales.velocity_m_s
         raise ParameterError(
-            "friction.velocity_threshold_m_s",
-            threshold,
-            f"at least {SMALLEST_STICK_ZONE_M_S:g} m/s with sensitivities: steps do not resolve a "
-            "smaller stick zone (0.01 instead of 0.0001 moves x by 0.1 % in the median)",
+            path,
+            value_at(simulation, path),
+            f"at least {smallest_m_s:.6g} m/s with sensitivities: steps do not resolve a smaller "
+            "stick zone (0.01 instead of 0.0001 moves x by 0.1 % in the median)",
         )
+
+
+def stick_zone(simulation: Simulation) -> float:
+    """Half width (L/T) of the stick zone of a simulation's friction, infinite without one."""
+    width_m_s: float = getattr(simulation.friction, "velocity_threshold_m_s", math.inf)
+    return width_m_s / simulation.robot.scales.velocity_m_s
 
 
 def differentiated_starts(march: March, numbers: Array) -> Array:

@@ -19,7 +19,7 @@ from snapjump.scenes.snap_march import snap_march
 from snapjump.scenes.trajectory import samples_of
 
 Array = NDArray[np.float64]
-INTERVAL_S = 9e-6  # below the fixed step of the paper, and the steps of a snap at standard
+INTERVAL = 2e-3  # T: below the fixed step of the paper, and the steps of a snap at standard
 MOST_SAMPLES = 60_000  # many times the steps of any snap, in memory that is there
 
 
@@ -66,9 +66,8 @@ class Swing:
 def follow(simulation: Simulation) -> Swing:
     """Turn the clamps of the arch at rest from flat, for the duration of ``sim=snap``."""
     scales = simulation.robot.scales
-    duration, interval = simulation.sim.duration_s / scales.time_s, INTERVAL_S / scales.time_s
-    kept = min(duration, MOST_SAMPLES * interval)
-    march = snap_march(simulation, lambda size: make_recorder(size, kept, interval))
+    kept = min(simulation.sim.duration_s / scales.time_s, MOST_SAMPLES * INTERVAL)
+    march = snap_march(simulation, lambda size: make_recorder(size, kept, INTERVAL))
     outcome = march.run()[0]
     times, states, velocities, _ = samples_of(march)
     if len(times) > MOST_SAMPLES:

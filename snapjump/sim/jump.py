@@ -30,7 +30,7 @@ class Jump(SceneOptions):
 
     start_fraction: float = number(0.0, least=0.0, most=0.95)
     time_limit_s: float = number(0.1, above=0.0, unit="s")
-    sample_interval_s: float = number(2.0e-5, above=1e-7, unit="s")
+    sample_interval_s: float = number(2.0e-5, above=0.0, unit="s")
 
     def check_with(self, simulation: Any) -> None:
         simulation.environment.mass_kg(simulation.robot)

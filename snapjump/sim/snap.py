@@ -109,7 +109,7 @@ class Snap(SampledScene):
 
     duration_s: float = number(0.06, above=0.0, unit="s")
     rise_time_s: float = number(1.0e-3, above=0.0, unit="s")
-    sample_interval_s: float = number(5.0e-5, above=1e-7, unit="s")
+    sample_interval_s: float = number(5.0e-5, above=0.0, unit="s")
 
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
         """Turn the clamps of the arch at rest from flat and follow it through the snap."""

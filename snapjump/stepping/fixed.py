@@ -2,18 +2,26 @@
 
 from typing import Any, NamedTuple
 
+from snapjump.checks import ParameterError
 from snapjump.declare.fields import number
 from snapjump.number.functions import minimum
 from snapjump.stepping.base import StepControl, SteppingOptions
 from snapjump.units import Scales
 
 NEWTON_TOLERANCE_BAR = 1e-9
+LARGEST_STEP_BAR = 2.5
 
 
 class FixedStep(SteppingOptions):
     """One step size throughout, halved only where Newton's method fails."""
 
-    step_s: float = number(1.0e-5, above=0.0, most=0.01, unit="s")
+    step_s: float = number(1.0e-5, above=0.0, unit="s")
+
+    def check_with(self, simulation: Any) -> None:
+        largest_s = LARGEST_STEP_BAR * simulation.robot.scales.time_s
+        if self.step_s > largest_s:
+            allowed = f"at most {largest_s:.6g} s, {LARGEST_STEP_BAR:g} T of this robot"
+            raise ParameterError("stepping.step_s", self.step_s, allowed)
 
     @StepControl.member
     class Control(NamedTuple):

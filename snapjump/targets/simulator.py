@@ -9,11 +9,11 @@ from snapjump.batch import simulate_designs
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
 from snapjump.declare.inputs import DEFAULT_INPUTS, PARTS
-from snapjump.scenes.sensitivities import SMALLEST_STICK_ZONE_M_S, check_differentiable
+from snapjump.scenes.sensitivities import SMALLEST_STICK_ZONE, check_differentiable, stick_zone
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 LANES = 8  # even for one jump, which takes a third longer so: every width is compiled anew
-RESOLVED_STICK_ZONE_M_S = 0.01
+RESOLVED_STICK_ZONE = 2.19089e-3  # L/T: 0.01 m/s for the default robot
 EPSILON = DEFAULT_INPUTS.index("design.epsilon")
 # Of thresholds that a curve goes through; fewer serve where the compressions hardly differ.
 NODES, FEW_NODES, NARROW = 20, 4, 0.01
@@ -52,9 +52,9 @@ class JumpSimulator:
     def slopes(self, designs: Array) -> Array:
         """Derivatives (N, 2, 4) of the apexes, NaN unless the status is ok.
 
-        A stick zone of friction below 0.005 m/s, which steps jump over, is widened to 0.01 m/s:
-        these are then the derivatives of that simulation. Raises ParameterError for modules that
-        sensitivities do not know.
+        A stick zone of friction that steps jump over, below 0.005 m/s of the default robot, is
+        widened to twice that: these are then the derivatives of that simulation. Raises
+        ParameterError for modules that sensitivities do not know.
         """
         base = differentiable(self.base)
         self._own += len(designs)
@@ -80,9 +80,8 @@ def at_tier(base: Simulation, tier: str) -> Simulation:
 
 def differentiable(base: Simulation) -> Simulation:
     """The simulation, with a stick zone that its steps resolve. Raises ParameterError."""
-    threshold = getattr(base.friction, "velocity_threshold_m_s", SMALLEST_STICK_ZONE_M_S)
-    if threshold < SMALLEST_STICK_ZONE_M_S:
-        wider = base.friction.changed(velocity_threshold_m_s=RESOLVED_STICK_ZONE_M_S)
-        base = replace(base, friction=wider)
+    if stick_zone(base) < SMALLEST_STICK_ZONE:
+        wide_m_s = RESOLVED_STICK_ZONE * base.robot.scales.velocity_m_s
+        base = replace(base, friction=base.friction.changed(velocity_threshold_m_s=wide_m_s))
     check_differentiable(base)
     return base

@@ -2,75 +2,24 @@
 
 import cmath
 import math
-from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 from bare_models import loose_nodes
-from families import FAMILIES
-from plain_python import plain_work
+from integration import MASSES, VARIANTS, Integration, Pull, amplification
 from references import outputs_of
 from scipy.integrate import solve_ivp
 
-from snapjump.contact.base import ContactLaw
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.damping.mass_proportional import MassProportional
-from snapjump.engine.clock import LAST_STEP, STABLE_STEP, STAGE, STEP, TIME
-from snapjump.engine.explicit import evaluate_forces
+from snapjump.engine.clock import TIME
 from snapjump.engine.load.gravity import Gravity
-from snapjump.engine.newton import newton_iteration
-from snapjump.engine.stage import begin_stage, keep_stage, stage_motion
-from snapjump.engine.step import commit_step, reach_end
 
-MEMBERS = FAMILIES["integrator"]
-VARIANTS = {
-    **{name: cls() for name, cls in MEMBERS.items()},
-    "generalized_alpha 0": MEMBERS["generalized_alpha"](0.0),
-    "generalized_alpha 0.8": MEMBERS["generalized_alpha"](0.8),
-    "newmark damped": MEMBERS["newmark"](0.36, 0.7),
-}
 names = pytest.mark.parametrize("name", sorted(VARIANTS))
-MASSES = np.array([0.7])
 # omega h, spectral radius, relative error of the phase
 AMPLIFICATION = outputs_of("D3_integrators")
 # u(5) from u = 2 at rest; its error with 50 and 200 steps
 PENDULUM = outputs_of("D5_pendulum")
-
-
-class Integration:
-    """One loose node taken through steps of a scheme."""
-
-    def __init__(self, name, model, state, velocity, acceleration):
-        self.scheme = VARIANTS[name].scheme()
-        self.model = model
-        self.work = plain_work(model, 1, self.scheme.slots())
-        self.work.start[:] = self.work.state[:] = state
-        self.work.velocity[:] = velocity
-        self.work.acceleration[:] = acceleration
-
-    def step(self, size: float) -> float:
-        """Take a step; returns its estimated error."""
-        work, clock = self.work, self.work.clock
-        clock[STEP] = size
-        error = 0.0
-        for stage in range(1, self.scheme.stage_count() + 1):
-            clock[STAGE] = 1.0 * stage
-            begin_stage(self.model, self.scheme, MASSES, work, True)
-            motion = stage_motion(self.scheme, work)
-            for _ in range(30):
-                now = (self.model, motion, MASSES, work, True)
-                if self.scheme.is_explicit():
-                    outcome = evaluate_forces(*now)
-                else:
-                    outcome = newton_iteration(*now, 1e-13, 30.0, 4.0)
-                if outcome.converged:
-                    break
-            assert outcome.converged
-            error = keep_stage(self.scheme, work, motion, True)
-        if not self.scheme.ends_in_a_stage():
-            assert not reach_end(self.model, self.scheme, MASSES, work, True)
-        commit_step(self.scheme, work, True)
-        return error
 
 
 @names
@@ -137,56 +86,6 @@ def test_orders_of_error_and_estimate_are_as_declared(name, pattern, exact):
         estimates = [estimate for _, estimate in results]
         assert math.log2(estimates[0] / estimates[1]) >= member.scheme().error_power() - 1.3
         assert estimates[1] > 0.0
-
-
-class Anywhere(ContactLaw):
-    """A law in place of the ground's that acts at every height."""
-
-    def reach(self):
-        return 1e9
-
-    def energy(self, gap):
-        return 0.0 * gap
-
-    def bounce_rate_squared(self, stiffness, mass, speed):
-        return 0.0
-
-
-@Anywhere.member
-class Pull(NamedTuple):
-    """It makes a node's height y obey mass y'' = -pull(y)."""
-
-    pull: Any
-
-    def force(self, gap, state):
-        return -self.pull(gap)
-
-
-def amplification(name, omega_h):
-    """Eigenvalues of one step of q'' = -omega^2 q, the step's memory and all (h = 1).
-
-    Each part of the memory is moved, the step is taken, and what comes out of it is a column of
-    the step's matrix.
-    """
-    stiffness = omega_h**2
-    size = 1e-3 / (1.0 + stiffness)  # no guess may be farther off than Newton's method goes
-    spring = loose_nodes(contact=Pull(lambda y: MASSES[0] * stiffness * y))
-
-    def memory(run):
-        """The heights that a step begins with: views of one number each."""
-        others = [k for k in range(run.scheme.slots()) if k != 1]
-        rates = [array[k] for array in (run.work.velocity, run.work.acceleration) for k in others]
-        return [values[1:2] for values in (run.work.start, *rates)]
-
-    columns, parts = [], 1
-    while len(columns) < parts:
-        run = Integration(name, spring, *np.zeros((3, 2)))
-        run.work.clock[LAST_STEP] = 1.0
-        parts = len(memory(run))
-        memory(run)[len(columns)] += size
-        run.step(1.0)
-        columns.append(np.concatenate(memory(run)) / size)
-    return np.linalg.eigvals(np.array(columns).T), run.work.clock[STABLE_STEP]
 
 
 @names

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from families import FAMILIES
 from physical import DESIGNS, jump, parts_of, run
-from robots import similar
+from scaled import Factors, scaled
 
 from snapjump import Design, Environment, ParameterError, Robot, simulate_jump
 from snapjump.composition import with_tier
@@ -159,10 +159,10 @@ def test_similarity():
     By powers of two, so that rounding is the same: else adaptive steps raise it to 1e-3 here.
     """
     baseline = jump()
-    scaled = run(similar(baseline.simulation, larger=2.0, stiffer=0.25, denser=4.0))
-    assert scaled.x_bar == pytest.approx(baseline.x_bar, rel=1e-6)
-    assert scaled.y_bar == pytest.approx(baseline.y_bar, rel=1e-6)
-    assert scaled.apex_time_s == pytest.approx(8.0 * baseline.apex_time_s, rel=1e-6)
+    larger = run(scaled(baseline.simulation, Factors(length=2.0, time=8.0, mass=32.0)))
+    assert larger.x_bar == pytest.approx(baseline.x_bar, rel=1e-6)
+    assert larger.y_bar == pytest.approx(baseline.y_bar, rel=1e-6)
+    assert larger.apex_time_s == pytest.approx(8.0 * baseline.apex_time_s, rel=1e-6)
 
 
 BASE = with_tier("draft")

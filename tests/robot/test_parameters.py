@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from robots import similar
+from scaled import Factors, scaled
 
 from snapjump import Design, Environment, ParameterError, Robot
 from snapjump.checks import check_choice, check_integer, check_number
@@ -97,8 +97,8 @@ def dimensionless(simulation):
 
 def test_scaling_the_robot_at_fixed_groups_changes_no_number():
     base = with_tier("draft")
-    scaled = dimensionless(similar(base, larger=3.0, stiffer=0.2, denser=1.7))
-    np.testing.assert_allclose(scaled, dimensionless(base), rtol=1e-12)
+    other = dimensionless(scaled(base, Factors(length=3.0, time=0.7, mass=50.0)))
+    np.testing.assert_allclose(other, dimensionless(base), rtol=1e-12)
     heavier = with_inputs(base, {"robot.density_kg_m3": 2.0 * base.robot.density_kg_m3})
     assert (abs(dimensionless(heavier) - dimensionless(base)) > 1e-3).any()
 

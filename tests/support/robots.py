@@ -1,13 +1,11 @@
 """Small robots for tests of the engine: coarse, hence quick, but whole."""
 
 from dataclasses import replace
-from math import sqrt
 from typing import Any
 
 from snapjump import Design, Environment
 from snapjump.composition import Simulation, with_tier
 from snapjump.contact.logbarrier import LogBarrier
-from snapjump.declare.inputs import value_at, with_inputs
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.engine.model import Model, TimeLimit
 from snapjump.scenes.jump_march import jump_march
@@ -43,26 +41,6 @@ def small_model(simulation: Simulation) -> Model:
     """A robot that starts near its threshold, without any statics."""
     angle, depth = CRITICAL[simulation.design.epsilon]
     return composed_model(simulation, 0.85 * angle, 1.05 * depth, simulation.sim.time_limit_s)
-
-
-def similar(base: Simulation, larger: float, stiffer: float, denser: float) -> Simulation:
-    """A jump of other scales, with all its dimensionless groups as they are."""
-    time = larger * sqrt(denser / stiffer)
-    lengths = ("length_m", "width_m", "thickness_m", "frame_height_m")
-    factors = dict.fromkeys((f"robot.{name}" for name in lengths), larger) | {
-        "robot.youngs_modulus_Pa": stiffer,
-        "robot.density_kg_m3": denser,
-        "robot.gravity_m_s2": larger / time**2,
-        "robot.rotation_rate_rad_s": 1.0 / time,
-        "contact.stiffness_N_m": stiffer * larger,
-        "contact.distance_m": larger,
-        "friction.velocity_threshold_m_s": larger / time,
-        "damping.relaxation_time_s": time,
-    }
-    scaled = with_inputs(base, {path: value_at(base, path) * factors[path] for path in factors})
-    names = ("time_limit_s", "sample_interval_s")
-    times = {name: getattr(base.sim, name) * time for name in names}
-    return replace(scaled, sim=replace(base.sim, **times))
 
 
 def small_march(

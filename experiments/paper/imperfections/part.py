@@ -15,9 +15,10 @@ from experiments.paper.imperfections import figure
 from experiments.paper.limits import LIMITS, judged
 from experiments.paper.settings import BASELINE, NAMES, PLAIN, TIERS
 from experiments.paper.words import Words
+from snapjump.robot.robot import Robot
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.targets.manufacturing import ErrorCurves, alone_off
-from snapjump.targets.simulator import RESOLVED_STICK_ZONE_M_S, JumpSimulator, differentiable
+from snapjump.targets.simulator import RESOLVED_STICK_ZONE, JumpSimulator, differentiable
 
 Array = NDArray[np.float64]
 WORDS = Words(__file__)
@@ -150,7 +151,7 @@ def told(
         "baseline": BASELINE,
         "here": 100.0 * curves["standard"].largest[first],
         "there": {axis: 100.0 * np.median(others[axis][first]) for axis in "xy"},
-        "stick_zone_m_s": RESOLVED_STICK_ZONE_M_S,
+        "stick_zone_m_s": RESOLVED_STICK_ZONE * Robot().scales.velocity_m_s,
         "secant": 100 * SECANT,
         "apart": {tier: float(np.abs(one - secants).max()) for tier, one in tangents.items()},
         "held": [100.0 * error for error in HELD],
