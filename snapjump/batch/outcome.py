@@ -40,12 +40,6 @@ class Batch(JumpOutputs):
         spread: Any = [self.ready.spread(np.array(each)) for each in zip(*columns, strict=True)]
         return Scales(*spread)
 
-    @cached_property
-    def relaxation_s(self) -> Any:
-        """Each robot's own."""
-        damping = [simulation.damping.relaxation_s() for simulation in self.ready.simulations]
-        return self.ready.spread(np.array(damping))
-
 
 class Marched(NamedTuple):
     """Of M robots: outcomes (M, COLUMNS), the kernels' seconds, the iterations that lanes had time

@@ -90,7 +90,7 @@ def table_of(columns: Sequence[Column], rows: Rows) -> pa.Table:
         elif column.kind == WORD:
             arrays.append(pa.array(values.tolist(), pa.string()).dictionary_encode())
         else:
-            arrays.append(pa.array(values, field.type))
+            arrays.append(pa.array(values.tolist(), field.type))
     return pa.Table.from_arrays(arrays, schema=schema(columns))
 
 

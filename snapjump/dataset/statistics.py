@@ -113,7 +113,7 @@ def _add(found: Statistics, table: Any) -> None:
     inputs = [table[axis.column].to_numpy() for axis in found.axes]
     outcomes = [table[name].to_numpy() for name in APEX]
     known = np.isin(np.array(table["status"].to_pylist()), KNOWN)
-    marked = ~(known & table["within_tier"].to_numpy())
+    marked = ~(known & table["within_tier"].fill_null(False).to_numpy())
     for k, (i, j) in enumerate(found.pairs):
         edges = found.edges[i], found.edges[j]
         for counts, rows in ((found.rows, ...), (found.marked, marked), (found.known, known)):

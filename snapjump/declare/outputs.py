@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 T = TypeVar("T")
 NUMBER, INTEGER, FLAG, WORD = "number", "integer", "flag", "word"
-TYPES: dict[str, Any] = {NUMBER: np.float64, INTEGER: np.int64, FLAG: np.bool_, WORD: object}
+# A flag may be None: not known.
+TYPES: dict[str, Any] = {NUMBER: np.float64, INTEGER: np.int64, FLAG: object, WORD: object}
 
 
 class Output(cached_property[T]):

@@ -9,6 +9,7 @@ TIME_LIMIT = 5
 NOT_FINITE = 6
 NO_EQUILIBRIUM = 7
 ENERGY_GAINED = 8
+MOMENTUM_GAINED = 12
 # Of designs in a batch, which are refused one by one where a single one is an error.
 BAD_DESIGN = 9
 NO_THRESHOLD = 10
@@ -24,6 +25,7 @@ NAMES = {
     NOT_FINITE: "not_finite",
     NO_EQUILIBRIUM: "no_equilibrium",
     ENERGY_GAINED: "energy_gained",
+    MOMENTUM_GAINED: "momentum_gained",
     BAD_DESIGN: "bad_design",
     NO_THRESHOLD: "no_threshold",
     IN_CONTACT: "in_contact",
@@ -38,6 +40,7 @@ REASONS = {
     NOT_FINITE: "a number was not finite",
     NO_EQUILIBRIUM: "no stable equilibrium to start from was found",
     ENERGY_GAINED: "the steps put energy in: the apex is beyond what the beam could have held",
+    MOMENTUM_GAINED: "the robot left with more momentum along the ground than friction can give",
     BAD_DESIGN: "a value of the design lies outside its range, or its parts do not fit each other",
     NO_THRESHOLD: "the arch of this pre-compression does not buckle, or does not snap",
     IN_CONTACT: "the duration ended while the mass was still in contact",

@@ -49,6 +49,10 @@ class FrictionLaw(Contract):
         resolve; 1e30 where nothing needs to be."""
         return 1e30
 
+    def largest_ratio(self) -> Any:
+        """Of friction force over normal force, at any velocity; 1e30 where that is not known."""
+        return 1e30
+
     def slope(self, velocity: Any, previous: Any) -> Any:
         """Its derivative by the velocity.
 

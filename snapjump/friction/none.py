@@ -21,6 +21,9 @@ class NoFriction(FrictionOptions):
         def holds(self) -> bool:
             return False
 
+        def largest_ratio(self) -> float:
+            return 0.0
+
         def ratio(self, velocity: Any) -> Any:
             return 0.0 * velocity
 

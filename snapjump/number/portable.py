@@ -4,6 +4,9 @@
 processor and rounds differently in each. These are the kernels' own, compiled.
 """
 
+import numpy as np
+
+from snapjump.arrays import Array
 from snapjump.number.dispatch import compiled
 from snapjump.number.exponentials import exp, log
 
@@ -12,6 +15,20 @@ from snapjump.number.exponentials import exp, log
 def power(base: float, exponent: float) -> float:
     """A positive number to any power, good to a few units in the last place."""
     return exp(exponent * log(base))
+
+
+@compiled
+def fill_powers(bases: Array, exponent: float, found: Array) -> None:
+    """Powers of positive numbers (R,), into an array of as many."""
+    for k in range(bases.shape[0]):
+        found[k] = exp(exponent * log(bases[k]))
+
+
+def powers(bases: Array, exponent: float) -> Array:
+    """Positive numbers (R,) to any power."""
+    found = np.empty(bases.shape)
+    fill_powers(np.ascontiguousarray(bases, dtype=float), exponent, found)
+    return found
 
 
 @compiled

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.declare.outputs import FLAG, output
+from snapjump.declare.outputs import FLAG, WORD, output
 from snapjump.engine import outcome as c
 from snapjump.error_estimate import ErrorEstimate, error_estimate
 from snapjump.scenes.flight import Flight, flight, world
@@ -33,17 +33,10 @@ class JumpOutputs(GroundOutputs):
         return flight(begun, model.load, self.outcome)
 
     @cached_property
-    def relaxation_s(self) -> Any:
-        """Relaxation time of the material damping (s)."""
-        return self.simulation.damping.relaxation_s()
-
-    @cached_property
     def estimate(self) -> ErrorEstimate:
-        """Estimated errors; NaN, and not within the tier, where there is no apex."""
+        """Estimated errors; none where there is no apex."""
         steps = np.where(np.isin(self.status, ENDED), self.outcome[:, c.ERROR_SUM], np.nan)
-        masses = 1.0 / self.model.frame.mass
-        relaxation = self.relaxation_s / self.scales.time_s
-        return error_estimate(self.simulation, steps, masses, relaxation)
+        return error_estimate(self.simulation, self.model, steps)
 
     @cached_property
     def apexes(self) -> Array:
@@ -137,9 +130,16 @@ class JumpOutputs(GroundOutputs):
         return self.estimate.percent
 
     @output(kind=FLAG, show="")
-    def within_tier(self) -> NDArray[np.bool_]:
-        """Whether both are within what the accuracy tier promises."""
+    def within_tier(self) -> NDArray[Any]:
+        """Whether the errors are within what the accuracy tier promises; null if they are not
+        known."""
         return self.estimate.within_tier
+
+    @output(kind=WORD, show="")
+    def error_unknown_because(self) -> NDArray[Any]:
+        """What this robot or simulation has that error estimates were not calibrated for; empty
+        if there is nothing."""
+        return self.estimate.because
 
 
 @dataclass(frozen=True)

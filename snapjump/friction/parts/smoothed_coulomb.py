@@ -20,6 +20,9 @@ class SmoothedCoulomb(FrictionLaw):
     def stick_speed(self) -> Any:
         return where(self.mu > 0.0, self.velocity_threshold, 1e30)
 
+    def largest_ratio(self) -> Any:
+        return self.mu
+
     def ratio(self, velocity: Any) -> Any:
         sign, _ = regularised_sign(velocity, self.velocity_threshold)
         return self.mu * sign

@@ -1,0 +1,97 @@
+"""Where the error estimate of a jump is known to hold: members, and ranges of dimensionless groups.
+
+Both are those of the robots that it was calibrated with (``python -m experiments.claims``). Beyond
+them a jump does not know its error, and says so.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from snapjump.arrays import Flags
+from snapjump.composition import Simulation
+
+# By family and member: the factor by which errors are larger than with the default one.
+MEMBERS: Mapping[str, Mapping[str, float]] = {
+    "discretization": {"der": 1.0},
+    "frame": {"rigid": 1.0},
+    "contact": {"logbarrier": 1.0},
+    "friction": {"implicit": 1.0},
+    "damping": {"kelvin_voigt": 1.0},
+}
+
+
+class Group(NamedTuple):
+    """A dimensionless group of a robot: what it is, its range, and how a model tells it."""
+
+    meaning: str
+    low: float
+    high: float
+    read: Callable[[Any], Any]
+
+
+def beam_over_frame(model: Any) -> Any:
+    """Mass of the beam over that of the frame."""
+    return 1.0 / model.frame.mass
+
+
+def relaxation(model: Any) -> Any:
+    """Relaxation time of the material (T)."""
+    return model.damping.relaxation_time
+
+
+def rate(model: Any) -> Any:
+    """Rate of the clamps (rad/T)."""
+    return model.clamp.rate
+
+
+def friction(model: Any) -> Any:
+    """Coefficient of friction."""
+    return model.friction.mu
+
+
+def mount_height(model: Any) -> Any:
+    """Height of the clamps over about the depth to which the critical arch hangs."""
+    compression = 1.0 - 2.0 * model.frame.half_span
+    return (model.frame.mount_y - model.frame.foot_y) / (0.1646 * np.sqrt(compression))
+
+
+GROUPS = (
+    Group("mass of the beam over that of the frame", 0.0, 4.0, beam_over_frame),
+    Group("relaxation time of the material over T", 2e-5, 0.2, relaxation),
+    Group("rate of the clamps times T (rad)", 1e-3, 4.0, rate),
+    Group("friction coefficient", 0.0, 1.2, friction),
+    Group("height of the clamps over the depth of the critical arch", 0.25, 4.0, mount_height),
+    Group("stick zone over L/T", 1e-6, 0.03, lambda m: m.friction.velocity_threshold),
+    Group("stiffness of the ground over EI/L^3", 30.0, 1e7, lambda m: m.contact.stiffness),
+    Group("reach of the ground over L", 5e-4, 0.15, lambda m: m.contact.reach()),
+    Group("tangent of the slope", 0.0, 0.2, lambda m: abs(m.load.downhill / m.load.cosine)),
+)
+
+
+def members_factor(simulation: Simulation) -> float:
+    """Factor of the chosen members; NaN with one that has not been calibrated."""
+    factors = [known.get(getattr(simulation, family).name, np.nan)
+               for family, known in MEMBERS.items()]  # fmt: skip
+    return float(np.prod(factors))
+
+
+def unknown_because(simulation: Simulation, model: Any) -> Any:
+    """Why errors are not known here, a word for each of the models side by side; empty if they are.
+
+    ``model``: numbers of R robots, or of one.
+    """
+    for family, known in MEMBERS.items():
+        name = getattr(simulation, family).name
+        if name not in known:
+            return f"{family}={name} has not been calibrated"
+    if getattr(simulation.sim, "start_fraction", 0.0) > 0.0:
+        return "sim.start_fraction leaves out a part of the loading"
+    found: Any = ""
+    for group in reversed(GROUPS):
+        value = np.asarray(group.read(model), dtype=float)
+        outside: Flags = ~((value >= group.low) & (value <= group.high))
+        why = f"{group.meaning} outside [{group.low:g}, {group.high:g}]"
+        found = np.where(outside, why, found)
+    return found
