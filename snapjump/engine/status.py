@@ -1,4 +1,4 @@
-"""Statuses of a march: by number in the kernels and by name outside."""
+"""Statuses of simulations: by number in the kernels and by name outside."""
 
 RUNNING = 0
 OK = 1
@@ -12,6 +12,9 @@ ENERGY_GAINED = 8
 # Of designs in a batch, which are refused one by one where a single one is an error.
 BAD_DESIGN = 9
 NO_THRESHOLD = 10
+# Of an arch alone.
+NO_SNAP = 11
+BRANCH_LOST = 12
 
 NAMES = {
     OK: "ok",
@@ -24,6 +27,8 @@ NAMES = {
     ENERGY_GAINED: "energy_gained",
     BAD_DESIGN: "bad_design",
     NO_THRESHOLD: "no_threshold",
+    NO_SNAP: "no_snap",
+    BRANCH_LOST: "branch_lost",
 }
 
 REASONS = {
@@ -37,4 +42,6 @@ REASONS = {
     ENERGY_GAINED: "the steps put energy in: the apex is beyond what the beam could have held",
     BAD_DESIGN: "a value of the design lies outside its range, or its parts do not fit each other",
     NO_THRESHOLD: "the arch of this pre-compression does not buckle, or does not snap",
+    NO_SNAP: "the arch did not snap through",
+    BRANCH_LOST: "the branch of equilibria could not be followed until the arch snaps",
 }

@@ -78,6 +78,6 @@ def march_mass(
         recorder=make_recorder(2, duration, scene.sample_interval_s / scales.time_s),
     )
     outcome = march.run(progress)
-    arrays = trajectory_arrays(simulation, model, march)
+    arrays = trajectory_arrays(march, march.recorder)
     side = side_by_side([model])
     return kind(simulation, begun, side, outcome, march.kernel_seconds, arrays).result(arrays)

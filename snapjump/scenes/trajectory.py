@@ -3,7 +3,6 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.composition import Simulation
 from snapjump.discretization.base import ROTARY_INERTIA
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
@@ -16,15 +15,15 @@ from snapjump.engine.points import (
     point_count,
     share_of,
 )
+from snapjump.engine.recorder.trajectory import TrajectoryRecorder
 from snapjump.frame.base import STILL, Mesh
 from snapjump.scenes.runner import March
 
 Array = NDArray[np.float64]
 
 
-def samples_of(march: March) -> tuple[Array, Array, Array, Array]:
+def samples_of(march: March, recorder: TrajectoryRecorder) -> tuple[Array, Array, Array, Array]:
     """Times (S), states and velocities (S, D), works (S, 4), the march's last state included."""
-    recorder = march.recorder
     count = int(recorder.filled[0])
     times, states = recorder.times[:count], recorder.states[:count]
     velocities, works = recorder.velocities[:count], recorder.works[:count]
@@ -37,10 +36,10 @@ def samples_of(march: March) -> tuple[Array, Array, Array, Array]:
     return times, states, velocities, works
 
 
-def trajectory_arrays(simulation: Simulation, model: Model, march: March) -> dict[str, Array]:
+def trajectory_arrays(march: March, recorder: TrajectoryRecorder) -> dict[str, Array]:
     """Everything that ``trajectory.npz`` holds; S samples, N + 1 nodes, 4 corners."""
-    scales = simulation.robot.scales
-    times, states, velocities, works = samples_of(march)
+    model, scales = march.models[0], march.simulation.robot.scales
+    times, states, velocities, works = samples_of(march, recorder)
     dofs = model.frame.dofs(march.mesh)
     stride = model.discretization.node_dofs()
     nodes, speeds = states[:, dofs:], velocities[:, dofs:]
