@@ -10,16 +10,20 @@ from snapjump.engine.recorder.midpoint import CHORD_X, CHORD_Y, HEIGHT, SPEED, M
 from snapjump.scenes.between_steps import at, crossing, falls, peak, vertices
 from snapjump.units import Scales
 
+STRAIGHT = 1e-6  # of the length
+
 
 @dataclass(frozen=True)
 class Midpoint:
     """Of K steps, the first one the start, none where the march did not begin: times (s), heights
-    over the line of the clamps (m), vertical velocities (m/s) and tangent angles (rad)."""
+    over the line of the clamps (m), vertical velocities (m/s) and tangent angles (rad).
+    ``straight_m``: what a beam that has not buckled may rise by rounding."""
 
     time_s: Array
     height_m: Array
     velocity_m_s: Array
     tilt_rad: Array
+    straight_m: float
 
     @classmethod
     def of(cls, recorder: MidpointRecorder, scales: Scales) -> "Midpoint":
@@ -31,12 +35,15 @@ class Midpoint:
             figures[HEIGHT] * scales.length_m,
             figures[SPEED] * scales.velocity_m_s,
             np.unwrap(np.arctan2(figures[CHORD_Y], figures[CHORD_X])),
+            STRAIGHT * scales.length_m,
         )
 
     @cached_property
     def crossing_s(self) -> float:
-        """When it first passes the line of the clamps from above; NaN if it does not."""
-        return crossing(self.time_s, self.height_m)
+        """When it first passes the line of the clamps from above; NaN if it does not, or if the
+        beam was straight."""
+        arch = len(self.height_m) > 0 and self.height_m[0] > self.straight_m
+        return crossing(self.time_s, self.height_m) if arch else float("nan")
 
     @cached_property
     def half_way_s(self) -> float:
