@@ -6,7 +6,8 @@ from numpy.typing import NDArray
 from snapjump.discretization.base import ROTARY_INERTIA
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
-from snapjump.engine.model import Model
+from snapjump.engine.energies import elastic_energies
+from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.points import (
     Touch,
     friction_force,
@@ -16,7 +17,7 @@ from snapjump.engine.points import (
     share_of,
 )
 from snapjump.engine.recorder.trajectory import TrajectoryRecorder
-from snapjump.frame.base import STILL, Mesh
+from snapjump.frame.base import Mesh
 from snapjump.scenes.runner import March
 
 Array = NDArray[np.float64]
@@ -165,11 +166,7 @@ def energy_arrays(
         potential = potential + fall * across - tug * along
     elastic = np.zeros(len(times))
     if model.discretization.has_elements():
-        for n, (time, state) in enumerate(zip(times, states, strict=True)):
-            angles = model.clamp.angles(time)
-            tangents = model.frame.end_tangents(mesh, model.load, angles, state, STILL)
-            elastic[n] = model.discretization.internal_energy(state[dofs:], tangents)
-            elastic[n] += model.frame.energy(mesh, state)
+        elastic_energies(model, numbers_of(model), mesh, times, states, elastic)
     contact = np.zeros(len(times))
     if model.contact.exists():
         contact = np.array([stored_contact_energy(march, q) for q in states])
