@@ -18,6 +18,7 @@ from snapjump.engine.points import (
 )
 from snapjump.engine.recorder.trajectory import TrajectoryRecorder
 from snapjump.frame.base import Mesh
+from snapjump.scenes.ground_impulse import impulse_arrays
 from snapjump.scenes.runner import March
 
 Array = NDArray[np.float64]
@@ -59,6 +60,7 @@ def trajectory_arrays(march: March, recorder: TrajectoryRecorder) -> dict[str, A
         arrays |= frame_arrays(march, states, velocities)
     if model.contact.exists():
         arrays |= contact_arrays(march, states, velocities)
+        arrays |= impulse_arrays(march, times, states, velocities)
     arrays |= energy_arrays(march, times, states, velocities, works)
     return arrays
 
@@ -89,6 +91,8 @@ def frame_arrays(march: March, states: Array, velocities: Array) -> dict[str, Ar
 
 def contact_arrays(march: March, states: Array, velocities: Array) -> dict[str, Array]:
     """Gaps, normal forces and friction (along +x) at the beam's nodes and at the frame's corners.
+
+    They are of the samples' instants: what they add up to is no impulse.
 
     Slave nodes have no forces; a node of an elastic frame counts to the nearest corner. The forces
     of a constraint are none of the state, and are left out.
