@@ -14,8 +14,8 @@ from snapjump.frame.fixed import FixedFrame
 from snapjump.scenes.runner import MOST_ITERATIONS, March
 from snapjump.statics.arch import StaticArch
 
-# Of Newton's method, times the nodes that each of them moves: a minute of a core.
-MOST_NODE_ITERATIONS = 6.0e8
+# Of Newton's method, times the nodes that each of them moves: half a minute of a core.
+MOST_NODE_ITERATIONS = 4.0e8
 
 
 def no_recorder(coordinates: int, steps: int) -> NoRecorder:

@@ -3,6 +3,7 @@
 import math
 import time
 from dataclasses import dataclass
+from typing import Any
 
 from snapjump.composition import Simulation
 from snapjump.declare.fields import number
@@ -17,7 +18,7 @@ from snapjump.scenes.march_outputs import RecordedOutputs, side_by_side
 from snapjump.scenes.midpoint import Midpoint
 from snapjump.scenes.snap_march import snap_march
 from snapjump.scenes.trajectory import trajectory_arrays
-from snapjump.sim.base import NEEDS_NO_GROUND, WITHOUT_GROUND, Progress, SampledScene
+from snapjump.sim.base import NEEDS_NO_GROUND, WITHOUT_GROUND, Progress, SampledScene, check_samples
 
 SNAPPED = ("ok",)
 MARCHED = ("ok", "no_snap")  # to the end
@@ -77,6 +78,10 @@ class Snap(SampledScene):
     duration_s: float = number(0.06, above=0.0, unit="s")
     rise_time_s: float = number(1.0e-3, above=0.0, unit="s")
     sample_interval_s: float = number(5.0e-5, above=1e-7, unit="s")
+
+    def check_with(self, simulation: Any) -> None:
+        elements = simulation.discretization.elements
+        check_samples(self.duration_s, self.sample_interval_s, elements)
 
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
         """Turn the clamps of the arch at rest from flat and follow it through the snap."""

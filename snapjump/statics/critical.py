@@ -16,7 +16,7 @@ from snapjump.statics.rounding import COVERAGE, check_angle_error
 LONGEST_STEP = 0.12  # of the continuation (norm of free coordinates and angle)
 LENGTH_TOLERANCE = 1e-12
 MOST_STEPS = 2000
-MOST_NODE_STEPS = 2e7  # steps, times the nodes that each of them moves: a minute of a core
+MOST_NODE_STEPS = 5e6  # steps, times the nodes that each of them moves: half a minute of a core
 MANY_NODES, MORE_NODES = 100, 1000
 FARTHEST_RAD = math.pi
 

@@ -72,6 +72,15 @@ def test_a_march_of_too_many_iterations_is_given_up(monkeypatch):
     assert of("snap").status == "iteration_limit"
 
 
+def test_samples_of_a_fine_mesh_that_no_memory_holds_are_refused():
+    with pytest.raises(ParameterError, match=r"sim\.sample_interval_s = 1e-06 .* 10000 samples"):
+        of(
+            "snap",
+            sim={"sample_interval_s": 1e-6},
+            discretization={"name": "der", "elements": 20_000},
+        )
+
+
 @pytest.mark.parametrize("seed", range(24))
 @pytest.mark.parametrize("scene", ["static", "snap"])
 def test_wild_inputs_end_in_a_status(scene, seed):
