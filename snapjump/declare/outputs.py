@@ -59,7 +59,10 @@ def known_of(statuses: tuple[str, ...], read: Callable[[Any], Any]) -> Callable[
 
     @wraps(read)
     def masked(found: "Outputs") -> Any:
-        return np.where(np.isin(found.status, statuses), read(found), np.nan)
+        known = np.isin(found.status, statuses)
+        if not known.any():  # there may be nothing to read
+            return np.full(known.shape, np.nan)
+        return np.where(known, read(found), np.nan)
 
     return masked
 

@@ -1,4 +1,4 @@
-"""Statuses of a march: by number in the kernels and by name outside."""
+"""Statuses of simulations: by number in the kernels and by name outside."""
 
 RUNNING = 0
 OK = 1
@@ -15,6 +15,9 @@ BAD_DESIGN = 9
 NO_THRESHOLD = 10
 # Of a bounce.
 IN_CONTACT = 11
+# Of an arch alone.
+NO_SNAP = 13
+BRANCH_LOST = 14
 
 NAMES = {
     OK: "ok",
@@ -29,6 +32,8 @@ NAMES = {
     BAD_DESIGN: "bad_design",
     NO_THRESHOLD: "no_threshold",
     IN_CONTACT: "in_contact",
+    NO_SNAP: "no_snap",
+    BRANCH_LOST: "branch_lost",
 }
 
 REASONS = {
@@ -44,4 +49,6 @@ REASONS = {
     BAD_DESIGN: "a value of the design lies outside its range, or its parts do not fit each other",
     NO_THRESHOLD: "the arch of this pre-compression does not buckle, or does not snap",
     IN_CONTACT: "the duration ended while the mass was still in contact",
+    NO_SNAP: "the arch did not snap through",
+    BRANCH_LOST: "the branch of equilibria could not be followed until the arch snaps",
 }

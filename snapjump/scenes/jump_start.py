@@ -14,9 +14,12 @@ from snapjump.statics.arch import StaticArch
 from snapjump.statics.rounding import LostToRoundingError
 from snapjump.statics.threshold import Threshold, symmetric_threshold
 
+COMPARED = (56, 112, 224)  # elements of meshes that show whether an arch snaps
+BUCKLING_LOAD = 4.0 * math.pi**2  # of a straight beam between clamps (EI/L^2)
+
 
 class NoThresholdError(ParameterError):
-    """The arch of this pre-compression does not snap."""
+    """The arch of this design does not snap, or not on its mesh."""
 
 
 def critical(simulation: Simulation) -> Threshold:
@@ -28,12 +31,26 @@ def critical(simulation: Simulation) -> Threshold:
     except LostToRoundingError:
         raise
     except ArithmeticError as error:
-        raise NoThresholdError(
-            "design.epsilon",
-            simulation.design.epsilon,
-            f"a pre-compression that buckles the beam of this robot and mesh "
-            f"({mesh.elements} elements), and that snaps back when its clamps turn",
-        ) from error
+        raise no_threshold(simulation, shortening) from error
+
+
+def no_threshold(simulation: Simulation, shortening: float) -> NoThresholdError:
+    """Why an arch of an end shortening (over its length) has no critical angle: it does not buckle,
+    its mesh does not show it, or it does not snap on any mesh."""
+    robot, mesh = simulation.robot, simulation.discretization
+    for elements in COMPARED:
+        try:
+            symmetric_threshold(robot, mesh.changed(elements=elements), shortening)
+        except ArithmeticError:
+            continue
+        allowed = f"another mesh: with {elements} elements the arch of this design snaps"
+        return NoThresholdError("discretization.elements", mesh.elements, allowed)
+    epsilon, buckling = simulation.design.epsilon, BUCKLING_LOAD / robot.stretching_stiffness_bar
+    allowed = "a pre-compression whose arch snaps back when its clamps turn"
+    if shortening <= buckling:
+        least = buckling - (shortening - epsilon)
+        allowed = f"above {least:.3g}, at which the beam of this robot buckles"
+    return NoThresholdError("design.epsilon", epsilon, allowed)
 
 
 def fitted_mount_height_bar(epsilon: Any) -> Any:

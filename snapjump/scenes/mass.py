@@ -106,7 +106,7 @@ def march_mass(
     largest = largest_step(model, stick, duration)
     march.stepping = march.stepping.within(SMALLEST_STEP_BAR, largest)
     outcome = march.run(progress)
-    arrays = trajectory_arrays(model, march)
+    arrays = trajectory_arrays(march, march.recorder)
     side = side_by_side([model])
     outputs = kind(simulation, begun, side, outcome, march.kernel_seconds, arrays, scales)
     return outputs.result(arrays)

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from snapjump.composition import Simulation
 from snapjump.declare.outputs import output
 from snapjump.engine.recorder.observables import make_observables
+from snapjump.scenes.between_steps import crossing, peak
 from snapjump.scenes.jump_march import jump_march, jumped
 from snapjump.scenes.jump_outputs import JumpOutputs
 from snapjump.scenes.jump_start import jump_model
@@ -55,32 +56,3 @@ def observe_jump(simulation: Simulation) -> dict[str, Any]:
     count = min(int(recorder.filled[0]), MOST_STEPS)
     watched = (recorder.times[:count], recorder.heights[:count], recorder.forces[:count])
     return ObservedJump(simulation, side, outcome, march.kernel_seconds, *watched).rows()[0]
-
-
-def crossing(times: Array, values: Array) -> float:
-    """When values first fall through zero: root of the cubic through the four nearest; or NaN."""
-    from scipy.interpolate import BarycentricInterpolator
-    from scipy.optimize import brentq
-
-    fallen = np.flatnonzero((values[:-1] > 0.0) & (values[1:] <= 0.0))
-    if len(fallen) == 0:
-        return float("nan")
-    k = int(fallen[0])
-    near = slice(max(0, k - 1), k + 3)
-    origin = times[k]
-    cubic = BarycentricInterpolator(times[near] - origin, values[near])
-    return float(origin + brentq(cubic, 0.0, times[k + 1] - origin, xtol=1e-15))
-
-
-def peak(times: Array, values: Array) -> float:
-    """The largest value, of the parabola through the three samples about it; NaN without any."""
-    if len(values) == 0:
-        return float("nan")
-    k = int(np.argmax(values))
-    if k in (0, len(values) - 1):
-        return float(values[k])
-    left, right = times[k - 1] - times[k], times[k + 1] - times[k]
-    down, up = (values[k - 1] - values[k]) / left, (values[k + 1] - values[k]) / right
-    bend = (up - down) / (right - left)
-    slope = down - bend * left
-    return float(values[k] - 0.25 * slope**2 / bend) if bend < 0.0 else float(values[k])

@@ -7,27 +7,42 @@ from snapjump.composition import Simulation
 from snapjump.contact.base import ContactOptions
 from snapjump.engine.clamp.smooth_start import SmoothStart
 from snapjump.engine.model import Model
+from snapjump.engine.recorder.none import NoRecorder
+from snapjump.engine.status import NO_EQUILIBRIUM, RUNNING
 from snapjump.engine.termination.timed import TimedTermination
 from snapjump.frame.fixed import FixedFrame
-from snapjump.scenes.jump_march import no_recorder
-from snapjump.scenes.runner import March
+from snapjump.scenes.runner import MOST_ITERATIONS, March
 from snapjump.statics.arch import StaticArch
+
+# Of Newton's method, times the nodes that each of them moves: half a minute of a core.
+MOST_NODE_ITERATIONS = 4.0e8
+
+
+def no_recorder(coordinates: int, steps: int) -> NoRecorder:
+    """Nothing is recorded."""
+    return NoRecorder()
 
 
 def snap_march(
     simulation: Simulation,
-    recorder: Callable[[int], Any] = no_recorder,
+    recorder: Callable[[int, int], Any] = no_recorder,
     height: float = 0.0,
     contact: ContactOptions | None = None,
 ) -> March:
-    """The arch at rest, its mounts at a height (in L).
+    """The arch at rest, its mounts at a height (in L). Without one that is stable the march is
+    over before it begins, with the status ``no_equilibrium``.
 
-    ``recorder`` makes a recorder for so many coordinates; ``contact``: another law than none.
+    ``recorder`` makes a recorder for so many coordinates and steps; ``contact``: another law than
+    none.
     """
     robot, scene, scales = simulation.robot, simulation.sim, simulation.robot.scales
     epsilon, delta_alpha = simulation.design.epsilon, simulation.design.delta_alpha
     arch = StaticArch(robot, simulation.discretization, epsilon)
-    state = arch.flat(delta_alpha)
+    try:
+        state = arch.flat(delta_alpha)
+        found = arch.negative_pivots == 0
+    except ArithmeticError:
+        state, found = arch.guess(), False
     state[1 :: arch.node_dofs] += height
     model = Model(
         discretization=simulation.discretization.beam(robot),
@@ -43,11 +58,16 @@ def snap_march(
         friction=simulation.friction.law(scales, simulation.environment.mu),
         damping=simulation.damping.law(scales),
     )
-    return March(
+    masses = simulation.discretization.masses()
+    most = min(MOST_ITERATIONS, MOST_NODE_ITERATIONS / len(masses))
+    march = March(
         models=[model],
-        masses=simulation.discretization.masses(),
+        masses=masses,
         states=state[None, :],
         simulation=simulation,
         termination=TimedTermination(scene.duration_s / scales.time_s),
-        recorder=recorder(len(state)),
+        recorder=recorder(len(state), int(most)),  # a step takes an iteration at least
+        most_iterations=most,
     )
+    march.queue.status[0] = RUNNING if found else NO_EQUILIBRIUM
+    return march

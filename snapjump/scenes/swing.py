@@ -14,7 +14,7 @@ from snapjump.composition import Simulation
 from snapjump.engine import outcome as c
 from snapjump.engine.clamp.smooth_start import SmoothStart
 from snapjump.engine.recorder.trajectory import make_recorder
-from snapjump.engine.status import NAMES
+from snapjump.engine.status import NAMES, REASONS
 from snapjump.scenes.snap_march import snap_march
 from snapjump.scenes.trajectory import samples_of
 
@@ -64,12 +64,17 @@ class Swing:
 
 
 def follow(simulation: Simulation) -> Swing:
-    """Turn the clamps of the arch at rest from flat, for the duration of ``sim=snap``."""
+    """Turn the clamps of the arch at rest from flat, for the duration of ``sim=snap``.
+
+    Raises ArithmeticError where there is no such arch.
+    """
     scales = simulation.robot.scales
     kept = min(simulation.sim.duration_s / scales.time_s, MOST_SAMPLES * INTERVAL)
-    march = snap_march(simulation, lambda size: make_recorder(size, kept, INTERVAL))
+    march = snap_march(simulation, lambda size, steps: make_recorder(size, kept, INTERVAL))
     outcome = march.run()[0]
-    times, states, velocities, _ = samples_of(march)
+    if march.recorder.filled[0] == 0:
+        raise ArithmeticError(REASONS[int(outcome[c.STATUS])])
+    times, states, velocities, _ = samples_of(march, march.recorder)
     if len(times) > MOST_SAMPLES:
         raise RuntimeError(f"a snap of more than {MOST_SAMPLES} steps")
     stride = march.models[0].discretization.node_dofs()

@@ -6,7 +6,8 @@ from numpy.typing import NDArray
 from snapjump.discretization.base import ROTARY_INERTIA
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
-from snapjump.engine.model import Model
+from snapjump.engine.energies import elastic_energies
+from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.points import (
     Touch,
     friction_force,
@@ -15,15 +16,16 @@ from snapjump.engine.points import (
     point_count,
     share_of,
 )
-from snapjump.frame.base import STILL, Mesh
+from snapjump.engine.recorder.trajectory import TrajectoryRecorder
+from snapjump.frame.base import Mesh
+from snapjump.scenes.ground_impulse import impulse_arrays
 from snapjump.scenes.runner import March
 
 Array = NDArray[np.float64]
 
 
-def samples_of(march: March) -> tuple[Array, Array, Array, Array]:
+def samples_of(march: March, recorder: TrajectoryRecorder) -> tuple[Array, Array, Array, Array]:
     """Times (S), states and velocities (S, D), works (S, 4), the march's last state included."""
-    recorder = march.recorder
     count = int(recorder.filled[0])
     times, states = recorder.times[:count], recorder.states[:count]
     velocities, works = recorder.velocities[:count], recorder.works[:count]
@@ -36,10 +38,10 @@ def samples_of(march: March) -> tuple[Array, Array, Array, Array]:
     return times, states, velocities, works
 
 
-def trajectory_arrays(model: Model, march: March) -> dict[str, Array]:
+def trajectory_arrays(march: March, recorder: TrajectoryRecorder) -> dict[str, Array]:
     """Everything that ``trajectory.npz`` holds; S samples, N + 1 nodes, 4 corners."""
-    scales = march.scales
-    times, states, velocities, works = samples_of(march)
+    model, scales = march.models[0], march.scales
+    times, states, velocities, works = samples_of(march, recorder)
     dofs = model.frame.dofs(march.mesh)
     stride = model.discretization.node_dofs()
     nodes, speeds = states[:, dofs:], velocities[:, dofs:]
@@ -58,6 +60,7 @@ def trajectory_arrays(model: Model, march: March) -> dict[str, Array]:
         arrays |= frame_arrays(march, states, velocities)
     if model.contact.exists():
         arrays |= contact_arrays(march, states, velocities)
+        arrays |= impulse_arrays(march, times, states, velocities)
     arrays |= energy_arrays(march, times, states, velocities, works)
     return arrays
 
@@ -88,6 +91,8 @@ def frame_arrays(march: March, states: Array, velocities: Array) -> dict[str, Ar
 
 def contact_arrays(march: March, states: Array, velocities: Array) -> dict[str, Array]:
     """Gaps, normal forces and friction (along +x) at the beam's nodes and at the frame's corners.
+
+    They are of the samples' instants: what they add up to is no impulse.
 
     Slave nodes have no forces; a node of an elastic frame counts to the nearest corner. The forces
     of a constraint are none of the state, and are left out.
@@ -165,11 +170,7 @@ def energy_arrays(
         potential = potential + fall * across - tug * along
     elastic = np.zeros(len(times))
     if model.discretization.has_elements():
-        for n, (time, state) in enumerate(zip(times, states, strict=True)):
-            angles = model.clamp.angles(time)
-            tangents = model.frame.end_tangents(mesh, model.load, angles, state, STILL)
-            elastic[n] = model.discretization.internal_energy(state[dofs:], tangents)
-            elastic[n] += model.frame.energy(mesh, state)
+        elastic_energies(model, numbers_of(model), mesh, times, states, elastic)
     contact = np.zeros(len(times))
     if model.contact.exists():
         contact = np.array([stored_contact_energy(march, q) for q in states])

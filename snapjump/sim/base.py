@@ -5,7 +5,7 @@ from snapjump.declare.fields import Need
 from snapjump.declare.scenes import Progress as Progress
 from snapjump.declare.scenes import SceneOptions as SceneOptions
 
-MOST_SAMPLES = 200_000
+MOST_SAMPLES, MOST_ELEMENT_SAMPLES = 200_000, 200_000_000
 ONE_AT_A_TIME = Need("backend", "one_at_a_time")
 NO_GROUND = (Need("contact", "absent"), Need("friction", "absent"))
 HELD = Need("frame", "held")
@@ -15,11 +15,12 @@ WITHOUT_GROUND = {"frame": "fixed", "contact": "none", "friction": "none"}
 AT_REST = {**WITHOUT_GROUND, "damping": "none"}
 
 
-def check_samples(duration_s: float, interval_s: float) -> None:
-    """Require no more samples than fit in memory."""
-    if duration_s > MOST_SAMPLES * interval_s:
-        least = f"{duration_s / MOST_SAMPLES:g} s for {duration_s:g} s"
-        allowed = f"at least {least}, which are {MOST_SAMPLES} samples"
+def check_samples(duration_s: float, interval_s: float, elements: int = 1) -> None:
+    """Require no more samples, of so many elements, than fit in memory."""
+    most = min(MOST_SAMPLES, MOST_ELEMENT_SAMPLES // elements)
+    if duration_s > most * interval_s:
+        least = f"{duration_s / most:g} s for {duration_s:g} s"
+        allowed = f"at least {least}, which are {most} samples"
         raise ParameterError("sim.sample_interval_s", interval_s, allowed)
 
 

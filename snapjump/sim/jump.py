@@ -62,4 +62,4 @@ class Jump(SceneOptions):
         kind = RecordedJump if alone else JumpRun
         outputs = kind(simulation, begun, *outcomes, march.kernel_seconds)
         recorded = alone and march.recorder.filled[0] > 0
-        return outputs.result(trajectory_arrays(model, march) if recorded else {})
+        return outputs.result(trajectory_arrays(march, march.recorder) if recorded else {})

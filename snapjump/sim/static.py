@@ -13,63 +13,92 @@ from snapjump.arrays import Array
 from snapjump.composition import Simulation
 from snapjump.declare.fields import integer
 from snapjump.declare.outputs import output
+from snapjump.engine.status import BRANCH_LOST, NAMES, NO_EQUILIBRIUM, NO_SNAP, OK, REASONS
 from snapjump.results import Result
 from snapjump.scenes.march_outputs import RunOutputs
 from snapjump.sim.base import AT_REST, NEEDS_NO_GROUND, Progress, SceneOptions
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch, Point
-from snapjump.statics.critical import Snap, find_snap, start_point
+from snapjump.statics.critical import NoSnapError, NoStartError, Snap, find_snap, start_point
+from snapjump.statics.rounding import LostToRoundingError
 
 LENGTH = 6.0  # of a branch, in the norm of its free coordinates and angle
 
 
+# What statics fails of, the particular before the general.
+STATUSES = {NoStartError: NO_EQUILIBRIUM, NoSnapError: NO_SNAP, ArithmeticError: BRANCH_LOST}
+FOUND = ("ok",)
+
+
 @dataclass(frozen=True)
 class StaticOutputs(RunOutputs):
-    """Outputs of the equilibria before and after a slow snap."""
+    """Outputs of the equilibria before and after a slow snap. ``found``: them, or why there are
+    none."""
 
-    snap: Snap
+    found: Snap | ArithmeticError
 
-    @output("rad")
+    @property
+    def snap(self) -> Snap:
+        """What is read off where there is one."""
+        assert isinstance(self.found, Snap)
+        return self.found
+
+    @property
+    def code(self) -> int:
+        """How it ended, by number."""
+        known = (code for kind, code in STATUSES.items() if isinstance(self.found, kind))
+        return next(known, OK)
+
+    @property
+    def message(self) -> str:
+        """Why there is no snap; empty if there is one."""
+        return f"{REASONS[self.code]}: {self.found}" if self.code != OK else ""
+
+    def statuses(self) -> list[str]:
+        """How it ended."""
+        return [NAMES[self.code]]
+
+    @output("rad", of=FOUND)
     def alpha_critical_rad(self) -> float:
         """Angle of the left clamp at which the arch loses its stability."""
         return self.snap.alpha_rad
 
-    @output("rad")
+    @output("rad", of=FOUND)
     def alpha_critical_error_rad(self) -> float:
         """How well the critical angle is known: what rounding makes of it."""
         return self.snap.alpha_error_rad
 
-    @output("L")
+    @output("L", of=FOUND)
     def h1_bar(self) -> float:
         """Depth of the lowest point below the clamps as the arch snaps."""
         return self.snap.h1_bar
 
-    @output("L")
+    @output("L", of=FOUND)
     def h2_bar(self) -> float:
         """Depth of the snapped arch's midpoint below the clamps."""
         return self.snap.h2_bar
 
-    @output("EI/L")
+    @output("EI/L", of=FOUND)
     def energy_before_bar(self) -> float:
         """Elastic energy as the arch snaps."""
         return self.snap.before.energy
 
-    @output("EI/L")
+    @output("EI/L", of=FOUND)
     def energy_after_bar(self) -> float:
         """Elastic energy of the snapped arch."""
         return self.snap.after.energy
 
-    @output("EI/L")
+    @output("EI/L", of=FOUND)
     def energy_released_bar(self) -> float:
         """Elastic energy that the snap releases."""
         return self.snap.before.energy - self.snap.after.energy
 
-    @output("L")
+    @output("L", of=FOUND)
     def midpoint_before_bar(self) -> float:
         """Height of the midpoint above the clamps as the arch snaps."""
         return self.snap.before.midpoint
 
-    @output("L")
+    @output("L", of=FOUND)
     def midpoint_after_bar(self) -> float:
         """Height of the snapped arch's midpoint above the clamps."""
         return self.snap.after.midpoint
@@ -113,6 +142,18 @@ class Static(SceneOptions):
 
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
         begun = time.perf_counter()
+        try:
+            snap, arrays = self.follow(simulation, progress)
+        except LostToRoundingError:  # bad input: the mesh, and what to do about it
+            raise
+        except ArithmeticError as error:
+            return StaticOutputs(simulation, begun, error).result({})
+        return StaticOutputs(simulation, begun, snap).result(arrays)
+
+    def follow(
+        self, simulation: Simulation, progress: Progress | None
+    ) -> tuple[Snap, dict[str, NDArray[Any]]]:
+        """The snap, and the branches and shapes about it. Raises ArithmeticError."""
         robot, discretization, steps = simulation.robot, simulation.discretization, self.steps
         epsilon, delta_alpha = simulation.design.epsilon, simulation.design.delta_alpha
         snap = find_snap(robot, discretization, epsilon, delta_alpha)
@@ -137,4 +178,4 @@ class Static(SceneOptions):
         arrays["shapes_x_bar"] = np.array([s.x for s in shapes])
         arrays["shapes_y_bar"] = np.array([s.y for s in shapes])
         arrays["shapes_label"] = np.array(["flat clamps", "at the snap", "snapped"])
-        return StaticOutputs(simulation, begun, snap).result(arrays)
+        return snap, arrays

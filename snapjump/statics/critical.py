@@ -16,8 +16,17 @@ from snapjump.statics.rounding import COVERAGE, check_angle_error
 LONGEST_STEP = 0.12  # of the continuation (norm of free coordinates and angle)
 LENGTH_TOLERANCE = 1e-12
 MOST_STEPS = 2000
-MANY_NODES = 100
+MOST_NODE_STEPS = 5e6  # steps, times the nodes that each of them moves: half a minute of a core
+MANY_NODES, MORE_NODES = 100, 1000
 FARTHEST_RAD = math.pi
+
+
+class NoStartError(ArithmeticError):
+    """There is no stable arch whose branch could be followed."""
+
+
+class NoSnapError(ArithmeticError):
+    """The arch stays stable however far its clamps turn."""
 
 
 @dataclass(frozen=True)
@@ -86,26 +95,33 @@ def angle_error(branch: Branch, stable: Point, unstable: Point, critical: Point)
 
 def longest_step(arch: StaticArch) -> float:
     """Of a walk along the arch's branch: shorter where the whole branch is, in shallow arches,
-    which snap at about 2 sqrt(epsilon), and with few nodes, whose norm is smaller."""
-    few = min(1.0, math.sqrt(len(arch.masses) / MANY_NODES))
-    return min(LONGEST_STEP * few, 0.5 * math.sqrt(arch.epsilon))
+    which snap at about 2 sqrt(epsilon), and with few nodes, whose norm is smaller; longer with very
+    many."""
+    nodes = len(arch.masses)
+    few, many = math.sqrt(nodes / MANY_NODES), math.sqrt(nodes / MORE_NODES)
+    return min(LONGEST_STEP * min(1.0, few), 0.5 * math.sqrt(arch.epsilon)) * max(1.0, many)
 
 
-def instability(branch: Branch, start: Point) -> tuple[Equilibrium, float]:
+def instability(
+    branch: Branch, start: Point, farthest_rad: float = FARTHEST_RAD
+) -> tuple[Equilibrium, float]:
     """Where the branch, followed from a stable point on, loses its stability first, and how well
     its angle is known (rad).
 
-    Raises ArithmeticError if no instability is found, or if rounding spoils its angle.
+    Raises ArithmeticError if no instability is found up to the farthest angle (NoSnapError), or if
+    rounding spoils its angle.
     """
     if start.eigenvalue <= 0.0:
-        raise ArithmeticError(f"the arch is not stable at {start.left:g} rad")
-    steps = count()
+        raise NoStartError(f"the arch is not stable at {start.left:g} rad")
+    steps, most = count(), min(MOST_STEPS, int(MOST_NODE_STEPS / len(branch.arch.masses)))
 
     def is_unstable(point: Point) -> bool:
         if point.eigenvalue <= 0.0:
             return True
-        if not abs(point.left) < FARTHEST_RAD or next(steps) == MOST_STEPS:
-            raise ArithmeticError(f"no instability found up to {point.left:g} rad")
+        if not abs(point.left) < farthest_rad:
+            raise NoSnapError(f"it is stable up to {point.left:g} rad")
+        if next(steps) == most:
+            raise ArithmeticError(f"no instability found in {most} steps, to {point.left:g} rad")
         return False
 
     point, following = branch.passing(start, longest_step(branch.arch), is_unstable)
@@ -122,12 +138,17 @@ def find_snap(
 ) -> Snap:
     """Where the arch with the right clamp lagging by ``delta_alpha`` snaps under slow loading.
 
-    Raises ArithmeticError if no instability is found, or if rounding spoils its angle.
+    Raises ArithmeticError if there is no stable arch to start from (NoStartError), if it does not
+    lose its stability (NoSnapError), if its branch is lost, or if rounding spoils its angle.
     """
     arch = StaticArch(robot, discretization, epsilon)
     branch = Branch(arch, delta_alpha)
-    before, error = instability(branch, start_point(branch))
-    return Snap(before, snapped_state(arch, before.left, delta_alpha), error)
+    try:
+        start = start_point(branch)
+    except ArithmeticError as error:
+        raise NoStartError(str(error)) from error
+    before, error_rad = instability(branch, start)
+    return Snap(before, snapped_state(arch, before.left, delta_alpha), error_rad)
 
 
 def snapped_state(arch: StaticArch, left: float, delta_alpha: float) -> Equilibrium:

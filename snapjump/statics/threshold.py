@@ -49,7 +49,8 @@ def computed_threshold(
     angle = APPROACH * estimate
     state = arch.turn(arch.flat(), (0.0, 0.0), (angle, angle))
     branch = Branch(arch, 0.0)
-    before, error = instability(branch, branch.point(state, angle))
+    farthest = (1.0 + MOST_DEVIATION) * estimate
+    before, error = instability(branch, branch.point(state, angle), farthest)
     # Too shallow an arch, or too coarse a mesh for it: the branch is not one that snaps.
     if not abs(before.left - estimate) < MOST_DEVIATION * estimate:
         raise ArithmeticError(f"no critical angle near {estimate:g} rad")

@@ -13,7 +13,7 @@ from command_line import ROOT
 from pages import LAW_PAGE, LINK, README, blocks, text_of
 
 from snapjump.run.tasks.publish import replaced
-from snapjump.show.terminal.output_table import output_table
+from snapjump.show.terminal.output_table import output_table, status_table
 
 WITH_SNIPPETS = [ROOT / "README.md", *ROOT.glob("docs/**/*.md"), *ROOT.glob("docs/*.ipynb")]
 # What the blocks of a page begin to print.
@@ -90,10 +90,11 @@ def test_generated_sections_are_there():
         assert text.index(f"<!-- {section}:begin -->") < text.index(f"<!-- {section}:end -->")
 
 
-def test_the_table_of_outputs_is_that_of_the_declarations(pytestconfig):
+def test_the_tables_of_outputs_are_those_of_the_declarations(pytestconfig):
     """``pytest --write-golden`` writes it anew."""
     written = text_of("docs/outputs.md")
     text = replaced(written, "outputs", output_table())
+    text = replaced(text, "statuses", status_table())
     if pytestconfig.getoption("--write-golden"):
         (ROOT / "docs" / "outputs.md").write_text(text, encoding="utf-8")
     else:

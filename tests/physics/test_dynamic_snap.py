@@ -5,7 +5,10 @@ import pytest
 from physical import beam, run
 from references import outputs_of as reference
 
+from snapjump.composition import Simulation
 from snapjump.robot.design import Design
+from snapjump.sim.snap import Snap
+from snapjump.simulation import simulate
 
 TIME_S = 4.3817804600413289e-3  # of the paper's beam
 VELOCITY_M_S = 0.02 / TIME_S
@@ -54,6 +57,25 @@ def test_galerkin(case, name):
         )
 
 
+@pytest.mark.parametrize(("lag", "tilt"), [(0.02, 0.8356), (0.1, 0.8962)])
+def test_figures_do_not_depend_on_how_far_apart_samples_are(lag, tilt):
+    """``tilt``: of an independent code, 32 Hermite elements, SDIRK4 at 1e-6."""
+    apart, close = (
+        simulate(
+            Simulation(
+                sim=Snap(sample_interval_s=interval), design=Design(0.2, lag), accuracy="reference"
+            )
+        )
+        for interval in (1e-3, 5e-6)
+    )
+    for name in ("theta_max_rad", "midpoint_min_m", "alpha_snap_rad", "snap_duration_s"):
+        assert getattr(apart, name) == getattr(close, name)
+    assert close.theta_max_rad == pytest.approx(tilt, rel=2e-4)
+    assert close.theta_max_rad == pytest.approx(tilt_until(close, np.inf), rel=1e-4)
+    assert close.midpoint_min_m <= close.arrays["node_y_m"][:, 112].min()
+    assert len(apart.arrays["time_s"]) < 70
+
+
 def test_limit_of_many_elements():
     """D7: t_cross by Richardson over 40 and 80 elements."""
     for design, limit in ((Design(0.1, 0.1), 7.5112), (Design(0.2, 0.0), 10.9522)):
@@ -91,7 +113,8 @@ ORDERS = {"implicit_euler": 1.0, "tr_bdf2": 2.0, "sdirk2": 2.0}
 def test_snap(integrator):
     losses = []
     for step in (2e-5, 1e-5, 5e-6):
-        result = run(beam(step, 32, integrator, design=Design(0.1, 0.1), duration_s=0.0315))
+        until_it_snaps = beam(step, 32, integrator, design=Design(0.1, 0.1), duration_s=0.0315)
+        result = run(until_it_snaps, "no_snap")
         losses.append(result.arrays["numerical_loss_J"][-1] / result.arrays["elastic_J"][0])
     orders = np.log2(np.abs(losses[:-1]) / np.abs(losses[1:]))
     assert orders[-1] == pytest.approx(ORDERS[integrator], abs=0.15)

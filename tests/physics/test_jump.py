@@ -189,6 +189,24 @@ def test_what_does_not_buckle_is_refused(epsilon, elements):
         critical_of(epsilon, elements)
 
 
+def test_a_mesh_that_shows_no_snap_is_blamed_itself():
+    thin = replace(
+        BASE,
+        robot=replace(BASE.robot, thickness_m=5e-6),
+        design=Design(1e-3),
+        environment=Environment(mass_bar=10.0),
+    )
+    mesh = replace(BASE.discretization, elements=8)
+    with pytest.raises(ParameterError, match=r"discretization\.elements = 8 .* 56 elements"):
+        critical(replace(thin, discretization=mesh))
+
+
+def test_what_snaps_on_no_mesh_is_the_design():
+    thick = replace(BASE, robot=replace(BASE.robot, thickness_m=5e-4), design=Design(0.01))
+    with pytest.raises(ParameterError, match=r"design\.epsilon = 0\.01 .*snaps back"):
+        critical(thick)
+
+
 @pytest.mark.parametrize("epsilon", [0.01, 0.07, 0.1, 0.4])
 def test_eight_elements_snap_where_a_mesh_so_coarse_does(epsilon):
     """Too early, by an error of second order: the coarsest mesh has its own threshold."""

@@ -5,13 +5,13 @@ from typing import Any
 
 import numpy as np
 
+from snapjump.arrays import Array
 from snapjump.show.plots import palette
 from snapjump.show.plots.filmstrip import draw_filmstrip
 from snapjump.show.plots.instants import middle_height, settled, snap_interval
 from snapjump.show.plots.jump import headline
 from snapjump.show.plots.motion import Motion
 from snapjump.show.plots.saving import picture
-from snapjump.sim.snap import middle_angle
 
 
 def _close_up(motion: Motion) -> tuple[float, float]:
@@ -44,3 +44,11 @@ def snap_picture(result: Any, motion: Motion, path: pathlib.Path) -> None:
             axes.set_xlim(*_close_up(motion))
             if place == 1:
                 axes.set_xlabel("time from the start (ms)")
+
+
+def middle_angle(x: Array, y: Array) -> Array:
+    """Tangent angle (S) at the midpoint of nodes (S, N + 1): over the two elements that meet there,
+    or over the middle one of an odd number."""
+    last = y.shape[1] - 1
+    before, after = (last + 1) // 2 - 1, last // 2 + 1
+    return np.asarray(np.arctan2(y[:, after] - y[:, before], x[:, after] - x[:, before]))

@@ -1,10 +1,11 @@
-"""The table of outputs in docs/outputs.md, from their declarations."""
+"""The tables of docs/outputs.md: outputs, from their declarations, and statuses."""
 
 from collections.abc import Mapping
 
 from snapjump.batch import Batch
 from snapjump.declare.members import member_class, member_names
 from snapjump.declare.outputs import Outputs
+from snapjump.engine.status import NAMES, REASONS
 from snapjump.show.terminal.block import markdown_table
 
 HEADER = ("name", "unit", "what it is", "of", "only if")
@@ -27,3 +28,9 @@ def output_table() -> str:
         for (name, unit, meaning, known), scenes in found.items()
     ]
     return markdown_table(HEADER, rows) + "\n"
+
+
+def status_table() -> str:
+    """Markdown: a row for each status and what it means."""
+    rows = [(f"`{name}`", REASONS[code] or "it ended as it should") for code, name in NAMES.items()]
+    return markdown_table(("status", "what it means"), rows) + "\n"

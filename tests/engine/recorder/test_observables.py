@@ -5,7 +5,8 @@ import pytest
 
 from snapjump.composition import with_tier
 from snapjump.discretization.der import DiscreteElasticRod
-from snapjump.scenes.observed import crossing, observe_jump, peak
+from snapjump.scenes.between_steps import crossing
+from snapjump.scenes.observed import observe_jump
 from snapjump.sim.jump import Jump
 from snapjump.simulation import simulate
 from snapjump.stepping.adaptive import AdaptiveStep
@@ -35,18 +36,3 @@ def test_observables_are_those_of_the_trajectory(clamp):
     mount_m = seen["mount_height_bar"] * simulation.robot.length_m
     heights = np.sum((middle - feet) * up, axis=1) - mount_m
     assert seen["snap_time_s"] == pytest.approx(crossing(arrays["time_s"], heights), rel=1e-9)
-
-
-def test_a_crossing_is_that_of_a_cubic_through_uneven_samples():
-    times = np.array([0.0, 0.3, 0.5, 0.9, 1.0, 1.4])
-    root = 0.7
-    values = (root - times) * (1.0 + 0.2 * times**2)
-    assert crossing(times, values) == pytest.approx(root, abs=1e-12)
-    assert np.isnan(crossing(times, np.ones(6)))
-
-
-def test_a_peak_is_that_of_a_parabola_through_uneven_samples():
-    times = np.array([0.0, 0.3, 0.5, 0.9, 1.0])
-    assert peak(times, 4.0 - 3.0 * (times - 0.6) ** 2) == pytest.approx(4.0, abs=1e-12)
-    assert peak(times, times) == 1.0
-    assert np.isnan(peak(times[:0], times[:0]))

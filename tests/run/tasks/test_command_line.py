@@ -128,6 +128,23 @@ def test_a_simulation_that_cannot_finish_says_so(command, tmp_path):
     assert done.stderr.splitlines()[-1] == f"{result['status']}: {result['message']}"
 
 
+def test_a_beam_that_does_not_snap_says_so(command, tmp_path):
+    command("sim=snap", "accuracy=draft", "sim.duration_s=0.001", "tracking=off", code=3)
+    folder, result = result_in(tmp_path)
+    assert result["status"] == "no_snap" and " ms after the start" in result["message"]
+    assert result["snap_time_s"] is None and result["theta_max_rad"] > 0.0
+    assert (folder / "snap.png").exists()
+
+
+def test_an_arch_that_stays_stable_says_so(command, tmp_path):
+    design = ("design.epsilon=0.006", "design.delta_alpha=-0.4")
+    done = command("sim=static", "accuracy=draft", "tracking=off", *design, code=3)
+    folder, result = result_in(tmp_path)
+    assert result["status"] == "no_snap" and result["alpha_critical_rad"] is None
+    assert done.stderr.splitlines()[-1] == f"no_snap: {result['message']}"
+    assert not (folder / "traceback.txt").exists()
+
+
 def test_a_robot_that_does_not_jump_is_no_failure(command, tmp_path):
     done = command(*JUMP, "tracking=off", "environment.mass_bar=200")
     _, result = result_in(tmp_path)

@@ -1,0 +1,33 @@
+"""Impulse of the ground on a robot: what its momentum has gained, less what weight and drag gave.
+
+Sums of forces would do as well across the ground, but not along it: friction that holds a point
+changes within its stick zone by what Newton's method leaves of a velocity. Added up at every stage
+with the integrator's own weights, friction comes out 6, 31 and 0.1 % off for three designs at
+draft, 7, 16 and 0.03 % at standard, 0.8, 1.6 and 0.0005 % at reference; normal forces to 1e-7.
+"""
+
+import numpy as np
+
+from snapjump.arrays import Array
+from snapjump.engine.centre_of_mass import centre_of_mass
+from snapjump.scenes.runner import March
+
+
+def impulse_arrays(
+    march: March, times: Array, states: Array, velocities: Array
+) -> dict[str, Array]:
+    """Impulses (S), in N s, since the start and all points together, along and across the ground.
+
+    states, velocities (S, D) at times (S). They balance the momentum of the samples to rounding,
+    and are as accurate as its velocity.
+    """
+    model, scales = march.models[0], march.scales
+    x, y, vx, vy = centre_of_mass(model, march.masses, march.mesh, states.T, velocities.T)
+    mass_kg = (model.frame.mass + np.sum(march.masses)) * scales.mass_kg
+    drag, load = model.damping.drag(), model.load
+    along = vx - vx[0] + drag * (x - x[0]) - load.pull() * times
+    across = vy - vy[0] + drag * (y - y[0]) + load.gravity() * times
+    return {
+        "ground_impulse_x_N_s": along * scales.velocity_m_s * mass_kg,
+        "ground_impulse_y_N_s": across * scales.velocity_m_s * mass_kg,
+    }
