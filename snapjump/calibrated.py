@@ -14,7 +14,7 @@ from snapjump.composition import Simulation
 
 # By family and member: the factor by which errors are larger than with the default one.
 MEMBERS: Mapping[str, Mapping[str, float]] = {
-    "discretization": {"der": 1.0},
+    "discretization": {"der": 1.0, "corotational": 1.0, "geometrically_exact": 1.2},
     "frame": {"rigid": 1.0},
     "contact": {"logbarrier": 1.0},
     "friction": {"implicit": 1.0},
@@ -37,8 +37,8 @@ def beam_over_frame(model: Any) -> Any:
 
 
 def relaxation(model: Any) -> Any:
-    """Relaxation time of the material (T)."""
-    return model.damping.relaxation_time
+    """Relaxation time of the material (T), 0 without."""
+    return getattr(model.damping, "relaxation_time", 0.0)
 
 
 def rate(model: Any) -> Any:
@@ -48,7 +48,12 @@ def rate(model: Any) -> Any:
 
 def friction(model: Any) -> Any:
     """Coefficient of friction."""
-    return model.friction.mu
+    return model.friction.largest_ratio()
+
+
+def stick_zone(model: Any) -> Any:
+    """Half width of the stick zone (L/T); without friction it is of no account."""
+    return getattr(model.friction, "velocity_threshold", 1e-3)
 
 
 def mount_height(model: Any) -> Any:
@@ -63,9 +68,9 @@ GROUPS = (
     Group("rate of the clamps times T (rad)", 1e-3, 4.0, rate),
     Group("friction coefficient", 0.0, 1.2, friction),
     Group("height of the clamps over the depth of the critical arch", 0.25, 4.0, mount_height),
-    Group("stick zone over L/T", 1e-6, 0.03, lambda m: m.friction.velocity_threshold),
+    Group("stick zone over L/T", 1e-6, 0.03, stick_zone),
     Group("stiffness of the ground over EI/L^3", 30.0, 1e7, lambda m: m.contact.stiffness),
-    Group("reach of the ground over L", 5e-4, 0.15, lambda m: m.contact.reach()),
+    Group("reach of the ground over L", 0.0, 0.15, lambda m: m.contact.reach()),
     Group("tangent of the slope", 0.0, 0.2, lambda m: abs(m.load.downhill / m.load.cosine)),
 )
 

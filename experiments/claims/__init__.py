@@ -1,1 +1,1 @@
-"""What jumps claim of their own accuracy, held against the truth, far from the paper's ranges too."""
+"""What jumps claim of their own accuracy, held against the truth, beyond the paper's ranges too."""

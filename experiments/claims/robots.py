@@ -4,73 +4,79 @@ An input is moved log-uniformly by up to 10 times, every third robot's by up to 
 is drawn from its range.
 """
 
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 
-from experiments.designs import AXES
+from experiments.designs import AXES, spread_designs
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import Input, inputs_of, value_at, with_inputs
 from snapjump.scenes.jump_start import mount_height_bar
 
+Values = dict[str, float]  # by path
+Draws = Iterator[Values | None]  # without end; None where no robot can be made of them
 MOST_MOVED = 3
 FACTOR, FAR_FACTOR = 10.0, 100.0
-FAR_EVERY = 3  # robots
-LEAST = {"environment.mass_bar": 0.05}  # of ranges twice as wide that would reach below 0
-MOST = {"design.epsilon": 0.4}
-
-Moved = dict[str, float]
+FAR_SHARE = 1.0 / 3.0
+LIGHTEST = 0.05  # m_bar of ranges twice as wide, which would reach below 0
 
 
-def moved_robots(base: Simulation, seed: int) -> Iterator[Moved | None]:
-    """Draws without end: values of inputs by path, None where they make no robot."""
+def moved_robots(base: Simulation, seed: int) -> Draws:
+    """Robots of which one to three inputs are moved."""
     rng = np.random.default_rng(seed)
     declared = inputs_of(base)
-    for count in iter(lambda: rng.integers(1, MOST_MOVED + 1), 0):
-        factor = FAR_FACTOR if rng.random() < 1.0 / FAR_EVERY else FACTOR
-        chosen = rng.choice(list(declared), count, replace=False)
-        values = {path: moved(base, declared[path], factor, rng) for path in chosen.tolist()}
-        yield values if possible(base, values) else None
+    while True:
+        count = int(rng.integers(1, MOST_MOVED + 1))
+        factor = FAR_FACTOR if rng.random() < FAR_SHARE else FACTOR
+        chosen = rng.choice(list(declared), count, replace=False).tolist()
+        yield possible(base, {path: moved(base, declared[path], factor, rng) for path in chosen})
 
 
 def moved(base: Simulation, one: Input, factor: float, rng: np.random.Generator) -> float:
     """Another value of an input, up to ``factor`` times larger or smaller."""
     here = value_at(base, one.path)
-    if here == "optimal":
+    if isinstance(here, str):
         here = mount_height_bar(base) * base.robot.length_m
     if here == 0.0:
         low, high = one.plan or (one.allowed.low, one.allowed.high)
-        return float(rng.uniform(low, high)) * factor / FACTOR
+        return float(rng.uniform(low, high) * factor / FACTOR)
     return float(here * factor ** rng.uniform(-1.0, 1.0))
 
 
-def wide_designs(base: Simulation, seed: int) -> Iterator[Moved | None]:
-    """Designs without end, evenly from ranges twice as wide as the paper's about their middle, of
-    which at least one number lies beyond."""
+def wide_designs(base: Simulation, seed: int) -> Draws:
+    """Designs evenly from ranges twice as wide as the paper's about their middle, at least one
+    number of each beyond those."""
     rng = np.random.default_rng(seed)
     while True:
         values = {}
         for axis in AXES:
-            half = axis.high - axis.low
-            low, high = 0.5 * (axis.low + axis.high) - half, 0.5 * (axis.low + axis.high) + half
-            low = max(low, LEAST.get(axis.path, low if low < 0.0 else 0.0))
-            values[axis.path] = float(rng.uniform(low, min(high, MOST.get(axis.path, high))))
+            half, middle = axis.high - axis.low, 0.5 * (axis.low + axis.high)
+            values[axis.path] = float(rng.uniform(middle - half, middle + half))
+        values["environment.mass_bar"] = max(values["environment.mass_bar"], LIGHTEST)
         beyond = any(not axis.low <= values[axis.path] <= axis.high for axis in AXES)
-        yield values if beyond and possible(base, values) else None
+        yield possible(base, values) if beyond else None
 
 
-def possible(base: Simulation, values: Moved) -> bool:
-    """Whether the values make a simulation."""
+def paper_designs(base: Simulation, seed: int) -> Draws:
+    """Designs spread over the paper's ranges."""
+    while True:
+        for design in spread_designs(1024, seed):
+            yield dict(zip((axis.path for axis in AXES), design, strict=True))
+        seed += 1
+
+
+def possible(base: Simulation, values: Values) -> Values | None:
+    """The values, if they make a simulation."""
     try:
         with_inputs(base, values)
     except ParameterError:
-        return False
-    return True
+        return None
+    return values
 
 
-def simulation_of(base: Simulation, values: Moved) -> Simulation:
-    """The robot of a draw."""
-    found: Any = with_inputs(base, values)
-    return found
+KINDS: Mapping[str, Callable[[Simulation, int], Draws]] = {
+    "inputs moved": moved_robots,
+    "ranges twice as wide": wide_designs,
+    "the paper's ranges": paper_designs,
+}

@@ -1,0 +1,155 @@
+"""Jumps of drawn robots at every tier, and the truth that they are judged by.
+
+The truth has another integrator than the tiers, a finer mesh and tighter steps, and a second truth
+of other mesh and steps that says how well it is known itself.
+"""
+
+from collections import Counter
+from collections.abc import Sequence
+from itertools import islice
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from experiments.claims.robots import KINDS, Values
+from experiments.errors import relative_errors
+from snapjump.arrays import Array
+from snapjump.batch import Batch, simulate_batch
+from snapjump.checks import ParameterError
+from snapjump.composition import Simulation, with_tier
+from snapjump.declare.inputs import with_inputs
+from snapjump.declare.members import make_member
+from snapjump.scenes.jump_start import jump_model
+from snapjump.tiers import TIERS
+
+JUDGED = ("draft", "standard", "reference")
+DRAWN_AT = "standard"
+MOST_ITERATIONS, TRUTH_ITERATIONS = 2e5, 2e6
+TRUTH = {"integrator": "tr_bdf2", "tolerance": 2e-10, "elements": 544}
+SECOND = {"integrator": "tr_bdf2", "tolerance": 1e-9, "elements": 320}
+# The truth's mesh error over the difference of both, which is of second order.
+TRUTH_SHARE = 1.0 / ((TRUTH["elements"] / SECOND["elements"]) ** 2 - 1.0)  # type: ignore[operator]
+LANES = 8
+
+
+class Found(NamedTuple):
+    """Of R robots at one setting: statuses, apexes (L), and what they claim (True, False, None)."""
+
+    status: list[str]
+    x: Array
+    y: Array
+    within: list[bool | None]
+
+
+def true_setting(chosen: dict[str, Any]) -> Simulation:
+    """The setting of a truth."""
+    base = with_tier(
+        "reference", integrator=make_member("integrator", {"name": chosen["integrator"]})
+    )
+    stepping = base.stepping.changed(
+        tolerance=chosen["tolerance"], contact_steps=0.5, stick_share=1.0
+    )
+    mesh = base.discretization.changed(elements=chosen["elements"])
+    return with_tier(
+        "reference", integrator=base.integrator, stepping=stepping, discretization=mesh
+    )
+
+
+def jumped(
+    base: Simulation, draws: Sequence[Values | None], most: float, threads: int
+) -> tuple[list[int], Batch | None]:
+    """The jumps of draws, and which of them make a robot."""
+    simulations, chosen = [], []
+    for k, values in enumerate(draws):
+        if values is None:
+            continue
+        try:
+            simulation: Simulation = with_inputs(base, values)
+            jump_model(simulation)
+        except ParameterError:
+            continue
+        simulations.append(simulation)
+        chosen.append(k)
+    batch = simulate_batch(simulations, LANES, most, threads) if simulations else None
+    return chosen, batch
+
+
+def drawn(kind: str, count: int, seed: int, threads: int) -> tuple[list[Values], Counter[str]]:
+    """Robots that end ``ok`` with an apex, and how the others that were drawn ended."""
+    base = with_tier(DRAWN_AT)
+    draws, kept, tally = KINDS[kind](base, seed), [], Counter[str]()
+    while len(kept) < count:
+        more = list(islice(draws, count - len(kept)))
+        chosen, batch = jumped(base, more, MOST_ITERATIONS, threads)
+        tally["refused"] += len(more) - len(chosen)
+        for k, status in zip(chosen, batch.statuses() if batch else (), strict=True):
+            values = more[k]
+            if status == "ok" and values is not None:
+                kept.append(values)
+            else:
+                tally[status] += 1
+    return kept, tally
+
+
+def found(base: Simulation, robots: Sequence[Values], most: float, threads: int) -> Found:
+    """The jumps of robots at one setting; what it refuses is ``refused``."""
+    count = len(robots)
+    status, within = ["refused"] * count, [None] * count
+    x, y = np.full(count, np.nan), np.full(count, np.nan)
+    chosen, batch = jumped(base, robots, most, threads)
+    if batch is not None:
+        x[chosen], y[chosen] = batch.x_bar, batch.y_bar
+        for k, ended, told in zip(chosen, batch.statuses(), batch.within_tier, strict=True):
+            status[k], within[k] = ended, told
+    return Found(status, x, y, within)
+
+
+def errors(of: Found, truth: Found) -> Array:
+    """The larger error of x and y (%); infinite where one jumps and the other does not, NaN where
+    the truth failed."""
+    x, y = relative_errors(of.x, of.y, truth.x, truth.y)
+    worst = np.maximum(x, y)
+    for k, (ours, true) in enumerate(zip(of.status, truth.status, strict=True)):
+        if true not in ("ok", "no_jump"):
+            worst[k] = np.nan
+        elif ours == "ok" and true != "ok":
+            worst[k] = np.inf
+    return worst
+
+
+def judged(robots: Sequence[Values], threads: int) -> tuple[dict[str, dict[str, Any]], Array]:
+    """A row for each tier, and the truth's own errors (%)."""
+    truth = found(true_setting(TRUTH), robots, TRUTH_ITERATIONS, threads)
+    second = found(true_setting(SECOND), robots, TRUTH_ITERATIONS, threads)
+    unsure = TRUTH_SHARE * errors(second, truth)
+    rows = {}
+    for name in JUDGED:
+        ours = found(with_tier(name), robots, MOST_ITERATIONS, threads)
+        rows[name] = row(ours, errors(ours, truth), unsure, TIERS[name].promise_percent)
+    return rows, unsure
+
+
+def row(ours: Found, worst: Array, unsure: Array, promise: float) -> dict[str, Any]:
+    """How well a tier's robots keep to what they claim. Robots whose truth is not known to half of
+    the promise are not judged."""
+    ended = np.array([status == "ok" for status in ours.status])
+    known = ended & ~np.isnan(worst) & ~(unsure > 0.5 * promise)
+    told = np.array([within is True for within in ours.within]) & known
+    unknown = np.array([within is None for within in ours.within]) & known
+    good = known & (worst <= promise)
+    return {
+        "judged": int(known.sum()),
+        "truth not known": int((ended & ~known).sum()),
+        "truly within": int(good.sum()),
+        "told within": int(told.sum()),
+        "told, of those truly within (%)": percent(told & good, good),
+        "not known here (%)": percent(unknown, known),
+        "told and beyond the promise (%)": percent(told & ~good, told),
+        "beyond twice (%)": percent(told & (worst > 2.0 * promise), told),
+        "beyond three times": int((told & (worst > 3.0 * promise)).sum()),
+    }
+
+
+def percent(some: Any, of: Any) -> float:
+    """A share in percent."""
+    return float(f"{100.0 * some.sum() / max(int(of.sum()), 1):.3g}")
