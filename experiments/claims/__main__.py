@@ -75,7 +75,8 @@ def block(found: dict[str, Any]) -> str:
         f"drawn again: {again}).\nThe truth: {TRUTH['integrator']}, {TRUTH['elements']} elements, "
         f"tolerance {TRUTH['tolerance']:g}; its own error, by a\nsecond one of "
         f"{SECOND['elements']} elements and tolerance {SECOND['tolerance']:g}, median and 95 %: "
-        f"{errors}.\n`python -m experiments.claims --seed {found['seed']} --table docs/accuracy.md`\n"
+        f"{errors}.\n"
+        f"`python -m experiments.claims --seed {found['seed']} --table docs/accuracy.md`\n"
     )
 
 

@@ -43,15 +43,14 @@ class Found(NamedTuple):
 
 def true_setting(chosen: dict[str, Any]) -> Simulation:
     """The setting of a truth."""
-    base = with_tier(
-        "reference", integrator=make_member("integrator", {"name": chosen["integrator"]})
-    )
-    stepping = base.stepping.changed(
-        tolerance=chosen["tolerance"], contact_steps=0.5, stick_share=1.0
-    )
-    mesh = base.discretization.changed(elements=chosen["elements"])
+    base = with_tier("reference")
     return with_tier(
-        "reference", integrator=base.integrator, stepping=stepping, discretization=mesh
+        "reference",
+        integrator=make_member("integrator", {"name": chosen["integrator"]}),
+        stepping=base.stepping.changed(
+            tolerance=chosen["tolerance"], contact_steps=0.5, stick_share=1.0
+        ),
+        discretization=base.discretization.changed(elements=chosen["elements"]),
     )
 
 
@@ -77,7 +76,8 @@ def jumped(
 def drawn(kind: str, count: int, seed: int, threads: int) -> tuple[list[Values], Counter[str]]:
     """Robots that end ``ok`` with an apex, and how the others that were drawn ended."""
     base = with_tier(DRAWN_AT)
-    draws, kept, tally = KINDS[kind](base, seed), [], Counter[str]()
+    draws, tally = KINDS[kind](base, seed), Counter[str]()
+    kept: list[Values] = []
     while len(kept) < count:
         more = list(islice(draws, count - len(kept)))
         chosen, batch = jumped(base, more, MOST_ITERATIONS, threads)
@@ -94,7 +94,7 @@ def drawn(kind: str, count: int, seed: int, threads: int) -> tuple[list[Values],
 def found(base: Simulation, robots: Sequence[Values], most: float, threads: int) -> Found:
     """The jumps of robots at one setting; what it refuses is ``refused``."""
     count = len(robots)
-    status, within = ["refused"] * count, [None] * count
+    status, within = ["refused"] * count, list[bool | None]([None]) * count
     x, y = np.full(count, np.nan), np.full(count, np.nan)
     chosen, batch = jumped(base, robots, most, threads)
     if batch is not None:
