@@ -86,14 +86,17 @@ def mesh_percent(discretization: Any) -> tuple[Any, Any]:
 
 def hardness(model: Any) -> Any:
     """Factor (R,) by which the errors of robots are larger than those of easy ones."""
-    stuck = powers(np.maximum(friction(model), 1e-3) / 0.6, 12.0)
     return (
         powers(1.0 + beam_over_frame(model) / 0.03, 0.66)
         * powers(1.0 + 1e-3 / relaxation(model), 0.63)
         * powers(1.0 + rate(model) / 0.1, 0.38)
-        * powers(1.0 + stuck, 0.39)
         * powers(np.maximum(1.0, 1.0 / mount_height(model)), 0.9)
     )
+
+
+def jamming(model: Any) -> Any:
+    """Factor (R,) by which errors of the steps are larger where friction jams a foot."""
+    return powers(1.0 + powers(np.maximum(friction(model), 0.1) / 0.62, 16.0), 0.6)
 
 
 def error_estimate(simulation: Simulation, model: Any, error_sum: Array) -> ErrorEstimate:
@@ -109,7 +112,7 @@ def error_estimate(simulation: Simulation, model: Any, error_sum: Array) -> Erro
     x = y = np.full(error_sum.shape, np.nan)
     if known.any():
         factor = hardness(model) * members_factor(simulation)
-        steps = factor * steps_factor(simulation) * error_sum
+        steps = factor * jamming(model) * steps_factor(simulation) * error_sum
         steps = steps / (1.0 + steps / LEVEL)
         mesh_x, mesh_y = mesh_percent(simulation.discretization)
         x = np.where(known, steps + factor * mesh_x, np.nan)
