@@ -16,8 +16,8 @@ from snapjump.composition import Simulation
 MEMBERS: Mapping[str, Mapping[str, float]] = {
     "discretization": {"der": 1.0, "corotational": 1.0, "geometrically_exact": 1.2},
     "frame": {"rigid": 1.0},
-    "contact": {"logbarrier": 1.0},
-    "friction": {"implicit": 1.0},
+    "contact": {"logbarrier": 1.0, "penalty": 5.0, "hunt_crossley": 3.0},
+    "friction": {"implicit": 1.0, "none": 1.0},
     "damping": {"kelvin_voigt": 1.0},
 }
 

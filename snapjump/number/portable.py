@@ -4,6 +4,8 @@
 processor and rounds differently in each. These are the kernels' own, compiled.
 """
 
+from typing import Any
+
 import numpy as np
 
 from snapjump.arrays import Array
@@ -24,10 +26,11 @@ def fill_powers(bases: Array, exponent: float, found: Array) -> None:
         found[k] = exp(exponent * log(bases[k]))
 
 
-def powers(bases: Array, exponent: float) -> Array:
-    """Positive numbers (R,) to any power."""
-    found = np.empty(bases.shape)
-    fill_powers(np.ascontiguousarray(bases, dtype=float), exponent, found)
+def powers(bases: Any, exponent: float) -> Array:
+    """Positive numbers (R,), or one, to any power (R,)."""
+    plain = np.atleast_1d(np.asarray(bases, dtype=float))
+    found = np.empty(plain.shape)
+    fill_powers(plain, exponent, found)
     return found
 
 

@@ -14,7 +14,7 @@ from snapjump.stepping.adaptive import GROWTH, OVERSHOOT, SAFETY, SHRINKAGE, Ada
 from snapjump.stepping.fixed import FixedStep
 
 TOLERANCE = 1e-6
-ADAPTIVE = AdaptiveStep.Control(TOLERANCE, 2.0, 1e-3, 1e-9, 0.2, 0.1)
+ADAPTIVE = AdaptiveStep.Control(TOLERANCE, 2.0, 1e-3, 1e-9, 0.2, 0.1, 4.0)
 FIXED = FixedStep.Control(1e-3, 1e-8)
 ORDER = 3.0
 FREE = 0.0  # contact rate of a robot in the air
