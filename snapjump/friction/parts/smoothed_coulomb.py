@@ -4,8 +4,11 @@ from typing import Any, ClassVar
 
 from snapjump.declare.fields import number
 from snapjump.friction.base import FrictionLaw, FrictionOptions, regularised_sign
-from snapjump.number.functions import where
+from snapjump.number.functions import maximum, where
 from snapjump.units import Scales
+
+
+MODERATE = 0.3  # coefficient of friction above which steps resolve a smaller stick zone
 
 
 class SmoothedCoulomb(FrictionLaw):
@@ -18,7 +21,9 @@ class SmoothedCoulomb(FrictionLaw):
         return self.mu > 0.0
 
     def stick_speed(self) -> Any:
-        return where(self.mu > 0.0, self.velocity_threshold, 1e30)
+        # A foot's force follows its velocity the more steeply, the larger the coefficient.
+        zone = self.velocity_threshold / maximum(1.0, self.mu / MODERATE)
+        return where(self.mu > 0.0, zone, 1e30)
 
     def largest_ratio(self) -> Any:
         return self.mu
