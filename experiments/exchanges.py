@@ -9,7 +9,8 @@ PAPER, REFERENCE = "paper", "reference"
 ENDS = (PAPER, REFERENCE)
 SHORT_STEP_S = 1e-6
 EULER, DAMPING, ELEMENTS = "implicit Euler", "no material damping", "66 elements"
-START, FRAME = "start from flat clamps", "frame of 1000 EI"
+START, FRAME = "a later start", "frame of 1000 EI"
+LATER = {"sim": {"start_fraction": 0.85}}
 ELASTIC = {"frame": {"name": "elastic"}}
 NO_DAMPING = {"name": "kelvin_voigt", "relaxation_time_s": 0.0}
 # What a program is compiled for; all else are numbers.
@@ -47,7 +48,8 @@ def choices(at: Mapping[str, Groups]) -> dict[str, tuple[Changes, Changes]]:
         "clamps of two fixed nodes": exchanged("discretization", "clamp"),
         ELEMENTS: exchanged("discretization", "elements"),
         "K per node": exchanged("contact", "weighting"),
-        START: exchanged("sim", "start_fraction"),
+        # The same jump; what it moves is noise.
+        START: (LATER, LATER),
         FRAME: (ELASTIC, ELASTIC),
     }
 

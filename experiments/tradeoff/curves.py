@@ -13,18 +13,18 @@ from experiments.compositions import Groups, changed
 from experiments.tradeoff.batches import LANES
 from snapjump.declare.members import member_class, member_names
 
-STANDARD_ELEMENTS, STANDARD_TOLERANCE = 104, 4.5e-8
-TOLERANCE_POWER = 4.5
+STANDARD_ELEMENTS, STANDARD_TOLERANCE, STANDARD_STICK_SHARE = 120, 1e-6, 8.0
+TOLERANCE_POWER, STICK_POWER = 3.0, 1.25
 TOLERANCE_RANGE = (2e-12, 1e-3)
 STANDARD_STEP_S = 2.5e-6
 STEP_POWER = 1.5
 FINEST_FIXED = 160
 ESTIMATE_ORDER = 3.0  # of the default method
-QUICK_ELEMENTS = (40, 56, 76, 104, 152, 224)
-FULL_ELEMENTS = (32, 40, 48, 56, 64, 76, 88, 104, 128, 152, 184, 224, 272)
+QUICK_ELEMENTS = (40, 64, 88, 120, 184, 272)
+FULL_ELEMENTS = (32, 40, 48, 56, 64, 76, 88, 104, 120, 152, 184, 224, 272, 320)
 # Methods that are varied in every way; the others only in their steps.
-VARIED = ("tr_bdf2", "sdirk2", "esdirk3", "implicit_euler")
-PLAIN_METHOD = "tr_bdf2"
+VARIED = ("generalized_alpha", "tr_bdf2", "esdirk3", "implicit_euler")
+PLAIN_METHOD = "generalized_alpha"
 CONTACT_STEPS = {
     "half the steps in contact": 4.0,
     "twice the steps in contact": 1.0,
@@ -32,10 +32,10 @@ CONTACT_STEPS = {
 }
 CHANGES: dict[str, dict[str, Any]] = {
     "two-node clamps": {"discretization": {"clamp": "two_nodes"}},
-    "from flat clamps": {"sim": {"start_fraction": 0.0}},
+    "start at 0.85 of the critical angle": {"sim": {"start_fraction": 0.85}},
     "late start": {"sim": {"start_fraction": 0.92}},
 }
-FINE, TIGHT = 224, 2e-9  # elements and tolerance, where the other alone is refined
+FINE, TIGHT = 272, 6e-8  # elements and tolerance, where the other alone is refined
 
 
 @dataclass(frozen=True)
@@ -58,6 +58,11 @@ def tolerance(elements: int, estimate_order: float = ESTIMATE_ORDER) -> float:
     return min(max(matched, TOLERANCE_RANGE[0]), TOLERANCE_RANGE[1])
 
 
+def stick_share(elements: int) -> float:
+    """The share of eps_v in a step that goes with a mesh."""
+    return float(f"{STANDARD_STICK_SHARE * (STANDARD_ELEMENTS / elements) ** STICK_POWER:.2g}")
+
+
 def estimate_order(name: str) -> float:
     """Order of a method's error estimate."""
     return float(member_class("integrator", name)().scheme().error_power())
@@ -68,7 +73,9 @@ def adaptive(base: Groups, name: str, elements: tuple[int, ...], **stepping: Any
     rounded = {n: f"{tolerance(n, estimate_order(name)):.1e}" for n in elements}
     steps = {"name": "adaptive", "contact_steps": 2.0, **stepping}
     return {
-        f"{n} elements, tol {text}": refined(base, name, n, {**steps, "tolerance": float(text)})
+        f"{n} elements, tol {text}": refined(
+            base, name, n, {**steps, "tolerance": float(text), "stick_share": stick_share(n)}
+        )
         for n, text in rounded.items()
     }
 
@@ -125,13 +132,19 @@ def plain_curves(base: Groups, elements: tuple[int, ...]) -> list[Curve]:
     )
     matched = {n: tolerance(n) for n in elements}
     alone = {
-        "tolerance alone": {f"{FINE} elements, tol {t:.1e}": (FINE, t) for t in matched.values()},
-        "mesh alone": {f"{n} elements, tol {TIGHT:.1e}": (n, TIGHT) for n in elements},
+        "tolerance alone": {
+            f"{FINE} elements, tol {t:.1e}": (FINE, t, stick_share(n)) for n, t in matched.items()
+        },
+        "mesh alone": {
+            f"{n} elements, tol {TIGHT:.1e}": (n, TIGHT, stick_share(FINE)) for n in elements
+        },
     }
     for words, levels in alone.items():
         groups = {
-            level: refined(base, name, n, {"name": "adaptive", "tolerance": t})
-            for level, (n, t) in levels.items()
+            level: refined(
+                base, name, n, {"name": "adaptive", "tolerance": t, "stick_share": share}
+            )
+            for level, (n, t, share) in levels.items()
         }
         found.append(Curve(f"{name}, {words}", name, groups))
     return found

@@ -14,6 +14,7 @@ from experiments.exchanges import (
     ELEMENTS,
     ENDS,
     FRAME,
+    LATER,
     PAPER,
     REFERENCE,
     START,
@@ -76,9 +77,6 @@ class Causes(Part):
         """Ends, exchanges, frames, harder contact, steps, and many jumps."""
         at = {end: groups_at(groups, end) for end in ENDS}
         standard = groups_at(groups, "standard")
-        # In an elastic frame, whose clamps turn with its legs, the arch loses its stability
-        # earlier; a start near the rigid frame's critical angle can lie beyond that.
-        flat = changed(standard, {"sim": {"start_fraction": 0.0}})
         programs = {program(one) for one in at.values()}
 
         def cell(name: str, made: Groups, count: int = DESIGNS) -> Cell:
@@ -92,16 +90,20 @@ class Causes(Part):
 
         def stiff(ratio: float) -> Groups:
             stiffer = {"frame": {"bending_ratio": ratio, "stretching_ratio": ratio}}
-            return changed(changed(flat, ELASTIC), stiffer)
+            return changed(changed(standard, ELASTIC), stiffer)
 
-        start = {"groups": changed(standard, ELASTIC), "designs": [BASELINE], "kind": "starts"}
+        start = {
+            "groups": changed(standard, {**ELASTIC, **LATER}),
+            "designs": [BASELINE],
+            "kind": "starts",
+        }
         return [
             *(cell(end, at[end]) for end in ENDS),
             *(cell(exchange(*key), made) for key, made in variants(at).items()),
-            cell(RIGID, flat),
+            cell(RIGID, standard),
             *(cell(frame(ratio), stiff(ratio)) for ratio in STIFFNESSES),
             Cell(STARTS, start),
-            *(cell(title, changed(flat, changes)) for title, changes in HARDER.items()),
+            *(cell(title, changed(standard, changes)) for title, changes in HARDER.items()),
             *(cell(step(s), stepped(s)) for s in STEPS_S[1:]),
             cell(many(STEPS_S[0]), at[PAPER], MANY),
             *(cell(many(s), stepped(s), LONG) for s in LONG_STEPS_S),

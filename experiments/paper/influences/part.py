@@ -86,12 +86,11 @@ FOLLOWED = ("standard", "paper")  # tiers at which it is
 
 
 def mounted(inputs: Mapping[str, Any]) -> list[Simulation]:
-    """The robot with its clamps at other heights (in L), turning from flat: a beam that reaches
-    below low mounts would start in the ground."""
+    """The robot with its clamps at other heights (in L)."""
     base = variant(composed(inputs["groups"]), inputs["design"])
-    flat, length_m = base.sim.changed(start_fraction=0.0), base.robot.length_m
+    length_m = base.robot.length_m
     return [
-        replace(base, robot=replace(base.robot, mount_height=height * length_m), sim=flat)
+        replace(base, robot=replace(base.robot, mount_height=height * length_m))
         for height in inputs["heights"]
     ]
 
