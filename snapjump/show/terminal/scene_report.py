@@ -58,27 +58,31 @@ def quantity(value: Any, declared: Output[Any], length_mm: float) -> str:
 
 
 def accuracy_line(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
-    """The tier, and its measured error if this is a jump with just what the tier chooses, else
-    what the jump estimates itself."""
+    """The tier; of a jump, its measured error if it knows that of itself and has just what the tier
+    chooses, else what it estimates, or why it does not know."""
     accuracy = config["accuracy"]
     name = accuracy["name"]
     if not hasattr(member_class("sim", config["sim"]["name"])().outputs, "error_estimate_percent"):
         return str(name)
     changed = TIERS[name].departures(config)
-    if changed:
-        estimate = summary.get("error_estimate_percent")
-        known = "its error is not known" if estimate is None else f"estimated {estimate:.2g} % off"
-        return f"{name}, but for {', '.join(changed)}: {known}"
-    return f"{name}: {accuracy['known_error']}"
+    title = f"{name}, but for {', '.join(changed)}" if changed else str(name)
+    estimate = summary.get("error_estimate_percent")
+    if estimate is None:
+        because = summary.get("error_unknown_because")
+        return f"{title}: numerical error not known here" + (f" ({because})" if because else "")
+    if changed or not summary.get("within_tier"):
+        return f"{title}: numerical error estimated at {estimate:.2g} %"
+    return f"{title}: {accuracy['known_error']}"
 
 
 def _warning(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
-    """A jump that says of itself that it is worse than its tier."""
+    """A jump that is not sure to be as good as its tier."""
     estimate = summary.get("error_estimate_percent")
     if estimate is None or summary.get("within_tier", True):
         return ""
     name = config["accuracy"]["name"]
+    promise = TIERS[name].promise_percent
     return (
-        f"estimated error {estimate:.2g} %, more than the {TIERS[name].promise_percent:g} % that "
-        f"{name} stands for"
+        f"estimated error {estimate:.2g} %, which may be more than the {promise:g} % that {name} "
+        "stands for"
     )
