@@ -1,7 +1,8 @@
-"""Error of the quasi-static start: ``python -m experiments.start`` prints one JSON object.
+"""What a later start leaves out: ``python -m experiments.start`` prints one JSON object.
 
-A jump starts from the static solution at a share of the critical angle. The slow loading before
-that is quasi-static as far as starting earlier changes nothing but the cost.
+A jump starts from flat clamps, or, by ``sim.start_fraction``, from the static solution at a share
+of the critical angle: the slow loading up to there is then taken as quasi-static, and its steps
+are saved.
 """
 
 from dataclasses import replace
@@ -18,7 +19,7 @@ DESIGNS = 16
 
 
 def report() -> dict[str, Any]:
-    """Every share compared with the earliest start, flat clamps, at the reference tier."""
+    """Every share compared with flat clamps, the default, at the reference tier."""
     base, designs = with_tier("reference"), spread_designs(DESIGNS)
     starts = [replace(base, sim=base.sim.changed(start_fraction=share)) for share in SHARES]
     batches = [simulate_batch(variants(start, designs)) for start in starts]

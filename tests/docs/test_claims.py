@@ -84,8 +84,9 @@ def numbers(cell: str, first: bool = False) -> list[str]:
 
 
 def test_generated_sections_are_there():
-    models = text_of("docs/forward_models.md")
-    sections = ((README, "inverse"), (README, "tiers"), (README, "paper"), (models, "surrogates"))
+    models, accuracy = text_of("docs/forward_models.md"), text_of("docs/accuracy.md")
+    sections = ((README, "inverse"), (README, "tiers"), (README, "paper"), (models, "surrogates"),
+                (accuracy, "claims"))  # fmt: skip
     for text, section in sections:
         assert text.index(f"<!-- {section}:begin -->") < text.index(f"<!-- {section}:end -->")
 
