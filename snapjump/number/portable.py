@@ -7,10 +7,12 @@ processor and rounds differently in each. These are the kernels' own, compiled.
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from snapjump.arrays import Array
 from snapjump.number.dispatch import compiled
 from snapjump.number.exponentials import exp, log
+
+Array = NDArray[np.float64]
 
 
 @compiled

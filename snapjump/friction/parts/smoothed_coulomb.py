@@ -7,7 +7,6 @@ from snapjump.friction.base import FrictionLaw, FrictionOptions, regularised_sig
 from snapjump.number.functions import maximum, where
 from snapjump.units import Scales
 
-
 MODERATE = 0.3  # coefficient of friction above which steps resolve a smaller stick zone
 
 
