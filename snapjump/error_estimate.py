@@ -47,6 +47,7 @@ BASE_ELEMENTS = 120.0
 MESH_X, MESH_Y, MESH_ORDER = 0.03, 0.021, 2.4  # percent at BASE_ELEMENTS, and order
 # Two fixed nodes for a clamp are of first order.
 TWO_NODES = (1.0, 1.0)
+LEAST_RELAXATION = 1e-5  # T, below all that is known
 # The share of its promise that an estimate may take: true errors scatter about it.
 SURE = 0.4
 
@@ -88,7 +89,7 @@ def hardness(model: Any) -> Any:
     """Factor (R,) by which the errors of robots are larger than those of easy ones."""
     return (
         powers(1.0 + beam_over_frame(model) / 0.03, 0.66)
-        * powers(1.0 + 1e-3 / relaxation(model), 0.63)
+        * powers(1.0 + 1e-3 / np.maximum(relaxation(model), LEAST_RELAXATION), 0.63)
         * powers(1.0 + rate(model) / 0.1, 0.38)
         * powers(np.maximum(1.0, 1.0 / mount_height(model)), 0.9)
     )

@@ -25,7 +25,10 @@ Pair = frozenset[tuple[str, str]]
 TINY = {
     "sim": {"jump": {"start_fraction": 0.9}},
     "discretization": {name: {"elements": 10} for name in FAMILIES["discretization"]},
-    "stepping": {"adaptive": {"tolerance": 1e-4, "contact_steps": 8.0}, "fixed": {"step_s": 4e-5}},
+    "stepping": {
+        "adaptive": {"tolerance": 1e-4, "contact_steps": 8.0, "stick_share": 1e6},
+        "fixed": {"step_s": 4e-5},
+    },
     "frame": {"elastic": {"leg_elements": 5, "top_elements": 6, "bending_ratio": 1e4}},
     # Springs of the ground so soft that steps as long as these resolve them.
     "contact": {"penalty": {"stiffness_N_m": 1e4}, "hunt_crossley": {"stiffness_N_m": 1e4}},

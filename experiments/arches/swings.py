@@ -32,7 +32,8 @@ def snap_groups(groups: Mapping[str, Any], setting: str) -> Groups:
         return changed(bare, {"discretization": {"elements": PAPER_ELEMENTS}})
     if setting in UNDAMPED_STEP_S:
         step = {"name": "fixed", "step_s": UNDAMPED_STEP_S[setting]}
-        return changed(bare, {"damping": {"name": "none"}, "stepping": step})
+        undamped = {"damping": {"name": "none"}, "integrator": {"name": "tr_bdf2"}}
+        return changed(bare, {**undamped, "stepping": step})
     return bare
 
 

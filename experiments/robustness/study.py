@@ -151,6 +151,6 @@ def figures_of(rows: Sequence[Row]) -> dict[str, float]:
         "most_newton_iterations": float(iterations.max()),
         "median_newton_iterations": float(np.median(iterations)),
         "smallest_gap_m": float(min(gaps)),
-        "within_tier_percent": 100.0 * float(np.mean([row["within_tier"] for row in ran])),
+        "within_tier_percent": 100.0 * float(np.mean([row["within_tier"] is True for row in ran])),
         "longest_part_s": float(max(row["seconds"] for row in ran)),
     }

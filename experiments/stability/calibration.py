@@ -15,11 +15,12 @@ from snapjump.scenes.jump_outputs import ENDED
 TIERS = ("draft", "standard")
 FIXED_STEPS = (1e-6, 3e-6, 1e-5, 3e-5, 1e-4)
 TOLERANCES = (1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3)
-ADAPTIVE = ("tr_bdf2", "sdirk2")
+ADAPTIVE = ("generalized_alpha", "tr_bdf2", "sdirk2")
 ELEMENTS = (24, 32, 40, 56, 72, 104, 152)
+ESTIMATE = "x_error_estimate_percent"
 WITHIN = 2.0  # of the estimate, for COVERED of the designs
 COVERED = 0.95
-TIGHT = {"name": "adaptive", "tolerance": 2e-9, "contact_steps": 1.0}
+TIGHT = {"name": "adaptive", "tolerance": 2e-9, "contact_steps": 1.0, "stick_share": 1.0}
 
 
 def levels(base: Groups, integrators: Sequence[str]) -> dict[str, dict[str, Groups]]:
@@ -46,8 +47,8 @@ def levels(base: Groups, integrators: Sequence[str]) -> dict[str, dict[str, Grou
 
 
 def columns(rows: Sequence[Row], *keys: str) -> list[Array]:
-    """Columns of the rows that have an apex and a truth."""
-    good = [r for r in rows if r["status"] in ENDED and "true_x_percent" in r]
+    """Columns of the rows that have an apex, a truth, and an estimate."""
+    good = [r for r in rows if r["status"] in ENDED and "true_x_percent" in r and r[ESTIMATE] > 0.0]
     return [np.array([float(r[k]) for r in good]) for k in keys]
 
 

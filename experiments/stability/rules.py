@@ -67,8 +67,8 @@ def broken(row: Row, most_iterations: float, promise_percent: float, law: str) -
     """The rules that a row breaks."""
     if row["status"] == REFUSED:
         return []
-    promised = ("x_bar", "y_bar", "x_error_estimate_percent")
-    numbers = all(is_finite_number(row.get(k)) for k in promised)
+    told = ("x_error_estimate_percent",) if row["within_tier"] is not None else ()
+    numbers = all(is_finite_number(row.get(k)) for k in ("x_bar", "y_bar", *told))
     wrong = row.get("true_error_percent", 0.0)
     gap = row.get("min_gap_m")
     sunk = gap is not None and -math.inf < gap < 0.0

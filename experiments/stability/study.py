@@ -22,7 +22,7 @@ TIER = "draft"
 MOST_ITERATIONS = 2e5  # of a jump of the maps
 TRUTH_ITERATIONS = 3e5
 # The truth of the maps: finer than any promise that is tested against it.
-TRUTH = {"discretization": {"elements": 104}, "stepping": TIGHT, "integrator": {"name": "tr_bdf2"}}
+TRUTH = {"discretization": {"elements": 120}, "stepping": TIGHT, "integrator": {"name": "tr_bdf2"}}
 CALIBRATION_DESIGNS = (32, 96)  # quick, full
 SHARED_TRUTH = "truth of the designs"
 SPREAD_TRUTH = "truth of the calibration"

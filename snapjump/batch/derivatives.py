@@ -12,7 +12,14 @@ from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS, Input, input_at, value_at, with_inputs
 from snapjump.engine.model import Model, numbers_of
 from snapjump.scenes.frame_body import compression
-from snapjump.scenes.jump_start import composed_model, critical, mount_height_bar, start_angle_rad
+from snapjump.scenes.jump_start import (
+    composed_model,
+    critical,
+    leading_start,
+    loading_time,
+    mount_height_bar,
+    start_angle_rad,
+)
 from snapjump.statics.threshold import Threshold
 from snapjump.statics.threshold_curve import ThresholdCurve
 
@@ -59,6 +66,7 @@ def input_slopes(
     """Derivatives (P,) of the numbers by one input."""
     here = value_at(simulation, path)
     by_angle, by_depth = threshold_slopes(simulation, path, curve)
+    loading = loading_time(simulation, start_angle_rad(simulation, threshold), threshold)
 
     def numbers(moved: Simulation) -> Array:
         # Along its tangent a threshold has the right derivative, and costs nothing.
@@ -66,7 +74,11 @@ def input_slopes(
         near = Threshold(
             threshold.alpha_rad + by_angle * way, threshold.h1_bar + by_depth * way, 0.0
         )
-        start, mount = start_angle_rad(moved, near), mount_height_bar(moved, near)
+        # Its steps stay as they are while the snap comes earlier or later: unless the start moves
+        # along the branch with it, the strike meets them at another phase, and the derivative is
+        # that of their errors.
+        start = leading_start(moved, near, loading)
+        mount = mount_height_bar(moved, near)
         return numbers_of(composed_model(moved, start, mount, moved.sim.time_limit_s))
 
     return difference(numbers, simulation, path, STEP)

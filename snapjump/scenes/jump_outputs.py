@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from snapjump.declare.outputs import FLAG, WORD, output
 from snapjump.engine import outcome as c
+from snapjump.engine.clamp.constant_rate import time_turned
 from snapjump.error_estimate import ErrorEstimate, error_estimate
 from snapjump.scenes.flight import Flight, flight, world
 from snapjump.scenes.march_outputs import GroundOutputs, RecordedOutputs, RunOutputs
@@ -28,9 +29,7 @@ class JumpOutputs(GroundOutputs):
     @cached_property
     def flight(self) -> Flight:
         """Apex and lift-off, dimensionless, whatever the status."""
-        model = self.model
-        begun = model.clamp.start / model.clamp.rate
-        return flight(begun, model.load, self.outcome)
+        return flight(time_turned(self.model.clamp), self.model.load, self.outcome)
 
     @cached_property
     def estimate(self) -> ErrorEstimate:

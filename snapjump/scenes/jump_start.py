@@ -17,6 +17,9 @@ from snapjump.statics.threshold import Threshold, symmetric_threshold
 COMPARED = (56, 112, 224)  # elements of meshes that show whether an arch snaps
 BUCKLING_LOAD = 4.0 * math.pi**2  # of a straight beam between clamps (EI/L^2)
 
+# Of the critical angle: clamps that stop earlier make no arch snap, whatever their mismatch.
+TURNED_FAR = 0.85
+
 
 class NoThresholdError(ParameterError):
     """The arch of this design does not snap, or not on its mesh."""
@@ -71,10 +74,9 @@ def mount_height_bar(simulation: Simulation, threshold: Threshold | None = None)
 def start_angle_rad(simulation: Simulation, threshold: Threshold | None = None) -> float:
     """Left clamp angle at which the motion starts: the clamp that leads, left or right, is then at
     the same share of the critical angle."""
-    if simulation.sim.start_fraction == 0.0:
-        return 0.0
-    alpha = (threshold or critical(simulation)).alpha_rad
-    return simulation.sim.start_fraction * alpha - ahead(simulation)
+    share = simulation.sim.start_fraction
+    alpha = (threshold or critical(simulation)).alpha_rad if share > 0.0 else 0.0
+    return share * alpha - ahead(simulation)
 
 
 def ahead(simulation: Simulation) -> float:
@@ -82,10 +84,16 @@ def ahead(simulation: Simulation) -> float:
     return max(0.0, -simulation.design.delta_alpha)
 
 
-def loading_s(simulation: Simulation, start: float, threshold: Threshold) -> float:
-    """Time from the start of the motion until the leading clamp is at the critical angle."""
+def loading_time(simulation: Simulation, start: float, threshold: Threshold) -> float:
+    """Time (T) from the start of the motion until the leading clamp is at the critical angle."""
     angle = threshold.alpha_rad - ahead(simulation) - start
-    return max(0.0, angle) / simulation.robot.rotation_rate_rad_s
+    return angle / (simulation.robot.rotation_rate_rad_s * simulation.robot.scales.time_s)
+
+
+def leading_start(simulation: Simulation, threshold: Threshold, loading: float) -> float:
+    """Left clamp angle a time (T) before the leading clamp is at the critical angle."""
+    turned = simulation.robot.rotation_rate_rad_s * simulation.robot.scales.time_s * loading
+    return threshold.alpha_rad - ahead(simulation) - turned
 
 
 def check_mount_height(simulation: Simulation, start: float) -> None:
@@ -115,13 +123,13 @@ def jump_model(simulation: Simulation, threshold: Threshold | None = None) -> Mo
     threshold = threshold or critical(simulation)
     start = start_angle_rad(simulation, threshold)
     check_mount_height(simulation, start)
-    if start >= robot.rotation_end_rad:
-        raise ParameterError(
-            "robot.rotation_end_rad",
-            robot.rotation_end_rad,
-            f"above {start:.4g} rad, where the motion starts (sim.start_fraction)",
-        )
-    limit_s = loading_s(simulation, start, threshold) + simulation.sim.time_limit_s
+    least = max(start, TURNED_FAR * threshold.alpha_rad - ahead(simulation))
+    if least >= robot.rotation_end_rad:
+        why = "to make the arch snap, and beyond the start of the motion (sim.start_fraction)"
+        allowed = f"above {least:.4g} rad, {why}"
+        raise ParameterError("robot.rotation_end_rad", robot.rotation_end_rad, allowed)
+    loading_s = loading_time(simulation, start, threshold) * robot.scales.time_s
+    limit_s = max(0.0, loading_s) + simulation.sim.time_limit_s
     return composed_model(simulation, start, mount_height_bar(simulation, threshold), limit_s)
 
 

@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from snapjump.discretization.base import ROTARY_INERTIA
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
+from snapjump.engine.clamp.constant_rate import time_turned
 from snapjump.engine.energies import elastic_energies
 from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.points import (
@@ -45,7 +46,7 @@ def trajectory_arrays(march: March, recorder: TrajectoryRecorder) -> dict[str, A
     dofs = model.frame.dofs(march.mesh)
     stride = model.discretization.node_dofs()
     nodes, speeds = states[:, dofs:], velocities[:, dofs:]
-    begun = model.clamp.start / model.clamp.rate if model.clamp.rate else 0.0
+    begun = time_turned(model.clamp) if model.clamp.rate else 0.0
     angles = [model.clamp.angles(t) for t in times]
     arrays = {
         "time_s": (times + begun) * scales.time_s,

@@ -14,6 +14,7 @@ from snapjump.statics.threshold_curve import ThresholdCurve
 
 LANES = 8  # even for one jump, which takes a third longer so: every width is compiled anew
 RESOLVED_STICK_ZONE = 2.19089e-3  # L/T: 0.01 m/s for the default robot
+SLOPES_SHARE = 0.1  # of the tolerance: a derivative is also that of the errors of its steps
 EPSILON = DEFAULT_INPUTS.index("design.epsilon")
 # Of thresholds that a curve goes through; fewer serve where the compressions hardly differ.
 NODES, FEW_NODES, NARROW = 20, 4, 0.01
@@ -79,9 +80,13 @@ def at_tier(base: Simulation, tier: str) -> Simulation:
 
 
 def differentiable(base: Simulation) -> Simulation:
-    """The simulation, with a stick zone that its steps resolve. Raises ParameterError."""
+    """The simulation, with a stick zone that its steps resolve, and steps whose own errors hardly
+    move with a design. Raises ParameterError."""
     if stick_zone(base) < SMALLEST_STICK_ZONE:
         wide_m_s = RESOLVED_STICK_ZONE * base.robot.scales.velocity_m_s
         base = replace(base, friction=base.friction.changed(velocity_threshold_m_s=wide_m_s))
+    if base.stepping.name == "adaptive":
+        finer = SLOPES_SHARE * base.stepping.tolerance  # type: ignore[attr-defined]
+        base = replace(base, stepping=base.stepping.changed(tolerance=finer))
     check_differentiable(base)
     return base

@@ -12,8 +12,14 @@ from snapjump.batch import model_derivatives, variant
 from snapjump.batch.derivatives import place
 from snapjump.composition import with_tier
 from snapjump.declare.inputs import DEFAULT_INPUTS, inputs_of, with_inputs
-from snapjump.engine.model import numbers_of
-from snapjump.scenes.jump_start import jump_model
+from snapjump.engine.model import TimeLimit, numbers_of
+from snapjump.scenes.jump_start import (
+    critical,
+    jump_model,
+    leading_start,
+    loading_time,
+    start_angle_rad,
+)
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 BASE = with_tier("draft")
@@ -34,11 +40,22 @@ def curve():
     return ThresholdCurve.through(BASE.robot, BASE.discretization, 0.09, 0.31)
 
 
+def direct_numbers(base, moved):
+    """Numbers of a robot whose start moves along the branch so that its snap comes when that of
+    another does, and whose time limit counts from its start."""
+    threshold = critical(base)
+    loading = loading_time(base, start_angle_rad(base, threshold), threshold)
+    model = jump_model(moved)
+    clamp = model.clamp._replace(start=leading_start(moved, critical(moved), loading))
+    limit = TimeLimit(moved.sim.time_limit_s / moved.robot.scales.time_s)
+    return numbers_of(model._replace(clamp=clamp, time_limit=limit))
+
+
 def direct_slopes(base, design):
     """Derivatives of the numbers that are computed directly."""
 
     def numbers(axis, change):
-        return numbers_of(jump_model(variant(base, np.array(design) + change * axis)))
+        return direct_numbers(variant(base, design), variant(base, design + change * axis))
 
     columns = [slope(partial(numbers, axis), h) for axis, h in zip(np.eye(4), STEPS, strict=True)]
     return np.array(columns).T
@@ -49,8 +66,10 @@ def test_any_input_against_direct_differences(path, value, curve):
     """Every number's derivative is right to 1e-6 of the number, and some number depends on it."""
     found = model_derivatives(BASE, np.array([[value]]), curve, (path,))[0, :, 0]
 
+    here = with_inputs(BASE, {path: value})
+
     def numbers(factor):
-        return numbers_of(jump_model(with_inputs(BASE, {path: value * factor})))
+        return direct_numbers(here, with_inputs(BASE, {path: value * factor}))
 
     coarse, fine = ((numbers(1.0 + h) - numbers(1.0 - h)) / (2.0 * h * value) for h in (8e-3, 4e-3))
     scale = np.maximum(np.abs(numbers(1.0)), 1e-3) / value
@@ -66,7 +85,9 @@ def test_against_direct_differences(design, mount_height, curve):
     found = model_derivatives(base, np.array([design]), curve)[0]
     scale = np.maximum(np.abs(numbers_of(jump_model(variant(base, design)))), 1.0)[:, None]
     assert found.shape == (len(scale), 4)
-    np.testing.assert_allclose(found / scale, direct_slopes(base, design) / scale, atol=1e-6)
+    np.testing.assert_allclose(
+        found / scale, direct_slopes(base, np.array(design)) / scale, atol=1e-6
+    )
 
 
 def test_at_the_ends_of_the_ranges(curve):

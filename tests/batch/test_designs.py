@@ -10,7 +10,7 @@ from snapjump import ParameterError, Robot
 from snapjump.backend.lanes import LanesBackend
 from snapjump.batch import Batch, simulate_batch, simulate_designs, variants
 from snapjump.composition import with_tier
-from snapjump.declare.outputs import NUMBER, WORD
+from snapjump.declare.outputs import FLAG, NUMBER, WORD
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.simulation import simulate
 from snapjump.statics.threshold_curve import ThresholdCurve
@@ -52,6 +52,9 @@ def test_refused_designs_are_rows_with_a_status(batch):
         values = batch.columns()[output.name]
         assert values.shape == (len(ALL),)
         if output.kind == WORD:
+            continue
+        if output.kind == FLAG:
+            assert {*values[~refused]} <= {True, False} and {*values[refused]} == {None}
             continue
         assert np.isfinite(values[~refused]).all(), output.name
         if output.kind != NUMBER or output.name in COUNTS:

@@ -106,7 +106,7 @@ UNKNOWN = {
     "contact": replace(BASE, contact="signorini", integrator="implicit_euler"),
     "backend": replace(BASE, backend="cuda"),
     # Steps jump over its stick zone.
-    "friction.velocity_threshold_m_s = 0.0001": FINE,
+    "friction.velocity_threshold_m_s = 0.001": FINE,
 }
 
 

@@ -63,7 +63,7 @@ def test_other_scenes_are_refused():
         Convergence().prepare({**config, "sim": {"name": "snap"}})
     with pytest.raises(ParameterError, match=r"task.levels = 2 .* \[3, 10\]"):
         Convergence().prepare({**config, "task": {"name": "convergence", "levels": 2}})
-    assert groups_of(config)["integrator"]["name"] == "tr_bdf2"
+    assert groups_of(config)["integrator"]["name"] == "generalized_alpha"
 
 
 @pytest.mark.compiles

@@ -45,11 +45,13 @@ def test_creep_on_a_slope(row):
     assert LAW.ratio(row["w"] * THRESHOLD) == pytest.approx(row["tan"], rel=1e-8)
 
 
-def test_implicit_law_has_the_slope_at_rest_after_a_change_of_sign():
+def test_implicit_law_follows_the_chord_after_a_change_of_sign():
     assert LAW.ratio(5.0 * THRESHOLD) == MU
     assert LAW.slope(5.0 * THRESHOLD, 0.5 * THRESHOLD) == 0.0
     turned = LAW.slope(5.0 * THRESHOLD, -0.5 * THRESHOLD)
-    assert turned == pytest.approx(2.0 * MU / THRESHOLD)
+    assert turned == pytest.approx(MU / (5.0 * THRESHOLD))
+    inside = LAW.slope(0.5 * THRESHOLD, -0.5 * THRESHOLD)
+    assert inside == pytest.approx(LAW.ratio(0.5 * THRESHOLD) / (0.5 * THRESHOLD))
     # At the first iterate there is no velocity before.
     assert LAW.slope(0.5 * THRESHOLD, 0.0) == pytest.approx(MU / THRESHOLD)
 

@@ -33,8 +33,9 @@ def test_no_gap_closes(jumped):
 
 def test_flight_is_ballistic(jumped):
     arrays = jumped.arrays
-    # Lift-off is the end of the last step in contact: leave that step behind.
-    aloft = arrays["time_s"] > jumped.liftoff_time_s + 1e-4
+    # Lift-off is the end of the last step in contact; generalised alpha halves what it remembers of
+    # that step's forces in each of the next.
+    aloft = arrays["time_s"] > jumped.liftoff_time_s + 3e-4
     assert aloft.sum() > 5
     time = arrays["time_s"][aloft] - jumped.liftoff_time_s
     scale = jumped.liftoff_vy_m_s

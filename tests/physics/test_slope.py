@@ -9,8 +9,10 @@ from references import outputs_of as reference
 
 from snapjump.checks import ParameterError
 from snapjump.composition import with_tier
+from snapjump.friction.implicit import ImplicitFriction
 from snapjump.friction.lagged import LaggedFriction
 from snapjump.robot.environment import Environment
+from snapjump.sim.jump import Jump
 
 SLOPES = (-0.2, 0.1, 0.28)
 G = 10.0
@@ -27,7 +29,9 @@ def creep_m_s(simulation):
 
 @pytest.mark.parametrize("slope", SLOPES)
 def test_a_robot_begins_to_creep_as_friction_holds_it(slope):
-    sloping = jump(environment=Environment(slope_rad=slope))
+    friction = ImplicitFriction(1e-4)
+    scene = Jump(sample_interval_s=5e-6)
+    sloping = jump(environment=Environment(slope_rad=slope), friction=friction, sim=scene)
     arrays, creep = sloping.arrays, creep_m_s(sloping.simulation)
     # What pulls it downhill is what friction takes, until the beam begins to swing.
     feet, time = arrays["corner_x_m"][:2, :2], arrays["time_s"][:2]

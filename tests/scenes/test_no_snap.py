@@ -43,7 +43,7 @@ def test_an_arch_that_stays_stable_does_not_snap(design):
 
 
 def test_a_walk_of_too_many_steps_is_given_up(monkeypatch):
-    monkeypatch.setattr(critical, "MOST_NODE_STEPS", 5.0 * 57.0)
+    monkeypatch.setattr(critical, "MOST_NODE_STEPS", 5.0 * 65.0)
     result = of("static", TURNED_FAR)
     assert result.status == "branch_lost" and "in 5 steps" in result.message
 

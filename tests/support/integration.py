@@ -17,6 +17,7 @@ from snapjump.engine.step import commit_step, reach_end
 MEMBERS = FAMILIES["integrator"]
 VARIANTS = {
     **{name: cls() for name, cls in MEMBERS.items()},
+    "generalized_alpha": MEMBERS["generalized_alpha"](0.5),
     "generalized_alpha 0": MEMBERS["generalized_alpha"](0.0),
     "generalized_alpha 0.8": MEMBERS["generalized_alpha"](0.8),
     "newmark damped": MEMBERS["newmark"](0.36, 0.7),

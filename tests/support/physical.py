@@ -8,6 +8,7 @@ from families import FAMILIES
 
 from snapjump import Design, Environment, Result, Robot
 from snapjump.composition import Simulation, with_tier
+from snapjump.friction.implicit import ImplicitFriction
 from snapjump.scenes.mass import march_mass, mass_model
 from snapjump.sim.bounce import BounceOutputs
 from snapjump.simulation import simulate
@@ -84,6 +85,7 @@ def beam(
         damping="none",
         integrator=integrator,
         stepping=FixedStep(step_s),
+        friction=ImplicitFriction(1e-4) if scene == "slide" else None,
     )
 
 
@@ -101,6 +103,7 @@ def single_mass(
         environment=Environment(mu=mu, slope_rad=slope_rad),
         integrator=integrator,
         stepping=FixedStep(step_s),
+        friction=ImplicitFriction(1e-4) if scene == "slide" else None,
     )
 
 

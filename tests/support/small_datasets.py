@@ -14,7 +14,7 @@ from snapjump.dataset.manifest import write_manifest
 from snapjump.dataset.read import Dataset, open_dataset
 from snapjump.dataset.shard import write_shard
 from snapjump.dataset.specification import Specification, specify
-from snapjump.declare.outputs import FLAG, INTEGER, NUMBER
+from snapjump.declare.outputs import FLAG, INTEGER, NUMBER, WORD
 from snapjump.executor.local import LocalExecutor
 
 BACKEND = {"name": "lanes"}
@@ -70,6 +70,10 @@ def made_up_rows(specification: Specification, number: int) -> Rows:
             rows[column.name] = random.integers(0, 1000, count)
         elif column.kind == FLAG:
             rows[column.name] = random.random(count) < 0.9
+        elif column.kind == WORD:
+            rows[column.name] = np.array(["", "much friction"], object)[
+                random.integers(0, 2, count)
+            ]
     rows["index"] = np.arange(first, last)
     columns = [axis.column for axis in specification.axes]
     rows |= dict(zip(columns, specification.plan.designs(first, last).T, strict=True))

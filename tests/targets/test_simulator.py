@@ -42,7 +42,9 @@ def test_slopes_are_those_with_a_wider_stick_zone():
     """The mesh is so fine that they do not depend on the last digits of a threshold."""
     base = with_tier("standard")
     simulator = JumpSimulator(base)
-    wider = replace(base, friction=ImplicitFriction(velocity_threshold_m_s=0.01))
+    finer = base.stepping.changed(tolerance=0.1 * base.stepping.tolerance)
+    friction = ImplicitFriction(velocity_threshold_m_s=0.01)
+    wider = replace(base, friction=friction, stepping=finer)
     curve = ThresholdCurve.through(base.robot, base.discretization, 0.1, 0.3)
     options = {"curve": curve, "threads": 1, "lanes": 8, "sensitivities": True}
     found = simulate_designs(wider, DESIGNS[:2], **options).sensitivities

@@ -6,6 +6,12 @@ from snapjump.engine.clamp.base import ClampAngles, ClampProgramme
 from snapjump.number.functions import where
 
 
+def time_turned(clamp: Any) -> Any:
+    """Time (T) since the leading clamp was flat, at a march's beginning; of one or of many."""
+    ahead = 0.5 * (abs(clamp.delta_alpha) - clamp.delta_alpha)
+    return (clamp.start + ahead) / clamp.rate
+
+
 @ClampProgramme.member
 class ConstantRate(NamedTuple):
     """Left angle at time 0 and at the end (rad), its rate (rad/T), and how far the right lags."""

@@ -26,7 +26,8 @@ def test_numbers_are_short_and_what_is_missing_is_empty():
 
 
 def test_a_jump_is_reported_in_lengths_and_millimetres():
-    summary = {"x_bar": 5.0, "y_bar": 14.0, "apex_time_s": 0.25, "steps": 700}
+    summary = {"x_bar": 5.0, "y_bar": 14.0, "apex_time_s": 0.25, "steps": 700,
+               "error_estimate_percent": 0.7, "within_tier": True}  # fmt: skip
     lines = dict(scene_report(DRAFT_JUMP, summary))
     assert lines["apex"] == "x 5 L (100 mm), y 14 L (280 mm), 250 ms after the clamps begin to turn"
     assert lines["cost"] == "700 steps"
@@ -37,7 +38,9 @@ def test_a_jump_is_reported_in_lengths_and_millimetres():
 def test_a_changed_tier_claims_no_error():
     stepping = {"name": "adaptive", "tolerance": 1e-3}
     lines = dict(scene_report({**DRAFT_JUMP, "stepping": stepping}, {}))
-    assert lines["accuracy"] == "draft, but for stepping.tolerance: its error is not known"
+    assert lines["accuracy"] == (
+        "draft, but for stepping.tolerance: numerical error not known here"
+    )
 
 
 def test_other_scenes_show_every_output_by_name_with_its_unit():
