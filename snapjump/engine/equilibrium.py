@@ -4,11 +4,11 @@ from typing import Any
 
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import BACKTRACKS, ITERATION, SIZE
-from snapjump.engine.newton import newton_iteration
+from snapjump.engine.newton import Allowed, newton_iteration
 from snapjump.number.dispatch import routine
 from snapjump.number.functions import any_true, negate, where
 
-TOLERANCE = 1e-10  # of the last correction (L)
+ENOUGH = Allowed(1e-10, 1.0)  # of the last correction (L)
 ANCHOR = 1e3  # spring that holds the x that statics leaves undetermined (EI/L^3)
 MOST_ITERATIONS = 60
 
@@ -36,7 +36,7 @@ def solve_equilibrium(model: Any, masses: Any, work: Any, time: Any) -> Any:
     for _ in range(MOST_ITERATIONS):
         # Lanes that are done stay as they are: their result must not depend on the others.
         step = newton_iteration(
-            model, motion, masses, work, negate(done), TOLERANCE, 1.0 * MOST_ITERATIONS, 0.0
+            model, motion, masses, work, negate(done), ENOUGH, 1.0 * MOST_ITERATIONS, 0.0
         )
         negative = where(done, negative, step.negative_pivots)
         done = done | step.converged

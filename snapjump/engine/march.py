@@ -10,7 +10,7 @@ from typing import Any
 from snapjump.engine.clock import ACTIVE, FAILURES, ITERATIONS, STAGE, STATUS, STEP
 from snapjump.engine.explicit import evaluate_forces
 from snapjump.engine.model import with_numbers
-from snapjump.engine.newton import newton_iteration
+from snapjump.engine.newton import Allowed, newton_iteration
 from snapjump.engine.outcome import COLUMNS, ROWS_OF_CLOCK
 from snapjump.engine.queue import Queue, load_robot, refill
 from snapjump.engine.stage import begin_stage, keep_stage, stage_motion
@@ -114,7 +114,10 @@ def march(
                 masses,
                 work,
                 active,
-                method.termination.newton_tolerance(work, stepping.newton_tolerance()),
+                Allowed(
+                    method.termination.newton_tolerance(work, stepping.newton_tolerance()),
+                    stepping.newton_stick_share(),
+                ),
                 method.most_in_stage,
                 MOST_BACKTRACKS,
             )

@@ -23,8 +23,15 @@ GROWTH_LIMIT = 2.0  # of the correction, above which the last one is halved
 LARGEST_CORRECTION = 0.3  # of the beam's length
 ROUNDING = 2.0**-50  # of the length: what rounding of a point's few coordinates adds up to
 LARGEST_SHAKE = 1e-6  # of the length: corrections beyond are more than rounding
-STICK_SHARE = 0.1  # of the speed of sticking, that may be left of a foot's sliding
 SHRINKING = 0.5  # of the last correction: a smaller one still converges
+
+
+class Allowed(NamedTuple):
+    """What an iteration may leave: an error (L), and of a foot's sliding a share of the speed below
+    which friction sticks."""
+
+    error: Any
+    stick_share: Any
 
 
 class Correction(NamedTuple):
@@ -97,7 +104,7 @@ def newton_iteration(
     masses: Any,
     work: Any,
     mask: Any,
-    tolerance: Any,
+    allowed: Allowed,
     most_iterations: Any,
     most_backtracks: Any,
 ) -> Correction:
@@ -150,11 +157,11 @@ def newton_iteration(
     # and straightens it in turn.
     shaken = (larger * force <= ROUNDING * model.discretization.axial_stiffness()) & negate(first)
     shaken = shaken & (correction >= SHRINKING * clock[SIZE]) & (correction <= LARGEST_SHAKE)
-    exact = (rate * correction <= tolerance) | shaken
+    exact = (rate * correction <= allowed.error) | shaken
     if settles_sliding(model):
         if any_true(exact & mask):
             left = rate * unsettled_sliding(model, motion.rate_factor, masses, work)
-            exact = exact & (left <= STICK_SHARE * model.friction.stick_speed())
+            exact = exact & (left <= allowed.stick_share * model.friction.stick_speed())
     converged = exact & (share >= 1.0) & negate(back) & finite
     iteration = clock[ITERATION] + 1.0
     failed = (iteration >= most_iterations) & negate(converged) | negate(finite)

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from snapjump.declare.fields import number
 from snapjump.number.exponentials import exp, log
 from snapjump.number.functions import maximum, minimum
-from snapjump.stepping.base import StepControl, SteppingOptions
+from snapjump.stepping.base import NEWTON_STICK_SHARE, StepControl, SteppingOptions
 from snapjump.units import Scales
 
 SAFETY = 0.8
@@ -28,6 +28,9 @@ FIRST_STEP_BAR = 2e-4
 SMALLEST_STEP_BAR = 1e-10
 
 LARGEST_STEP_BAR = 0.2
+
+# Steps that resolve no stick zone are none for Newton's method to settle within.
+COARSE_STICK_SHARE = 16.0
 
 # Newton's corrections are measured at their largest, errors by their root mean square: a largest
 # correction of five tolerances is an error of about one.
@@ -72,6 +75,9 @@ class AdaptiveStep(SteppingOptions):
 
         def stick_factor(self, step: Any, stick_speed: Any) -> Any:
             return self.stick_share * stick_speed * step / self.tolerance
+
+        def newton_stick_share(self) -> Any:
+            return NEWTON_STICK_SHARE * max(1.0, self.stick_share / COARSE_STICK_SHARE)
 
         def next_step(self, error: Any, error_order: Any, step: Any, contact_rate: Any) -> Any:
             ratio = maximum(error / self.tolerance, 1e-12 + 0.0 * error)

@@ -6,6 +6,8 @@ from snapjump.declare.fields import Part
 from snapjump.number.methods import Contract, required
 from snapjump.units import Scales
 
+NEWTON_STICK_SHARE = 0.1
+
 
 class StepControl(Contract):
     """Step control: the contract that every member fulfils (a ``NamedTuple`` of numbers)."""
@@ -22,6 +24,10 @@ class StepControl(Contract):
         """Largest factor by which a step's error may exceed the tolerance where friction below a
         sliding velocity (L/T) sticks."""
         return 1e30
+
+    def newton_stick_share(self) -> Any:
+        """Share of the speed below which friction sticks that Newton's method may leave."""
+        return NEWTON_STICK_SHARE
 
     @required
     def next_step(self, error: Any, error_order: Any, step: Any, contact_rate: Any) -> Any:
