@@ -43,7 +43,7 @@ def begin_before_the_strike(monkeypatch: MonkeyPatch, usual: Simulation) -> None
         go_on(march, way(usual, find_starts))
 
     monkeypatch.setattr(March, "find_starts", find_and_go_on)
-    # The momentum of that way is the usual friction's, which a slippery ground would not have given.
+    # The momentum of that way is the usual friction's; a slippery ground would not have given it.
     monkeypatch.setattr(flight_check, "driven_too_far", lambda *_: False)
 
 
