@@ -31,8 +31,9 @@ def crossing(times: Array, values: Array, which: int = 0) -> float:
     if len(fallen) == 0:
         return float("nan")
     k = int(fallen[which])
-    begun = times[k]
-    return float(begun + brentq(cubic(times, values, k), 0.0, times[k + 1] - begun, xtol=1e-15))
+    between, step = cubic(times, values, k), times[k + 1] - times[k]
+    share = brentq(lambda part: between(part * step), 0.0, 1.0, xtol=1e-12)
+    return float(times[k] + share * step)
 
 
 def at(times: Array, values: Array, moment: float) -> float:

@@ -59,7 +59,7 @@ def scaled(simulation: Simulation, factors: Factors) -> Simulation:
 def scaled_row(kind: type[Outputs], row: dict[str, Any], factors: Factors) -> dict[str, Any]:
     """All outputs but times of the computation, scaled as numbers of their units are."""
     return {
-        each.name: row[each.name] * (factors.of(each.unit) if each.kind == NUMBER else 1)
+        each.name: row[each.name] * factors.of(each.unit) if each.kind == NUMBER else row[each.name]
         for each in kind.declared()
         if not each.timing
     }
