@@ -20,7 +20,7 @@ from snapjump.engine.assemble import assemble
 from snapjump.engine.clock import TIME
 from snapjump.engine.march import march as march_on
 from snapjump.engine.model import Model, with_numbers
-from snapjump.engine.newton import newton_iteration, solve_linearised
+from snapjump.engine.newton import Allowed, newton_iteration, solve_linearised
 from snapjump.engine.stage import stage_motion
 from snapjump.engine.view import view_work
 from snapjump.engine.work import FIELDS, Memory, make_memory
@@ -30,7 +30,7 @@ from snapjump.scenes.runner import MOST_ITERATIONS, March
 MOMENTS = 8
 PASSES_BETWEEN = 250
 REPEATS, COUNT, PASSES = 9, 100, 20
-TOLERANCE, MOST_NEWTON, MOST_BACKTRACKS = 1e-9, 25.0, 4.0
+ENOUGH, MOST_NEWTON, MOST_BACKTRACKS = Allowed(1e-9, 0.1), 25.0, 4.0
 
 
 @njit(cache=True, error_model="numpy")
@@ -69,7 +69,7 @@ def iterate_often(
     nobody = work.clock[TIME] < -1.0
     for _ in range(count):
         newton_iteration(
-            model, motion, masses, work, nobody, TOLERANCE, MOST_NEWTON, MOST_BACKTRACKS
+            model, motion, masses, work, nobody, ENOUGH, MOST_NEWTON, MOST_BACKTRACKS
         )
 
 
