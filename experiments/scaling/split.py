@@ -68,9 +68,7 @@ def iterate_often(
     model, motion, work = frozen(template, scheme, memory, lanes)
     nobody = work.clock[TIME] < -1.0
     for _ in range(count):
-        newton_iteration(
-            model, motion, masses, work, nobody, ENOUGH, MOST_NEWTON, MOST_BACKTRACKS
-        )
+        newton_iteration(model, motion, masses, work, nobody, ENOUGH, MOST_NEWTON, MOST_BACKTRACKS)
 
 
 def typical(call: Callable[[int], object], count: int) -> float:
