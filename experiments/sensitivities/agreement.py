@@ -8,13 +8,17 @@ import numpy as np
 from experiments.sensitivities import frozen_steps as frozen
 from snapjump.batch import model_derivatives, prepare_designs, simulate_designs
 from snapjump.batch.derivatives import place
+from snapjump.batch.prepare import thresholds
 from snapjump.batch.sensitivities import Slopes, apex_sensitivities
+from snapjump.batch.variants import variant
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.engine.termination.timed import TimedTermination
 from snapjump.scenes.jump_march import jump_march
+from snapjump.scenes.jump_start import critical, leading_start, loading_time, start_angle_rad
 from snapjump.scenes.runner import March
 from snapjump.scenes.sensitivities import record_sensitivities
+from snapjump.statics.threshold import Threshold
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 # Of the differences: rounding spoils the small one, a kink of the map within reach the large one.
@@ -22,12 +26,26 @@ STEPS = (1e-5, 3e-6)
 FOURTH_ORDER = ((8.0, 1), (-8.0, -1), (-1.0, 2), (1.0, -2))
 
 
+def threshold_of(simulation: Simulation, curve: ThresholdCurve) -> Threshold:
+    """Its threshold, from the curve where that reaches."""
+    return thresholds([simulation], curve)[0] or critical(simulation)
+
+
 def jump_of(
-    base: Simulation, design: Any, curve: ThresholdCurve, inputs: Sequence[str] = DEFAULT_INPUTS
+    base: Simulation,
+    design: Any,
+    curve: ThresholdCurve,
+    inputs: Sequence[str] = DEFAULT_INPUTS,
+    loading: float | None = None,
 ) -> March:
-    """The march of one robot, whose inputs have the values of ``design``; its start is found."""
+    """The march of one robot, whose inputs have the values of ``design``; its start is found, so
+    long (T) before the critical angle if that is given."""
     ready = prepare_designs(base, np.array([design]), curve, inputs)
-    march = jump_march(ready.simulations, ready.models)
+    (simulation,), (model,) = ready.simulations, ready.models
+    if loading is not None:
+        start = leading_start(simulation, threshold_of(simulation, curve), loading)
+        model = model._replace(clamp=model.clamp._replace(start=start))
+    march = jump_march([simulation], [model])
     march.find_starts()
     return march
 
@@ -75,8 +93,12 @@ def frozen_errors(
     """Largest error of a design's derivatives (C, I), over the largest of x or y, for each number
     of corrections and each input."""
 
+    here = variant(base, design, inputs)
+    threshold = threshold_of(here, curve)
+    loading = loading_time(here, start_angle_rad(here, threshold), threshold)
+
     def jump_at(values: Any) -> March:
-        return jump_of(base, values, curve, inputs)
+        return jump_of(base, values, curve, inputs, loading)
 
     steps = frozen.adaptive_steps(jump_at(design))
     solutions = frozen.exact_jump(jump_at(design), steps)
