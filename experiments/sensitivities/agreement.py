@@ -1,13 +1,14 @@
 """Sensitivities against differences: of the program with frozen steps, and of the adaptive one."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from experiments.sensitivities import frozen_steps as frozen
 from snapjump.batch import model_derivatives, prepare_designs, simulate_designs
-from snapjump.batch.derivatives import place
+from snapjump.batch.derivatives import place, threshold_slopes
 from snapjump.batch.prepare import thresholds
 from snapjump.batch.sensitivities import Slopes, apex_sensitivities
 from snapjump.batch.variants import variant
@@ -36,14 +37,14 @@ def jump_of(
     design: Any,
     curve: ThresholdCurve,
     inputs: Sequence[str] = DEFAULT_INPUTS,
-    loading: float | None = None,
+    snap: tuple[Threshold, float] | None = None,
 ) -> March:
     """The march of one robot, whose inputs have the values of ``design``; its start is found, so
-    long (T) before the critical angle if that is given."""
+    long (T) before its threshold if these are given."""
     ready = prepare_designs(base, np.array([design]), curve, inputs)
     (simulation,), (model,) = ready.simulations, ready.models
-    if loading is not None:
-        start = leading_start(simulation, threshold_of(simulation, curve), loading)
+    if snap is not None:
+        start = leading_start(simulation, *snap)
         model = model._replace(clamp=model.clamp._replace(start=start))
     march = jump_march([simulation], [model])
     march.find_starts()
@@ -97,8 +98,12 @@ def frozen_errors(
     threshold = threshold_of(here, curve)
     loading = loading_time(here, start_angle_rad(here, threshold), threshold)
 
+    # Along their tangent: computed thresholds are known less well than these differences ask for.
+    turned = np.array([threshold_slopes(here, path, curve)[0] for path in inputs])
+
     def jump_at(values: Any) -> March:
-        return jump_of(base, values, curve, inputs, loading)
+        angle = threshold.alpha_rad + float(turned @ (np.asarray(values) - np.asarray(design)))
+        return jump_of(base, values, curve, inputs, (replace(threshold, alpha_rad=angle), loading))
 
     steps = frozen.adaptive_steps(jump_at(design))
     solutions = frozen.exact_jump(jump_at(design), steps)
