@@ -25,10 +25,10 @@ from snapjump.tiers import TIERS
 JUDGED = ("draft", "standard", "reference")
 DRAWN_AT = "standard"
 MOST_ITERATIONS, TRUTH_ITERATIONS = 2e5, 2e6
-TRUTH = {"integrator": "tr_bdf2", "tolerance": 2e-10, "elements": 544}
-SECOND = {"integrator": "tr_bdf2", "tolerance": 1e-9, "elements": 320}
+TRUTH: dict[str, Any] = {"integrator": "tr_bdf2", "tolerance": 2e-10, "elements": 544}
+SECOND: dict[str, Any] = {"integrator": "tr_bdf2", "tolerance": 1e-9, "elements": 320}
 # The truth's mesh error over the difference of both, which is of second order.
-TRUTH_SHARE = 1.0 / ((TRUTH["elements"] / SECOND["elements"]) ** 2 - 1.0)  # type: ignore[operator]
+TRUTH_SHARE = 1.0 / ((TRUTH["elements"] / SECOND["elements"]) ** 2 - 1.0)
 LANES = 8
 
 

@@ -11,6 +11,7 @@ from snapjump.composition import Simulation, with_tier
 from snapjump.declare.inputs import DEFAULT_INPUTS, PARTS
 from snapjump.scenes.sensitivities import SMALLEST_STICK_ZONE, check_differentiable, stick_zone
 from snapjump.statics.threshold_curve import ThresholdCurve
+from snapjump.stepping.adaptive import AdaptiveStep
 
 LANES = 8  # even for one jump, which takes a third longer so: every width is compiled anew
 RESOLVED_STICK_ZONE = 2.19089e-3  # L/T: 0.01 m/s for the default robot
@@ -85,8 +86,8 @@ def differentiable(base: Simulation) -> Simulation:
     if stick_zone(base) < SMALLEST_STICK_ZONE:
         wide_m_s = RESOLVED_STICK_ZONE * base.robot.scales.velocity_m_s
         base = replace(base, friction=base.friction.changed(velocity_threshold_m_s=wide_m_s))
-    if base.stepping.name == "adaptive":
-        finer = SLOPES_SHARE * base.stepping.tolerance  # type: ignore[attr-defined]
+    if isinstance(base.stepping, AdaptiveStep):
+        finer = SLOPES_SHARE * base.stepping.tolerance
         base = replace(base, stepping=base.stepping.changed(tolerance=finer))
     check_differentiable(base)
     return base

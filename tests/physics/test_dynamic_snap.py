@@ -100,7 +100,10 @@ def test_implicit_euler_rows():
         crossed_s = time_s[k - 1] + share * (time_s[k] - time_s[k - 1])
         assert crossed_s == pytest.approx(row["t_cross_s"], rel=1e-6)
         assert result.snap_time_s == pytest.approx(crossed_s, rel=1e-5)
-        assert result.alpha_snap_rad == pytest.approx(row["alpha_cross"], rel=1e-5)
+        left = result.arrays["clamp_left_rad"]
+        crossing_rad = left[k - 1] + share * (left[k] - left[k - 1])
+        assert crossing_rad == pytest.approx(row["alpha_cross"], rel=1e-6)
+        assert result.alpha_snap_rad == pytest.approx(crossing_rad, rel=1e-5)
         speed = result.arrays["node_vy_m_s"][:, row["n"] // 2]
         crossing_m_s = speed[k - 1] + share * (speed[k] - speed[k - 1])
         assert crossing_m_s / VELOCITY_M_S == pytest.approx(row["vmid"], rel=1e-5)
