@@ -133,8 +133,9 @@ alone = snapjump.simulate_jump(accuracy="draft", contact="cone", friction="tanh"
 assert beside.status == ["ok"] * 3 and alone.status == "ok"
 assert (alone.x_bar, alone.y_bar) == (beside.x_bar[0], beside.y_bar[0])
 # A number of the law is an input as any other, and so are derivatives by it: those of the steps
-# that are taken, so that differences are of the same steps, which resolve the strike.
-base = with_tier("draft", contact="cone", friction="tanh", stepping=FixedStep(step_s=2e-6))
+# that are taken, so that differences are of the same steps. Those resolve the strike: at four
+# times the step, what Newton's method leaves moves derivatives by 5 %.
+base = with_tier("draft", contact="cone", friction="tanh", stepping=FixedStep(step_s=5e-7))
 inputs = ("design.delta_alpha", "environment.mass_bar", "contact.modulus_Pa")
 designs = np.array([[0.1, 0.768, 2e6], [0.05, 1.2, 5e6], [0.15, 0.6, 1e6]])
 found = simulate_designs(base, designs, inputs=inputs, sensitivities=True, threads=1)

@@ -28,6 +28,8 @@ VALUES |= {"design.epsilon": 0.15, "environment.slope_rad": 0.1}
 FOURS = [dict(list(VALUES.items())[k : k + 4]) for k in range(0, len(VALUES), 4)]
 # delta_alpha, epsilon, mass_bar, mu
 DESIGNS = ((0.03, 0.15, 1.3, 0.25), (0.15, 0.18, 1.6, 0.2))
+# Where no kink of the frozen steps lies within the differences' reach of any input.
+SMOOTH = (0.1, 0.18, 1.6, 0.2)
 
 
 @pytest.fixture(scope="module")
@@ -48,7 +50,7 @@ def test_derivatives_are_those_of_the_frozen_steps(design, curve):
 @pytest.mark.compiles
 @pytest.mark.parametrize("values", FOURS)
 def test_derivatives_by_any_inputs(values, curve):
-    base = variant(BASE, DESIGNS[0])
+    base = variant(BASE, SMOOTH)
     errors = frozen_errors(base, np.array(list(values.values())), curve, (2, 6), tuple(values))
     two, six = (dict(zip(values, row, strict=True)) for row in errors)
     assert max(six.values()) < 5e-5, six
