@@ -7,6 +7,7 @@ costs nothing at run time.
 """
 
 import inspect
+from collections import Counter
 from collections.abc import Callable
 from functools import cache
 from typing import Any
@@ -27,6 +28,7 @@ Function = Callable[..., Any]
 __all__ = ["Contract", "ContractError", "required"]
 METHODS_KEY = "snapjump.methods"
 METHODS: dict[tuple[type, str], Function] = {}
+NAMES: Counter[str] = Counter()
 CALLS: dict[Function, Function] = {}  # how numba writes a call of each
 # Of arguments, which plug-ins may still have.
 FORMER_NAMES = {"approach": "state", "turning": "rotations", "weights": "coefficients"}
@@ -56,7 +58,19 @@ class Contract:
             setattr(member, name, given or declared)
         for name, function in methods_of(member).items():
             METHODS[member, name] = compiled_too(function)
+        member.__name__ = name_of_its_own(member)
         return member
+
+
+def name_of_its_own(member: type) -> str:
+    """A name that no other member has, one that was defined before in its place included.
+
+    numba's programs tell the tuples that they are called with apart by the names of class and
+    fields alone: of two laws that are both called Law, the second would run the first one's code.
+    """
+    name = f"{member.__module__}.{member.__qualname__}".encode("ascii", "backslashreplace").decode()
+    NAMES[name] += 1
+    return name if NAMES[name] == 1 else f"{name}#{NAMES[name]}"
 
 
 def methods_of(cls: type) -> dict[str, Function]:

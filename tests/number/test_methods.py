@@ -112,3 +112,21 @@ def test_an_argument_may_have_its_former_name():
             return self.stiffness * gap + approach
 
     assert Old(2.0).force(3.0, 1.0) == 7.0
+
+
+def test_laws_of_one_name_and_the_same_fields_are_told_apart() -> None:
+    def law(factor):
+        @Spring.member
+        class Law(NamedTuple):
+            stiffness: float
+
+            def force(self, gap):
+                return factor * self.stiffness * gap
+
+        return Law(1.0)
+
+    @program
+    def force(law, gap):
+        return law.force(gap)
+
+    assert [force(law(factor), 1.0) for factor in (2.0, 3.0)] == [2.0, 3.0]
