@@ -62,15 +62,34 @@ def mount_height(model: Any) -> Any:
     return (model.frame.mount_y - model.frame.foot_y) / (0.1646 * np.sqrt(compression))
 
 
+def frame_height(model: Any) -> Any:
+    """Height of the frame (L)."""
+    return model.frame.top_y - model.frame.foot_y
+
+
+def reach(model: Any) -> Any:
+    """Reach of the ground (L); of a law that begins at its surface it is of no account."""
+    found = np.asarray(model.contact.reach())
+    return np.where(found > 0.0, found, 0.025)
+
+
+def mismatch(model: Any) -> Any:
+    """Mismatch of the clamps over about the angle at which a flat arch snaps."""
+    compression = 1.0 - 2.0 * model.frame.half_span
+    return np.abs(model.clamp.delta_alpha) / (2.0 * np.sqrt(compression))
+
+
 GROUPS = (
     Group("mass of the beam over that of the frame", 0.0, 4.0, beam_over_frame),
     Group("relaxation time of the material over T", 2e-5, 0.2, relaxation),
     Group("rate of the clamps times T (rad)", 1e-3, 4.0, rate),
     Group("friction coefficient", 0.0, 1.2, friction),
     Group("height of the clamps over the depth of the critical arch", 0.25, 4.0, mount_height),
+    Group("mismatch over the angle at which the arch snaps", 0.0, 0.6, mismatch),
     Group("stick zone over L/T", 1e-6, 0.03, stick_zone),
     Group("stiffness of the ground over EI/L^3", 30.0, 1e7, lambda m: m.contact.stiffness),
-    Group("reach of the ground over L", 0.0, 0.15, lambda m: m.contact.reach()),
+    Group("reach of the ground over L", 2e-3, 0.15, reach),
+    Group("height of the frame over L", 0.0, 5.0, frame_height),
     Group("tangent of the slope", 0.0, 0.2, lambda m: abs(m.load.downhill / m.load.cosine)),
 )
 

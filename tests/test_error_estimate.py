@@ -60,6 +60,7 @@ def test_without_an_apex_nothing_is_known():
         ("robot.rotation_rate_rad_s", 5.0, 200.0),
         ("environment.mu", 0.5, 0.9),
         ("robot.mount_height", 1.5e-3, 5e-4),
+        ("robot.frame_height_m", 0.01, 0.05),
     ],
 )
 def test_what_makes_a_robot_hard(path, easy, hard):
@@ -128,6 +129,8 @@ def test_a_start_that_leaves_out_loading_says_nothing(start):
         ("contact.stiffness_N_m", 1e12),
         ("friction.velocity_threshold_m_s", 1.0),
         ("environment.slope_rad", 0.25),
+        ("contact.distance_m", 1e-5),
+        ("robot.frame_height_m", 0.2),
     ],
 )
 def test_robots_beyond_what_was_calibrated_say_nothing(path, value):
@@ -136,6 +139,30 @@ def test_robots_beyond_what_was_calibrated_say_nothing(path, value):
     assert found.within_tier.tolist() == [True, None]
     assert found.because[0] == "" and "outside" in found.because[1]
     assert np.isnan(found.x_percent[1]) and np.isnan(found.y_percent[1])
+
+
+@pytest.mark.parametrize("delta_alpha", [-0.4, 0.4])
+def test_a_mismatch_of_more_than_half_the_snap_says_nothing(delta_alpha):
+    beyond = with_inputs(
+        STANDARD, {"design.delta_alpha": delta_alpha, "design.epsilon": 0.1}
+    )  # which snaps at 0.64 rad
+    found = error_estimate(STANDARD, models(beyond), np.full(1, 1e-4))
+    assert found.within_tier.tolist() == [None] and "mismatch" in found.because[0]
+
+
+@pytest.mark.parametrize(
+    ("loss", "residual", "told"),
+    [
+        (0.03, 0.7, [True, False, None]),
+        (0.5, 0.1, [False, False, None]),
+        (-0.5, 0.1, [False, False, None]),
+        (0.03, 3.0, [False, False, None]),
+        (np.nan, 0.1, [True, False, None]),
+    ],
+)
+def test_energy_and_forces_out_of_balance_keep_no_promise(loss, residual, told):
+    found = estimated(STANDARD, 1e-5, 1.0, np.nan).balanced(loss, np.array([residual]))
+    assert found.within_tier.tolist() == told
 
 
 def test_the_default_robot_is_well_inside_every_range():

@@ -149,3 +149,8 @@ class JumpRun(JumpOutputs, RunOutputs):
 @dataclass(frozen=True)
 class RecordedJump(JumpOutputs, RecordedOutputs):
     """One jump with its trajectory."""
+
+    @cached_property
+    def estimate(self) -> ErrorEstimate:
+        """Estimated errors, and whether energy and forces are in balance as they then must be."""
+        return super().estimate.balanced(self.numerical_loss_share, self.max_residual)

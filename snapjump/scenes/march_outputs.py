@@ -1,5 +1,6 @@
 """Outputs that scenes share: of any simulation, of any march, of one on the ground, recorded."""
 
+import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -138,7 +139,17 @@ class GroundOutputs(MarchOutputs):
 
 @dataclass(frozen=True)
 class RecordedOutputs(MarchOutputs, RunOutputs):
-    """Of one march whose trajectory is recorded."""
+    """Of one march whose trajectory is recorded. ``arrays``: it, and the energy ledger; empty where
+    the march did not begin."""
+
+    arrays: dict[str, NDArray[Any]]
+
+    @output("1", show="")
+    def numerical_loss_share(self) -> float:
+        """Energy at the end that only the numerics can have taken, or given, over the largest
+        kinetic energy."""
+        largest = self.arrays["kinetic_J"].max() if self.arrays else 0.0
+        return self.arrays["numerical_loss_J"][-1] / largest if largest else math.nan
 
     @output("1", show="")
     def max_residual(self) -> Array:

@@ -3,7 +3,6 @@
 import time
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -45,6 +44,7 @@ def mass_model(
         ConstantRate(0.0, 1.0, 1.0, 0.0),
         contact=simulation.contact.law(scales),
         friction=simulation.friction.law(scales, simulation.environment.mu),
+        damping=simulation.damping.law(scales),
         load=Gravity(fall, cos(slope_rad), 0.0 - sin(slope_rad)),
         ground=simulation.contact.ground(scales, None),
     )
@@ -57,14 +57,14 @@ def beginning(
     resting = ContactState(velocity[1], 0.0, state[1], velocity[1], 0.0)
     normal = float(force_if_active(model.contact, state[1], resting)[1]) / mass_bar
     ratio = model.friction.ratio(velocity[0])
-    return model.load.pull() - float(ratio) * normal, normal - model.load.gravity()
+    along, up = (-model.damping.drag() * speed for speed in velocity)
+    return (along + model.load.pull() - float(ratio) * normal, up + normal - model.load.gravity())
 
 
 @dataclass(frozen=True)
 class MassOutputs(GroundOutputs, RecordedOutputs):
-    """Of a mass on the ground. ``arrays``: its trajectory; ``units``: of the model's numbers."""
+    """Of a mass on the ground. ``units``: of the model's numbers."""
 
-    arrays: dict[str, Any]
     units: Scales
 
     @cached_property

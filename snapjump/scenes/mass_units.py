@@ -67,7 +67,7 @@ def stick_speed(law: Any) -> float:
 
 def units_of_sliding(simulation: Simulation) -> Scales:
     """Of a mass that slides: itself, its fastest speed or that of sticking, and the time in which
-    friction and weight change it by as much."""
+    friction, drag and weight change it by as much."""
     scene, robot, environment = simulation.sim, simulation.robot, simulation.environment
     slope, gravity_m_s2 = environment.slope_rad, robot.gravity_m_s2
     brake = gravity_m_s2 * environment.mu * cos(slope)
@@ -79,5 +79,6 @@ def units_of_sliding(simulation: Simulation) -> Scales:
     speed = max(scene.speed_m_s, gained, stick * robot.scales.velocity_m_s)
     if speed == 0.0:
         return robot.scales
-    time = speed / max(pull + brake, speed / scene.duration_s)
+    drag = float(simulation.damping.law(robot.scales).drag()) / robot.scales.time_s * speed
+    time = speed / max(pull + brake + drag, speed / scene.duration_s)
     return Scales(speed * time, time, scene.mass_kg)

@@ -58,8 +58,8 @@ class Jump(SceneOptions):
         recorder = (lambda size: make_recorder(size, *times)) if alone else no_recorder
         march = jump_march([simulation], [model], recorder=recorder, lanes=simulation.backend.width)
         march.find_starts()
-        outcomes = jumped(march, progress)
-        kind = RecordedJump if alone else JumpRun
-        outputs = kind(simulation, begun, *outcomes, march.kernel_seconds)
-        recorded = alone and march.recorder.filled[0] > 0
-        return outputs.result(trajectory_arrays(march, march.recorder) if recorded else {})
+        known = simulation, begun, *jumped(march, progress), march.kernel_seconds
+        if not alone:
+            return JumpRun(*known).result({})
+        arrays = trajectory_arrays(march, march.recorder) if march.recorder.filled[0] > 0 else {}
+        return RecordedJump(*known, arrays).result(arrays)

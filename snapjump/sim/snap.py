@@ -97,7 +97,8 @@ class Snap(SampledScene):
         midpoint = Midpoint.of(recorder, scales)
         if outcome[0, c.STATUS] == OK and math.isnan(midpoint.crossing_s):
             outcome[0, c.STATUS] = NO_SNAP
-        side, seconds = side_by_side([model]), march.kernel_seconds
-        outputs = SnapOutputs(simulation, begun, side, outcome, seconds, midpoint, model.clamp)
         marched = recorder.filled[0] > 0
-        return outputs.result(trajectory_arrays(march, recorder.trajectory) if marched else {})
+        arrays = trajectory_arrays(march, recorder.trajectory) if marched else {}
+        marches = side_by_side([model]), outcome, march.kernel_seconds
+        outputs = SnapOutputs(simulation, begun, *marches, arrays, midpoint, model.clamp)
+        return outputs.result(arrays)

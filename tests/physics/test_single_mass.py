@@ -167,3 +167,18 @@ def test_units_are_of_the_motion():
     assert units_of_sliding(sliding).time_s == pytest.approx(0.05)  # of the duration, 0.1 to stop
     still = Simulation(sim=FAMILIES["sim"]["slide"](speed_m_s=0.0), friction="none")
     assert units_of_sliding(still) == still.robot.scales
+
+
+@pytest.mark.parametrize("rate", [0.1, 100.0, 1e4])
+def test_drag_slows_a_mass_by_the_exponential(rate):
+    result = simulate(
+        Simulation(
+            sim=FAMILIES["sim"]["slide"](mass_kg=1.0, speed_m_s=2.0, duration_s=3.0 / rate,
+                                         sample_interval_s=3.0 / rate),
+            friction="none",
+            damping=FAMILIES["damping"]["mass_proportional"](rate_1_s=rate),
+        )
+    )  # fmt: skip
+    left = math.exp(-3.0)
+    assert result.final_speed_m_s == pytest.approx(2.0 * left, rel=5e-3)
+    assert result.distance_m == pytest.approx(2.0 / rate * (1.0 - left), rel=5e-3)
