@@ -3,9 +3,9 @@
 The error of the time steps is the sum A of their own estimates (L) times a factor of the method,
 levelling off where results no longer have anything in common but their range; the error of the
 mesh is a power of the element's length. Both grow with what makes a robot hard: a light frame, a
-tall one, little damping, fast clamps, much friction, low clamps. The numbers are fits to true errors
-of robots far beyond the paper's ranges too (``python -m experiments.claims``), such that 95 % of
-these are below twice the estimate; where robots or members were not calibrated
+tall one, little damping, fast clamps, much friction, low clamps. The numbers are fits to true
+errors of robots far beyond the paper's ranges too (``python -m experiments.claims``), such that
+95 % of these are below twice the estimate; where robots or members were not calibrated
 (:mod:`snapjump.calibrated`) there is none. Errors of x are relative to max(|x|, 0.1 y), those of y
 to y; in percent.
 """
