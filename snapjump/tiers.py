@@ -73,8 +73,8 @@ LIKE_THE_PAPER = {
 }
 FINE = {"stepping.contact_steps": 1.0}
 TIERS = {
-    "paper": Tier(PAPER, resolved(66, 1e-6, 4.0, **LIKE_THE_PAPER), 20.0, (20, 7)),
-    "draft": Tier(MEMBERS, resolved(64, 4e-6, 16.0), 3.0, (2.6, 0.4)),
-    "standard": Tier(MEMBERS, resolved(120, 1e-6, 8.0), 0.5, (0.45, 0.12)),
-    "reference": Tier(MEMBERS, resolved(320, 6e-8, 2.0, **FINE), 0.05, (0.04, 0.02)),
+    "paper": Tier(PAPER, resolved(66, 1e-6, 4.0, **LIKE_THE_PAPER), 20.0, (21, 5.8)),
+    "draft": Tier(MEMBERS, resolved(64, 4e-6, 16.0), 3.0, (0.63, 0.33)),
+    "standard": Tier(MEMBERS, resolved(120, 1e-6, 8.0), 0.5, (0.19, 0.12)),
+    "reference": Tier(MEMBERS, resolved(320, 6e-8, 2.0, **FINE), 0.05, (0.028, 0.012)),
 }
