@@ -52,8 +52,12 @@ def friction(model: Any) -> Any:
 
 
 def stick_zone(model: Any) -> Any:
-    """Half width of the stick zone (L/T); without friction it is of no account."""
-    return getattr(model.friction, "velocity_threshold", 1e-3)
+    """Half width of the stick zone (L/T) that steps resolve; without friction of no account."""
+    law = model.friction
+    if not law:
+        return 1e-3
+    zones = np.vectorize(lambda *numbers: law._make(numbers).stick_speed(), otypes=[float])(*law)
+    return np.where(friction(model) > 0.0, zones, 1e-3)
 
 
 def mount_height(model: Any) -> Any:
@@ -86,7 +90,7 @@ GROUPS = (
     Group("friction coefficient", 0.0, 1.2, friction),
     Group("height of the clamps over the depth of the critical arch", 0.25, 4.0, mount_height),
     Group("mismatch over the angle at which the arch snaps", 0.0, 0.6, mismatch),
-    Group("stick zone over L/T", 1e-6, 0.03, stick_zone),
+    Group("stick zone that steps resolve, over L/T", 1e-6, 0.03, stick_zone),
     Group("stiffness of the ground over EI/L^3", 30.0, 1e7, lambda m: m.contact.stiffness),
     Group("reach of the ground over L", 2e-3, 0.15, reach),
     Group("height of the frame over L", 0.0, 5.0, frame_height),

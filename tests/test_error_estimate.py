@@ -128,6 +128,7 @@ def test_a_start_that_leaves_out_loading_says_nothing(start):
         ("robot.rotation_rate_rad_s", 2000.0),
         ("contact.stiffness_N_m", 1e12),
         ("friction.velocity_threshold_m_s", 1.0),
+        ("friction.velocity_threshold_m_s", 1e-6),
         ("environment.slope_rad", 0.25),
         ("contact.distance_m", 1e-5),
         ("robot.frame_height_m", 0.2),

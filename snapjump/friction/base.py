@@ -46,7 +46,7 @@ class FrictionLaw(Contract):
 
     def stick_speed(self) -> Any:
         """Sliding velocity (L/T) below which friction sticks, which steps and iterations then
-        resolve; 1e30 where nothing needs to be."""
+        resolve; 1e30 where nothing is to be resolved, or cannot be."""
         return 1e30
 
     def largest_ratio(self) -> Any:

@@ -33,8 +33,8 @@ class JumpOutputs(GroundOutputs):
 
     @cached_property
     def estimate(self) -> ErrorEstimate:
-        """Estimated errors; none where there is no apex."""
-        steps = np.where(np.isin(self.status, ENDED), self.outcome[:, c.ERROR_SUM], np.nan)
+        """Estimated errors; none where no flight has an apex."""
+        steps = np.where(np.isin(self.status, FLOWN), self.outcome[:, c.ERROR_SUM], np.nan)
         return error_estimate(self.simulation, self.model, steps)
 
     @cached_property
@@ -113,17 +113,17 @@ class JumpOutputs(GroundOutputs):
         """Largest step, times the frequency of contact in it."""
         return self.outcome[:, c.COARSEST]
 
-    @output("%", of=ENDED, show="")
+    @output("%", of=FLOWN, show="")
     def x_error_estimate_percent(self) -> Array:
         """Estimated error of x_bar, of max(|x|, 0.1 y)."""
         return self.estimate.x_percent
 
-    @output("%", of=ENDED, show="")
+    @output("%", of=FLOWN, show="")
     def y_error_estimate_percent(self) -> Array:
         """Estimated error of y_bar."""
         return self.estimate.y_percent
 
-    @output("%", of=ENDED, show="")
+    @output("%", of=FLOWN, show="")
     def error_estimate_percent(self) -> Array:
         """The larger of both estimated errors."""
         return self.estimate.percent

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from references import outputs_of
 
+from snapjump import Environment, simulate_jump
 from snapjump.friction.base import regularised_sign
 from snapjump.friction.implicit import ImplicitFriction
 from snapjump.friction.lagged import LaggedFriction
@@ -68,3 +69,14 @@ def test_what_the_laws_declare():
     assert [law.exists() for law in laws] == [True, True, False]
     assert [law.is_lagged() for law in laws] == [False, True, False]
     assert NoFriction.Law().ratio(1.0) == NoFriction.Law().slope(1.0, 1.0) == 0.0
+
+
+@pytest.mark.parametrize("mu", [0.3, 5.0])
+def test_a_jump_with_the_sharpest_friction_ends_and_does_not_know_its_error(mu):
+    jump = simulate_jump(
+        accuracy="draft",
+        friction=ImplicitFriction(velocity_threshold_m_s=1e-9),
+        environment=Environment(mu=mu),
+    )
+    assert jump.status == "ok" and jump.newton_iterations < 2e4
+    assert jump.within_tier is None

@@ -8,6 +8,7 @@ from snapjump.number.functions import maximum, where
 from snapjump.units import Scales
 
 MODERATE = 0.3  # coefficient of friction above which steps resolve a smaller stick zone
+FINEST = 1e-6  # half width (L/T) of the finest zone that steps resolve, at twenty times the cost
 
 
 class SmoothedCoulomb(FrictionLaw):
@@ -22,7 +23,7 @@ class SmoothedCoulomb(FrictionLaw):
     def stick_speed(self) -> Any:
         # A foot's force follows its velocity the more steeply, the larger the coefficient.
         zone = self.velocity_threshold / maximum(1.0, self.mu / MODERATE)
-        return where(self.mu > 0.0, zone, 1e30)
+        return where((self.mu > 0.0) & (zone >= FINEST), zone, 1e30)
 
     def largest_ratio(self) -> Any:
         return self.mu
