@@ -54,6 +54,17 @@ def boxes(size: tuple[float, float], rows: int, columns: int, **margins: float) 
     return [(x, y, w, h) for x, y, w, h in found]
 
 
+def label_decades(axes: Any) -> None:
+    """Label 1, 2 and 5 of each decade of x where the axis has less than two, else the decades."""
+    from matplotlib.ticker import LogLocator, NullFormatter
+
+    low, high = axes.get_xlim()
+    subs = (1.0, 2.0, 5.0) if high < 100.0 * low else (1.0,)
+    axes.xaxis.set_major_locator(LogLocator(subs=subs))
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    axes.xaxis.set_major_formatter("{x:g}")
+
+
 def legend_above(axes: Any, columns: int, **changes: Any) -> None:
     """A legend in one line, or few, over a panel."""
     axes.legend(

@@ -8,6 +8,7 @@ import numpy as np
 
 from experiments.convergence.ladders import Ladder
 from experiments.convergence.verdict import Verdict
+from experiments.styles import label_decades
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import axes_at, picture
 
@@ -45,17 +46,6 @@ def draw_ladders(ladders: Sequence[Ladder], verdicts: Sequence[Verdict], path: P
             low, top = axes.get_ylim()
             axes.set_ylim(low, top * (top / low) ** 0.45)  # room for the legend
             axes.legend(loc="upper left", fontsize=8.5, ncols=1, handlelength=2.2)
-
-
-def label_decades(axes: Any) -> None:
-    """Label 1, 2 and 5 of each decade where the axis has less than two, else the decades."""
-    from matplotlib.ticker import LogLocator, NullFormatter
-
-    low, high = axes.get_xlim()
-    subs = (1.0, 2.0, 5.0) if high < 100.0 * low else (1.0,)
-    axes.xaxis.set_major_locator(LogLocator(subs=subs))
-    axes.xaxis.set_minor_formatter(NullFormatter())
-    axes.xaxis.set_major_formatter("{x:.0e}")
 
 
 def _draw(axes: Any, verdict: Verdict) -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from experiments.designs import LABELS
+from experiments.styles import label_decades
 from snapjump.run.studies.base import Row
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import picture
@@ -38,3 +39,4 @@ def draw_designs(rows: Sequence[Row], path: Path) -> None:
         edges = np.geomspace(counts.min(), counts.max() * 1.01, 60)
         axes.hist(counts, edges, color=palette.BEAM, log=True)
         axes.set(xscale="log", xlabel="Newton iterations of a jump", ylabel="designs")
+        label_decades(axes)
