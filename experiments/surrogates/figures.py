@@ -18,7 +18,7 @@ COLOURS = {
     "rbf": palette.QUIET,
     "gradient_mlp": palette.VIOLET,
 }
-FASTEST_S = 20.0  # of a training that is shown: what is not trained takes no time
+FASTEST_S = 10.0  # of a training that is shown: what is not trained takes no time
 MARKS = {"of the paper's tier": "s", "with slopes": "^", "slopes left out": "v"}
 
 
