@@ -56,7 +56,8 @@ def stick_zone(model: Any) -> Any:
     law = model.friction
     if not law:
         return 1e-3
-    zones = np.vectorize(lambda *numbers: law._make(numbers).stick_speed(), otypes=[float])(*law)
+    with np.errstate(invalid="ignore"):  # of robots without a model, which are NaN
+        zones = np.vectorize(lambda *numbers: law._make(numbers).stick_speed(), [float])(*law)
     return np.where(friction(model) > 0.0, zones, 1e-3)
 
 

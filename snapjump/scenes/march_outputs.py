@@ -1,6 +1,5 @@
 """Outputs that scenes share: of any simulation, of any march, of one on the ground, recorded."""
 
-import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -146,10 +145,10 @@ class RecordedOutputs(MarchOutputs, RunOutputs):
 
     @output("1", show="")
     def numerical_loss_share(self) -> float:
-        """Energy at the end that only the numerics can have taken, or given, over the largest
-        kinetic energy."""
+        """Energy at the end that only the numerics can have taken, or given (below 0), over the
+        largest kinetic energy; 0 where nothing moved."""
         largest = self.arrays["kinetic_J"].max() if self.arrays else 0.0
-        return self.arrays["numerical_loss_J"][-1] / largest if largest else math.nan
+        return self.arrays["numerical_loss_J"][-1] / largest if largest else 0.0
 
     @output("1", show="")
     def max_residual(self) -> Array:
