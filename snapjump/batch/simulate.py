@@ -16,8 +16,9 @@ from snapjump.batch.progress import BatchProgress
 from snapjump.batch.sensitivities import Slopes
 from snapjump.checks import ParameterError, check_integer
 from snapjump.composition import Simulation
-from snapjump.declare.inputs import DEFAULT_INPUTS, check_inputs
+from snapjump.declare.inputs import DEFAULT_INPUTS, check_inputs, inputs_of
 from snapjump.declare.scenes import Progress
+from snapjump.declare.tables import rows_of
 from snapjump.engine import outcome as c
 from snapjump.engine.model import Model
 from snapjump.engine.status import RUNNING
@@ -120,7 +121,7 @@ def simulate_batch(
 
 def simulate_designs(
     base: Simulation,
-    designs: Array,
+    designs: Any,
     *,
     inputs: Sequence[str] = DEFAULT_INPUTS,
     curve: ThresholdCurve | None = None,
@@ -131,7 +132,8 @@ def simulate_designs(
 ) -> Batch:
     """Simulate designs (R, I), whose columns are ``inputs``, by their paths.
 
-    By default these are delta_alpha (rad), epsilon, mass_bar, mu; all else is as in ``base``.
+    By default these are delta_alpha (rad), epsilon, mass_bar, mu; all else is as in ``base``. An
+    array has its columns in this order; those of a DataFrame are found by their names.
     ``threads`` (default: one a core) with ``lanes`` jumps in each; both default to what ``base``
     says if its backend is ``lanes``, and mean nothing with ``backend=cuda``.
     A curve spares a threshold for every epsilon in its range.
@@ -143,12 +145,9 @@ def simulate_designs(
     jump, a number of lanes or threads out of range, a curve of another robot or mesh, or a module
     that sensitivities do not know.
     """
-    table = np.asarray(designs, dtype=float)
-    if table.ndim != 2 or table.shape[1] != len(inputs):
-        raise ParameterError(
-            "designs", table.shape, f"rows of {', '.join(inputs)}: shape (R, {len(inputs)})"
-        )
     check_inputs(base, inputs)
+    known = inputs_of(base)
+    table = rows_of(designs, [known[path] for path in inputs], known.values())
     if base.sim.name != "jump":
         raise ParameterError("sim", base.sim.name, "jump, for batches")
     check_backend(base)

@@ -15,6 +15,7 @@ from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.dataset.specification import first_difference
 from snapjump.declare.inputs import PARTS
+from snapjump.declare.tables import rows_of
 from snapjump.learning.checkpoint import read_checkpoint
 from snapjump.learning.threads import torch_threads
 from snapjump.plan.parts.axes import Range, recorded_axes
@@ -27,7 +28,8 @@ DIFFERENCE = 1e-3  # of a range: step of the slopes of networks that torch canno
 
 class ForwardModel:
     """Satisfies :class:`snapjump.inverse.base.ForwardModel`. Designs (N, I) are columns of its
-    ``axes``, by default delta_alpha (rad), epsilon, mass_bar, mu; apexes in L.
+    ``axes``, by default delta_alpha (rad), epsilon, mass_bar, mu, or a DataFrame with columns of
+    these names; apexes in L.
 
     ``about``: what the checkpoint says of it. Methods raise ParameterError, naming the column, for
     designs that are outside of the training ranges or no numbers.
@@ -107,9 +109,7 @@ class ForwardModel:
 
     def _checked(self, designs: Array) -> Array:
         """Designs that may be asked, as an array."""
-        designs = np.asarray(designs, dtype=float)
-        if designs.ndim != 2 or designs.shape[1] != len(self.axes):
-            raise ParameterError("designs", designs.shape, f"a shape (N, {len(self.axes)})")
+        designs = rows_of(designs, self.axes)
         slack = ROUNDING * (self._high - self._low)
         inside = (designs >= self._low - slack) & (designs <= self._high + slack)
         if not inside.all():

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import numpy as np
+import pandas as pd
 import pytest
 from robots import BASELINE as BASE
 
@@ -68,6 +69,12 @@ def test_rows_are_those_of_the_batch_of_good_designs(batch):
     alone = simulate_batch(variants(BASE, GOOD), lanes=8).columns()
     for name, values in batch.columns().items():
         assert name in TIMING or np.array_equal(values[PLACES], alone[name]), name
+
+
+def test_columns_of_a_frame_are_found_by_their_names(batch):
+    frame = pd.DataFrame(ALL, columns=["delta_alpha", "epsilon", "mass_bar", "mu"])[::-1]
+    found = simulate_designs(BASE, frame[frame.columns[::-1]], threads=2, lanes=1)
+    np.testing.assert_array_equal(found.x_bar[::-1], batch.x_bar)
 
 
 def test_rows_are_those_of_single_jumps(batch):

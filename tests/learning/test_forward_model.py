@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import numpy as np
+import pandas as pd
 import pytest
 import torch
 from forward_models import RANGES, about, jumps, network
@@ -77,6 +78,12 @@ def test_designs_of_another_shape(model):
     for designs in (np.zeros(4), np.zeros((2, 3))):
         with pytest.raises(ParameterError, match="designs"):
             model.predict(designs)
+
+
+def test_columns_of_a_frame_are_found_by_their_names(model):
+    rows = np.array(RANGES).T
+    frame = pd.DataFrame(rows, columns=[axis.column for axis in model.axes])
+    np.testing.assert_array_equal(model.predict(frame[frame.columns[::-1]]), model.predict(rows))
 
 
 def test_the_same_physical_model_at_other_numerics(model):
