@@ -4,8 +4,8 @@ from collections.abc import Iterable, Sequence
 from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
-from snapjump.arrays import Array
 from snapjump.checks import ParameterError
 
 
@@ -24,7 +24,9 @@ def names_of(one: Named) -> set[str]:
     return {one.path, one.path.replace(".", "_"), one.column, one.path.rpartition(".")[2]}
 
 
-def rows_of(designs: Any, inputs: Sequence[Named], others: Iterable[Named] = ()) -> Array:
+def rows_of(
+    designs: Any, inputs: Sequence[Named], others: Iterable[Named] = ()
+) -> NDArray[np.float64]:
     """Designs (R, I), their columns in the order of the inputs.
 
     An array is in that order. Of a table with named columns (a pandas DataFrame) the names decide,
