@@ -1,6 +1,7 @@
 """A simulation as its parts: one option object of each family, checked against each other."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
 from typing import Any
 
 from snapjump.backend.base import BackendOptions
@@ -8,7 +9,8 @@ from snapjump.checks import ParameterError, check_choice
 from snapjump.contact.base import ContactOptions
 from snapjump.damping.base import DampingOptions
 from snapjump.declare.families import FAMILIES
-from snapjump.declare.fields import Need, Part
+from snapjump.declare.fields import Need, Part, construct
+from snapjump.declare.inputs import inputs_of
 from snapjump.declare.members import make_member, members_with
 from snapjump.declare.scenes import SceneOptions
 from snapjump.discretization.base import DiscretizationOptions
@@ -30,6 +32,8 @@ DEFAULTS = {
     "backend": "scalar",
 }
 CHOSEN: Any = None  # by the accuracy tier, or by the scene
+# Parts that are no family: there is one kind of each.
+PLAIN: Mapping[str, Any] = {"robot": Robot, "design": Design, "environment": Environment}
 
 
 @dataclass(frozen=True)
@@ -37,7 +41,8 @@ class Simulation:
     """Everything that determines a simulation. Raises ParameterError where parts do not fit.
 
     A part that is left out is chosen by the scene or the accuracy tier, and a field of a part that
-    is left out, where the tier has a value for it, by the tier. A part may be the name of a member.
+    is left out, where the tier has a value for it, by the tier. A part may be the name of a member,
+    or a group: a mapping of ``name`` and fields.
     """
 
     sim: SceneOptions = CHOSEN
@@ -58,10 +63,22 @@ class Simulation:
         check_choice("accuracy", self.accuracy, tuple(TIERS))
         tier = TIERS[self.accuracy]
         chosen = {**DEFAULTS, **tier.members}
+        for group, kind in PLAIN.items():
+            part = getattr(self, group)
+            if isinstance(part, Mapping):
+                object.__setattr__(self, group, construct(group, kind, part))
+            elif not isinstance(part, kind):
+                allowed = f"a {kind.__name__}, or a mapping of its fields"
+                raise ParameterError(group, part, allowed)
         for family in FAMILIES:
             part = getattr(self, family)
             if part is None or isinstance(part, str):
                 part = make_member(family, {"name": part or chosen[family]})
+            elif isinstance(part, Mapping):
+                part = make_member(family, {"name": chosen[family], **part})
+            elif getattr(part, "group", None) != family:
+                allowed = f"the name of a member of {family}, a group with one, or its options"
+                raise ParameterError(family, part, allowed)
             part = part.with_defaults(tier.numbers_of(family))
             object.__setattr__(self, family, part)
             if family == "sim":
@@ -87,5 +104,13 @@ class Simulation:
 
 
 def with_tier(name: str, **parts: Any) -> Simulation:
-    """A jump at an accuracy tier; explicit parts win over the tier's choice."""
+    """A jump at an accuracy tier; explicit parts win over the tier's choice.
+    Raises ParameterError for a part that there is not, and says where a number belongs."""
+    known = [field.name for field in fields(Simulation) if field.name != "accuracy"]
+    for key, value in parts.items():
+        if key not in known:
+            paths = [path for path in inputs_of({**dict.fromkeys(FAMILIES), **PLAIN})
+                     if path.rpartition(".")[2] in (key, f"{key}_m")]  # fmt: skip
+            meant = f"did you mean {', '.join(paths)}? " if paths else ""
+            raise ParameterError(key, value, f"{meant}one of {', '.join(known)}")
     return Simulation(**{**parts, "accuracy": name})

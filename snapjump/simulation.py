@@ -4,19 +4,15 @@ from collections.abc import Mapping
 from typing import Any
 
 from snapjump.checks import check_choice, check_group
-from snapjump.composition import Simulation, with_tier
+from snapjump.composition import PLAIN, Simulation, with_tier
 from snapjump.declare.families import FAMILIES
-from snapjump.declare.fields import construct
 from snapjump.declare.former_options import with_present_options
-from snapjump.declare.members import make_member
 from snapjump.declare.scenes import Progress
 from snapjump.results import Result
 from snapjump.robot.design import Design
 from snapjump.robot.environment import Environment
 from snapjump.robot.robot import Robot
 from snapjump.tiers import TIERS
-
-PLAIN = {"robot": Robot, "design": Design, "environment": Environment}
 
 
 def build(config: Mapping[str, Any]) -> Simulation:
@@ -30,12 +26,7 @@ def build(config: Mapping[str, Any]) -> Simulation:
     config = with_present_options(config)
     for group in (*PLAIN, *FAMILIES, "accuracy"):
         check_group(group, config.get(group) or {})
-    parts: dict[str, Any] = {}
-    for group, cls in PLAIN.items():
-        parts[group] = construct(group, cls, config.get(group) or {})
-    for family in FAMILIES:
-        if config.get(family):
-            parts[family] = make_member(family, config[family])
+    parts: Any = {group: config[group] for group in (*PLAIN, *FAMILIES) if config.get(group)}
     accuracy = (config.get("accuracy") or {}).get("name", "standard")
     check_choice("accuracy.name", accuracy, tuple(TIERS))
     return Simulation(**parts, accuracy=accuracy)

@@ -6,7 +6,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from snapjump.checks import ParameterError
-from snapjump.composition import Simulation
+from snapjump.composition import PLAIN, Simulation
 from snapjump.dataset.options import DatasetOptions
 from snapjump.dataset.sealed import sha256_of
 from snapjump.declare.inputs import with_inputs
@@ -15,7 +15,7 @@ from snapjump.files.provenance import BEYOND_DATASETS, source_hash
 from snapjump.plan.base import Plan, PlanOptions
 from snapjump.plan.parts.axes import Axis, recorded_axes
 from snapjump.scenes.sensitivities import check_differentiable
-from snapjump.simulation import PLAIN, build
+from snapjump.simulation import build
 
 FORMAT = 1  # of the files; another number for another hash. Columns are told by each file
 

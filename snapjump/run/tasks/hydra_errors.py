@@ -2,9 +2,10 @@
 
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
+from typing import Any
 
 from hydra.errors import MissingConfigException, OverrideParseException
-from omegaconf import DictConfig
+from omegaconf import DictConfig, OmegaConf
 from omegaconf.errors import ConfigAttributeError, ConfigKeyError, OmegaConfBaseException
 
 from snapjump.checks import ParameterError
@@ -25,7 +26,8 @@ def one_line(error: Exception, arguments: Sequence[str]) -> ParameterError:
             (argument for argument in arguments if f"'{argument}'" in text), "command line"
         )
         key, _, value = sweeping.partition("=")
-        return ParameterError(key, value, "one value; to sweep over several add --multirun")
+        allowed = f"one value, or a list [{value}]; to sweep over several add --multirun"
+        return ParameterError(key, value, allowed)
     for cause in _causes(error):
         if isinstance(cause, (ConfigAttributeError, ConfigKeyError)):
             return _unknown_key(cause, arguments)
@@ -43,18 +45,31 @@ def _unknown_key(error: OmegaConfBaseException, arguments: Sequence[str]) -> Par
     key = str(error.full_key or error.key)
     parent = error.parent_node
     known = [str(k) for k in parent if k != "hydra"] if isinstance(parent, DictConfig) else []
-    place = key.rpartition(".")[0]
-    near = get_close_matches(key.rpartition(".")[2], known, n=1)
-    hint = f"did you mean {near[0]}? " if near else ""
+    place, _, name = key.rpartition(".")
+    near = get_close_matches(name, known, n=1)
+    elsewhere = _paths_like(name, parent._get_root()) if isinstance(parent, DictConfig) else []
+    meant = ", ".join(elsewhere or near)
+    hint = f"did you mean {meant}? " if meant else ""
     allowed = f"{hint}{place or 'the configuration'} has {', '.join(known) or 'no keys'}"
     return ParameterError(key, _given(key, arguments), allowed)
+
+
+def _paths_like(name: str, root: Any) -> list[str]:
+    """Keys anywhere in a configuration whose last word is a name, or one with its unit."""
+    found = []
+    whole: Any = OmegaConf.to_container(root, resolve=False)
+    for group, values in whole.items():
+        if group != "hydra" and isinstance(values, dict):
+            keys = [str(key) for key in values]
+            found += [f"{group}.{key}" for key in keys if key == name or key.startswith(f"{name}_")]
+    return found
 
 
 def _given(key: str, arguments: Sequence[str]) -> str:
     """The value of a key on the command line, or nothing."""
     for argument in arguments:
         name, separator, value = argument.partition("=")
-        if separator and name.lstrip("+~") == key:
+        if separator and f"{name.lstrip('+~')}.".startswith(f"{key}."):
             return value
     return ""
 

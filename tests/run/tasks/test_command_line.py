@@ -18,7 +18,11 @@ JUMP = ("sim=jump", "contact=logbarrier", "accuracy=draft", "figures=false")
         # What Hydra would complain about in several lines.
         ("contact=foo", ["contact = 'foo'", "logbarrier", "none"]),
         ("design.foo=1", ["design.foo = '1'", "epsilon", "delta_alpha"]),
-        ("desing.epsilon=0.1", ["desing", "did you mean design?"]),
+        ("desing.epsilon=0.1", ["desing = '0.1'", "did you mean design?"]),
+        ("mu=0.5", ["mu = '0.5'", "did you mean environment.mu?"]),
+        ("design.mu=0.5", ["did you mean environment.mu?", "design has epsilon"]),
+        ("thickness=1e-4", ["did you mean robot.thickness_m?"]),
+        ("target=3,12", ["target = '3,12'", "a list [3,12]", "--multirun"]),
         ("contct=none", ["contct = 'none'", "did you mean contact?"]),
         ("design.epsilon=0.1,0.2", ["design.epsilon = '0.1,0.2'", "--multirun"]),
         ("design.epsilon=[1", ["design.epsilon=[1", "key=value"]),
