@@ -3,12 +3,22 @@
 import os
 import sqlite3
 import sys
+from contextlib import suppress
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from snapjump.checks import ParameterError
 from snapjump.files.lock import FileLock
 from snapjump.tracking.parts.mlflow_store import MlflowStore
+
+if TYPE_CHECKING:
+    from mlflow.tracking import MlflowClient
+
+
+def escaped(path: Path) -> Path:
+    """A path as addresses spell it: what follows a percent sign would be taken for a code."""
+    return Path(str(path).replace("%", "%25"))
 
 
 class Sqlite(MlflowStore):
@@ -22,7 +32,18 @@ class Sqlite(MlflowStore):
 
     @property
     def place(self) -> str:
-        return f"sqlite:///{self.file}"
+        return f"sqlite:///{escaped(self.file)}"
+
+    @cached_property
+    def client(self) -> "MlflowClient":
+        """The client, which makes the folder of the address as it is spelled there, too."""
+        spelled = escaped(self.file.parent)
+        stray = spelled != self.file.parent and not spelled.exists()
+        found = super().client
+        if stray:
+            with suppress(OSError):
+                spelled.rmdir()
+        return found
 
     @property
     def artifacts(self) -> str:
