@@ -19,6 +19,11 @@ PACKAGES = (
 NOT_PHYSICS = ("executor", "files", "run", "show", "tracking")
 # What is built on datasets, and changes none.
 BEYOND_DATASETS = ("inverse", "learning", "surrogate", "targets")
+# Variables of git that name a repository, which may be another one.
+OF_A_REPOSITORY = (
+    *("GIT_DIR", "GIT_WORK_TREE", "GIT_COMMON_DIR", "GIT_INDEX_FILE"),
+    *("GIT_OBJECT_DIRECTORY", "GIT_ALTERNATE_OBJECT_DIRECTORIES", "GIT_NAMESPACE"),
+)
 
 
 def now() -> str:
@@ -45,7 +50,11 @@ def origin() -> dict[str, Any]:
 
 @cache
 def git_state() -> dict[str, Any]:
-    """The revision of the code and whether files differ from it; null outside a repository."""
+    """The revision of the code and whether files differ from it; null outside a repository of its
+    own, as where the package is installed within somebody else's."""
+    top = _git("rev-parse", "--show-toplevel")
+    if top is None or Path(top).resolve() != PACKAGE.parent.resolve():
+        return {"git_revision": None, "git_dirty": None}
     revision = _git("rev-parse", "HEAD")
     changes = _git("status", "--porcelain")
     return {"git_revision": revision, "git_dirty": None if changes is None else changes != ""}
@@ -66,6 +75,7 @@ def source_hash(without: tuple[str, ...] = ()) -> str:
 
 
 def _git(*arguments: str) -> str | None:
+    environment = {key: value for key, value in os.environ.items() if key not in OF_A_REPOSITORY}
     try:
         answer = subprocess.run(
             ["git", "-C", str(PACKAGE), *arguments],
@@ -73,6 +83,7 @@ def _git(*arguments: str) -> str | None:
             text=True,
             timeout=10,
             check=True,
+            env=environment,
         )
     except (OSError, subprocess.SubprocessError):
         return None
