@@ -72,10 +72,10 @@ def _busy(motion: Motion | None, ledger: Ledger) -> tuple[float, float] | None:
     if motion is None or not motion.is_beam:
         return None
     snap = snap_interval(motion)
-    begin = float(motion.time[snap[0]]) if snap is not None else 0.0
+    first, last = float(ledger.time[0]), float(ledger.time[-1])
+    begin = float(motion.time[snap[0]]) if snap is not None else first
     pushed = motion.time[motion.push > 2.0]
     end = float(pushed[-1]) if len(pushed) else float(motion.time[settled(motion)])
     room = 0.08 * max(end - begin, 0.0)
-    begin, end = max(begin - room, 0.0), min(end + room, float(ledger.time[-1]))
-    whole = float(ledger.time[-1] - ledger.time[0])
-    return (begin, end) if 0.0 < end - begin < 0.8 * whole else None
+    begin, end = max(begin - room, first), min(end + room, last)
+    return (begin, end) if 0.0 < end - begin < 0.8 * (last - first) else None

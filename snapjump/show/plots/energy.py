@@ -42,7 +42,7 @@ def energy_picture(
                 axes.tick_params(labelbottom=axes is lower, labelleft=place == 0)
                 if place == 0 and window is not None:
                     axes.axvspan(*window, color=palette.SHADE, zorder=0)
-            lower.set_xlabel("time from the start (ms)")
+            lower.set_xlabel("time (ms)")
             upper.set_title(title, loc="left")
             if place == 0:
                 lower.set_title("balance = stored − initial − work + losses")

@@ -10,7 +10,7 @@ from snapjump.show.plots import palette
 from snapjump.show.plots.camera import View, views
 from snapjump.show.plots.canvas import Canvas
 from snapjump.show.plots.instants import settled, snap_interval
-from snapjump.show.plots.jump import apex_of, since_start
+from snapjump.show.plots.jump import apex_of, milliseconds
 from snapjump.show.plots.motion import Array, Motion, Poses, poses
 from snapjump.show.plots.robot_drawing import arrows, clamp_stubs
 from snapjump.show.plots.trajectory import flight_end
@@ -24,7 +24,7 @@ LEAD, ACTION, FLIGHT = 20, 56, 36  # frames before the snap, of snap and strike,
 
 def film_times(motion: Motion, apex_ms: float | None) -> tuple[Array, int]:
     """The instants shown (ms), and how many of them come before the flight."""
-    first, last = 0.0, float(motion.time[-1])
+    first, last = float(motion.time[0]), float(motion.time[-1])
     end = flight_end(motion, apex_ms)
     interval = snap_interval(motion)
     if interval is not None and end <= last:
@@ -40,7 +40,7 @@ def film_times(motion: Motion, apex_ms: float | None) -> tuple[Array, int]:
 def draw_film(result: Any, motion: Motion, path: pathlib.Path) -> None:
     """Draw and write the film."""
     apex = apex_of(result)
-    times, close = film_times(motion, since_start(result, "apex_time_s"))
+    times, close = film_times(motion, milliseconds(result, "apex_time_s"))
     shown = poses(motion, times)
     cameras = views(motion, shown, close, SIZE, BAR)
     pictures = []

@@ -7,7 +7,7 @@ import numpy as np
 
 from snapjump.show.plots import palette
 from snapjump.show.plots.achievable import draw_map, draw_region
-from snapjump.show.plots.jump import apex_of, since_start
+from snapjump.show.plots.jump import apex_of, milliseconds
 from snapjump.show.plots.motion import Motion, poses, read_motion
 from snapjump.show.plots.saving import picture
 from snapjump.show.plots.scatter import draw_misses, draw_scatter
@@ -35,7 +35,7 @@ def inverse_picture(designed: Designed, region: AchievableRegion | None, path: P
             left = 0.8 if region is not None else 0.475
             flight = figure.add_axes((left, top - size, 0.99 - left, size))
             draw_trajectory(
-                flight, motion, since_start(designed.jump, "apex_time_s"), apex_of(designed.jump)
+                flight, motion, milliseconds(designed.jump, "apex_time_s"), apex_of(designed.jump)
             )
         mark(axes, designed)
         axes.set(xlabel="x / L", ylabel="y / L", ylim=(0.0, None))
@@ -70,7 +70,7 @@ def headline(designed: Designed) -> str:
 def draw_path(axes: Any, designed: Designed, motion: Motion) -> None:
     """The simulated path of the centre of mass, from the ground to the apex."""
     assert motion.centre is not None
-    end = flight_end(motion, since_start(designed.jump, "apex_time_s"))
+    end = flight_end(motion, milliseconds(designed.jump, "apex_time_s"))
     flight = poses(motion, np.linspace(motion.time[-1], end, SAMPLES))
     assert flight.centre is not None
     path = np.vstack([motion.centre, flight.centre])

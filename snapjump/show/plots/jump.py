@@ -16,11 +16,10 @@ def finite_number(summary: dict[str, Any], key: str) -> float | None:
     return value if is_finite_number(value) else None
 
 
-def since_start(result: Any, key: str) -> float | None:
-    """A time of the summary in ms after the first sample, or None."""
+def milliseconds(result: Any, key: str) -> float | None:
+    """A time of the summary in ms, or None."""
     value = finite_number(result.summary, key)
-    times = result.arrays.get("time_s", ())
-    return None if value is None or len(times) == 0 else 1e3 * (value - float(times[0]))
+    return None if value is None else 1e3 * value
 
 
 def apex_of(result: Any) -> tuple[float, float] | None:
@@ -52,7 +51,7 @@ def headline(result: Any) -> str:
 def jump_picture(result: Any, motion: Motion, path: pathlib.Path) -> None:
     """Filmstrip and trajectory of a jump."""
     with picture(path, (12.0, 8.0), headline(result)) as figure:
-        liftoff = since_start(result, "liftoff_time_s")
+        liftoff = milliseconds(result, "liftoff_time_s")
         draw_filmstrip(figure, motion, liftoff, (0.015, 0.02, 0.63, 0.91))
         axes = figure.add_axes((0.70, 0.07, 0.285, 0.81))
-        draw_trajectory(axes, motion, since_start(result, "apex_time_s"), apex_of(result))
+        draw_trajectory(axes, motion, milliseconds(result, "apex_time_s"), apex_of(result))

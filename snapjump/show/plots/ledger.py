@@ -16,7 +16,7 @@ WORK = "clamp_work_J"
 class Ledger:
     """Energies in EI/L at K times; names as in the arrays, without unit."""
 
-    time: np.ndarray  # (K,) ms from the start
+    time: np.ndarray  # (K,) ms since the clamps began to turn
     stored: dict[str, np.ndarray]  # each (K,)
     work: np.ndarray  # (K,) of the clamps
     lost: dict[str, np.ndarray]  # each (K,), added up
@@ -51,4 +51,4 @@ def read_ledger(result: Any) -> Ledger | None:
         return {name[:-2]: columns[name] for name in wanted if name in columns}
 
     work = columns.get(WORK, np.zeros(len(time)))
-    return Ledger(1e3 * (time - time[0]), pick(STORED), work, pick(LOST), unit)
+    return Ledger(1e3 * time, pick(STORED), work, pick(LOST), unit)

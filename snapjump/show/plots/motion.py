@@ -15,7 +15,7 @@ NAMES = (
 
 @dataclass(frozen=True)
 class Poses:
-    """M instants of a robot. Lengths in L, times in ms from the start."""
+    """M instants of a robot. Lengths in L, times in ms, by the clock of the result."""
 
     time: Array  # (M,)
     nodes: Array  # (M, N+1, 2) of the beam
@@ -72,7 +72,7 @@ def read_motion(result: Any) -> Motion | None:
         return None
     length = float(result.simulation.robot.length_m)
     gravity = float(getattr(result.simulation.robot, "gravity_m_s2", 0.0))
-    time = 1e3 * (data["time_s"] - data["time_s"][0])
+    time = 1e3 * data["time_s"]
 
     def points(name: str, unit: str = "m") -> Array | None:
         """x and y (K, P, 2), lengths in L; None if the result has none."""
@@ -102,7 +102,7 @@ def read_motion(result: Any) -> Motion | None:
 
 def poses(motion: Motion, times: Array) -> Poses:
     """Poses at `times` (ms): linear between samples, ballistic and evenly turning after them."""
-    times = np.maximum(np.asarray(times, float), 0.0)
+    times = np.maximum(np.asarray(times, float), motion.time[0])
     last = motion.count - 1
     right = np.clip(np.searchsorted(motion.time, times), min(1, last), last)
     left = np.maximum(right - 1, 0)

@@ -18,9 +18,9 @@ def _close_up(motion: Motion) -> tuple[float, float]:
     """From a little before the snap until the beam has come to rest (ms); else the whole run."""
     snap = snap_interval(motion)
     if snap is None:
-        return 0.0, max(float(motion.time[-1]), 1e-9)
+        return float(motion.time[0]), max(float(motion.time[-1]), float(motion.time[0]) + 1e-9)
     begin, end = float(motion.time[snap[0]]), float(motion.time[settled(motion)])
-    return max(begin - 0.3 * (end - begin), 0.0), max(end, begin + 1e-9)
+    return max(begin - 0.3 * (end - begin), float(motion.time[0])), max(end, begin + 1e-9)
 
 
 def snap_picture(result: Any, motion: Motion, path: pathlib.Path) -> None:

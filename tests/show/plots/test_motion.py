@@ -1,13 +1,15 @@
 """What pictures read of a result: instants, flights between them, and the balance of its books."""
 
 import copy
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 
+from snapjump.show.plots.film import film_times
 from snapjump.show.plots.instants import instants, middle_height, snap_interval
-from snapjump.show.plots.jump import apex_of, since_start
+from snapjump.show.plots.jump import apex_of, milliseconds
 from snapjump.show.plots.ledger import Ledger, read_ledger
 from snapjump.show.plots.motion import Motion, poses, read_motion
 from snapjump.show.plots.trajectory import flight_end
@@ -43,7 +45,7 @@ def test_flight_ends_at_the_apex_and_keeps_shape_and_turning(jump):
     turns = np.polyfit(motion.time[late], jump.arrays["frame_angle_rad"][late], 1)
     assert motion.turning == pytest.approx(turns[0], rel=1e-6) and abs(motion.turning) > 0.01
     end = flight_end(motion, None)
-    assert end == pytest.approx(since_start(jump, "apex_time_s"))
+    assert end == pytest.approx(milliseconds(jump, "apex_time_s"))
     flown = poses(motion, np.array([motion.time[-1], end]))
     assert flown.centre is not None and flown.corners is not None
     assert flown.centre[1] == pytest.approx([jump.summary["x_bar"], jump.summary["y_bar"]])
@@ -70,7 +72,7 @@ def test_moments_are_named_in_order_and_eight(jump):
     motion = motion_of(jump)
     snap = snap_interval(motion)
     assert snap is not None and snap[0] < snap[1]
-    chosen = instants(motion, since_start(jump, "liftoff_time_s"))
+    chosen = instants(motion, milliseconds(jump, "liftoff_time_s"))
     assert len(chosen) == 8
     assert [index for index, _ in chosen] == sorted({index for index, _ in chosen})
     wanted = ["start", "beam touches", "snap begins", "hardest push", "lift-off"]
@@ -112,3 +114,23 @@ def test_books_without_losses_still_balance(snap):
     arrays = {name: snap.arrays[name] for name in ("time_s", "elastic_J")}
     books = books_of(of(snap, arrays=arrays))
     assert books.balance == pytest.approx(books.total - books.total[0])
+
+
+def test_pictures_and_film_have_the_clock_of_the_result(jump):
+    """A motion that starts later is shown at its own times, with what happens in it."""
+    keys = ("liftoff_time_s", "apex_time_s")
+    late = replace(
+        jump,
+        arrays={**jump.arrays, "time_s": jump.arrays["time_s"] + 0.03},
+        summary={**jump.summary, **{key: jump.summary[key] + 0.03 for key in keys}},
+    )
+    here, there = motion_of(jump), motion_of(late)
+    assert there.time[0] == pytest.approx(here.time[0] + 30.0)
+    for key in keys:
+        assert milliseconds(late, key) == pytest.approx(1e3 * late.summary[key])
+    named = instants(here, milliseconds(jump, "liftoff_time_s"))
+    assert instants(there, milliseconds(late, "liftoff_time_s")) == named
+    before, after = (film_times(m, milliseconds(r, "apex_time_s"))
+                     for m, r in ((here, jump), (there, late)))  # fmt: skip
+    assert after[1] == before[1] and after[0] == pytest.approx(before[0] + 30.0)
+    assert books_of(late).time == pytest.approx(books_of(jump).time + 30.0)
