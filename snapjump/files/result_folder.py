@@ -1,5 +1,6 @@
 """The folder of one job: which files it holds, and how each is written and read."""
 
+import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -14,6 +15,8 @@ from snapjump.files.json_file import read_json, write_json
 
 # Where a run is recorded says nothing about what it computes.
 NOT_PHYSICS = ("tracking",)
+
+LONGEST_REASON = 300  # characters of why a picture was not drawn
 
 
 class ResultFolder:
@@ -47,13 +50,23 @@ class ResultFolder:
                 np.savez_compressed(file, allow_pickle=False, **kept)
         return [key for key in arrays if key not in kept]
 
-    def write_figures(self, draw: Callable[[Path], Any]) -> None:
-        """Let ``draw`` fill a folder, and take its files over once all of them are complete."""
-        with TemporaryDirectory(prefix=".figures.", dir=self.path) as folder:
-            draw(Path(folder))
-            for file in sorted(Path(folder).iterdir()):
-                flush(file)
-                file.replace(self.path / file.name)
+    def write_figures(self, draw: Callable[[Path], Any]) -> bool:
+        """Let ``draw`` fill a folder, and take its files over once all of them are complete.
+
+        False for pictures that cannot be drawn (fonts, memory, a full disk): that is told, and
+        takes no result along.
+        """
+        try:
+            with TemporaryDirectory(prefix=".figures.", dir=self.path) as folder:
+                draw(Path(folder))
+                for file in sorted(Path(folder).iterdir()):
+                    flush(file)
+                    file.replace(self.path / file.name)
+        except Exception as error:
+            reason = " ".join(f"{type(error).__name__}: {error}".split())
+            print(f"figures not drawn: {reason[:LONGEST_REASON]}", file=sys.stderr, flush=True)
+            return False
+        return True
 
     def result(self) -> dict[str, Any] | None:
         """The result, if there is one, under the names of today."""

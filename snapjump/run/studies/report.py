@@ -29,8 +29,7 @@ def write_report(folder: ResultFolder, conclusion: Conclusion, draw: bool) -> No
             for name, figure in section.figures.items():
                 figure.draw(path / f"{name}.png")
 
-    if draw:
-        folder.write_figures(draw_all)
+    draw = draw and folder.write_figures(draw_all)
     parts = [part for k, section in enumerate(sections) for part in _told(section, k > 0, draw)]
     text = "\n\n".join(parts) + "\n"
     write_text(folder.path / REPORT, text)

@@ -15,6 +15,8 @@ from snapjump.run.tasks import base
 from snapjump.run.tasks.base import FINISHED
 from snapjump.run.tasks.names import cell_name
 from snapjump.run.tasks.sweep import Sweep
+from snapjump.show.plots import palette
+from snapjump.show.plots.saving import picture
 from snapjump.show.terminal.block import markdown_table, number, table
 from snapjump.tracking.base import Record, TrackingError
 from snapjump.tracking.parts.tracked import milliseconds, numbers_of, record_folder
@@ -23,7 +25,7 @@ NOT_STARTED = "not_started"
 # Results worth a column and an axis where a scene has them; else its first numbers.
 FAVOURITES = ("x_bar", "y_bar")
 SECONDS = "wall_seconds"
-PANEL_INCHES = (3.6, 2.8)
+PANEL_INCHES, TITLE_INCHES = (3.6, 2.8), 0.5
 
 
 @dataclass
@@ -153,34 +155,29 @@ def draw(sweep: Sweep, cells: Sequence[Cell]) -> bool:
         return False
     columns = {key: [cell.inputs[key] for cell in done] for key in cells[0].inputs}
     values = {key: [cell.numbers.get(key) for cell in done] for key in results}
-    ResultFolder(sweep.folder).write_figures(
+    return ResultFolder(sweep.folder).write_figures(
         lambda folder: sweep_figure(folder / "summary.png", columns, values)
     )
-    return True
 
 
 def sweep_figure(
     path: Path, inputs: Mapping[str, Sequence[str]], results: Mapping[str, Sequence[float | None]]
 ) -> None:
     """One panel for each input and result; words stand at equal distances in their order."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    size = (PANEL_INCHES[0] * len(inputs), PANEL_INCHES[1] * len(results))
-    figure = Figure(figsize=size, layout="constrained")
-    FigureCanvasAgg(figure)
-    panels = figure.subplots(len(results), len(inputs), squeeze=False)
-    for row, (result, values) in zip(panels, results.items(), strict=True):
-        for axes, (name, texts) in zip(row, inputs.items(), strict=True):
-            places, words = positions(texts)
-            pairs = [(x, y) for x, y in zip(places, values, strict=True) if y is not None]
-            axes.plot(*zip(*pairs, strict=True), "o", color="#1f77b4", alpha=0.8)
-            if words:
-                axes.set_xticks(range(len(words)), words)
-            axes.set_xlabel(name)
-            axes.set_ylabel(result)
-            axes.grid(alpha=0.3)
-    figure.savefig(path, dpi=150)
+    size = (PANEL_INCHES[0] * len(inputs), PANEL_INCHES[1] * len(results) + TITLE_INCHES)
+    with picture(path, size, "sweep") as figure:
+        figure.set_layout_engine("constrained", rect=(0, 0, 1, 1 - TITLE_INCHES / size[1]))
+        panels = figure.subplots(len(results), len(inputs), squeeze=False)
+        for row, (result, values) in zip(panels, results.items(), strict=True):
+            for axes, (name, texts) in zip(row, inputs.items(), strict=True):
+                places, words = positions(texts)
+                pairs = [(x, y) for x, y in zip(places, values, strict=True) if y is not None]
+                axes.plot(*zip(*pairs, strict=True), "o", color=palette.BEAM, alpha=0.8)
+                if words:
+                    axes.set_xticks(range(len(words)), words)
+                axes.set_xlabel(name)
+                axes.set_ylabel(result)
+                axes.grid(alpha=0.3)
 
 
 def positions(texts: Sequence[str]) -> tuple[list[float], list[str]]:

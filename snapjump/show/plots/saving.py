@@ -11,13 +11,21 @@ from snapjump.show.plots import palette
 DPI = 120
 
 
+def style() -> dict[str, Any]:
+    """Ours on matplotlib's own defaults, whatever the user's matplotlibrc asks for."""
+    import matplotlib
+
+    defaults = matplotlib.rcParamsDefault.items()
+    return {**{key: value for key, value in defaults if "backend" not in key}, **palette.STYLE}
+
+
 @contextlib.contextmanager
 def picture(path: pathlib.Path, size: tuple[float, float], title: str) -> Iterator[Any]:
     """A matplotlib figure (inches) with a title line to draw on; written as a PNG at the end."""
     import matplotlib
     from matplotlib.figure import Figure
 
-    with matplotlib.rc_context(palette.STYLE):
+    with matplotlib.rc_context(style()):
         figure = Figure(figsize=size, dpi=DPI)
         figure.text(0.18 / size[0], 1.0 - 0.3 / size[1], title, fontsize=14, va="center")
         yield figure
