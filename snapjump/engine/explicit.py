@@ -14,12 +14,12 @@ from snapjump.number.functions import absolute, maximum, negate, sqrt
 def slave_acceleration(work: Any, i: Any, step: Any) -> Any:
     """Of a coordinate that moves with a clamp, by how far it has been moved.
 
-    The velocity that follows is half a step old, and an error of it is halved at every step. With
-    the one that ends the step, 2 (mean - v_0) / h - a_0, it would alternate for ever, and material
-    damping hands it on to the frame, which moves the clamps.
+    The velocity that follows is half a step old, and an error of it is quartered at every step.
+    With the one that ends the step, 2 (mean - v_0) / h - a_0, it would alternate for ever, and
+    material damping hands it on to the frame, which moves the clamps.
     """
     mean_speed = (work.state[i] - work.start[i]) / step
-    return (mean_speed - work.velocity[0, i]) / step
+    return 1.5 * (mean_speed - work.velocity[0, i]) / step - 0.5 * work.acceleration[0, i]
 
 
 @kernel

@@ -1,12 +1,14 @@
 """The stable step that explicit steps are held to: the matrix of a step on either side of it."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from bare_models import loose_nodes
 from integration import MASSES, Pull, amplification, amplified
 
+from snapjump.engine.explicit import slave_acceleration
 from snapjump.friction.implicit import ImplicitFriction
 
 # Shares of the bound, h^2 k + 4 h c = 4 m, and on which side of it they are.
@@ -33,3 +35,21 @@ def test_an_explicit_step_is_held_to_what_sticking_friction_bears():
         roots, stable_step = amplified("central_difference", model, 0, 1e-9 * width)
         assert stable_step == pytest.approx(share**-0.5, rel=1e-6)
         assert (np.abs(roots).max() <= 1.0 + 1e-6) == stable
+
+
+def test_the_velocity_of_what_moves_with_a_clamp_does_not_alternate():
+    """An error of it dies out, and what remains is the motion's change in a step."""
+    rate, pull, time = 3.0, 7.0, 0.0
+    velocity, acceleration = rate + 5.0, pull - 900.0  # far from what they should be
+    for count in range(60):
+        step = 1e-2 * (1.0 + 0.5 * (-1) ** count)
+        start, end = (rate * t + 0.5 * pull * t * t for t in (time, time + step))
+        work = SimpleNamespace(
+            state=[end], start=[start], velocity=np.array([[velocity]]),
+            acceleration=np.array([[acceleration]]),
+        )  # fmt: skip
+        new = slave_acceleration(work, 0, step)
+        velocity += 0.5 * step * (acceleration + new)
+        acceleration, time = new, time + step
+    assert abs(velocity - (rate + pull * time)) < pull * 0.015
+    assert abs(acceleration - pull) < 5.0 * pull
