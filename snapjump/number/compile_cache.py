@@ -4,14 +4,17 @@ numba checks only the file of the function that was called, not those of the fun
 with the hash of all kernel sources in the folder's name, an edited one is never served stale. It
 also tells sources apart by where they lie, and functions by their lines: with the hash, a copy, a
 new checkout or one with other comments finds what was compiled for the same sources.
+
+There is no other cache: where that folder cannot be written, kernels are compiled in each process.
 """
 
-import os
+import sys
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import numba
-from numba.core.caching import UserProvidedCacheLocator
+from numba.core.caching import CompileResultCacheImpl, FunctionCache, NullCache
 
 from snapjump.files import sources
 from snapjump.files.kept_hashes import cache_root
@@ -30,8 +33,8 @@ KERNEL_PACKAGES = (
     "statics",
     "stepping",
 )
-# numba's own, for functions of others: from files, and from notebooks.
-NUMBA_LOCATORS = "UserProvidedCacheLocator,IPythonCacheLocator"
+_place: list[Path] = []  # the folder in use
+_told: set[str] = set()  # why kernels could not be kept
 
 
 def source_hash() -> str:
@@ -46,33 +49,13 @@ def cache_folder() -> Path:
     return cache_root() / f"kernels-{source_hash()}"
 
 
-class KernelLocator(UserProvidedCacheLocator):
-    """Finds a kernel by its file's place in the package, in a folder that answers for the rest."""
-
-    def __init__(self, py_func: Any, py_file: str):
-        super().__init__(py_func, py_file)
-        place = Path(py_file).resolve().relative_to(sources.PACKAGE).with_suffix("")
-        self._cache_path = os.path.join(numba.config.CACHE_DIR, *place.parts)
-
-    def get_source_stamp(self) -> str:
-        """What the folder's name says already: the hash of all kernel sources."""
-        return os.path.basename(numba.config.CACHE_DIR)
-
-    def get_disambiguator(self) -> str:
-        """Nothing, wherever the function stands: a module has no two of one name."""
-        return ""
-
-    @classmethod
-    def from_function(cls, py_func: Any, py_file: str) -> Any:
-        """None for functions that are not a module's of this package: numba has ways for them."""
-        of_a_module = py_func.__qualname__ == py_func.__name__
-        if not of_a_module or not Path(py_file).resolve().is_relative_to(sources.PACKAGE):
-            return None
-        return super().from_function(py_func, py_file)
+def folder_in_use() -> Path:
+    """The folder that this process keeps its kernels in."""
+    return _place[-1]
 
 
 def use_cache_folder() -> None:
-    """Point numba to :func:`cache_folder`; to be called before any kernel is decorated.
+    """Keep kernels in :func:`cache_folder` from now on; to be called before any is decorated.
 
     A new folder takes the place of those that are no longer used.
     """
@@ -81,6 +64,60 @@ def use_cache_folder() -> None:
     use(folder)
     if is_new:
         remove_old(folder)
-    numba.config.CACHE_DIR = str(folder)
-    others = os.environ.get("NUMBA_CACHE_LOCATOR_CLASSES") or NUMBA_LOCATORS
-    numba.config.CACHE_LOCATOR_CLASSES = f"{__name__}.{KernelLocator.__name__},{others}"
+    _place[:] = [folder]
+
+
+def kernel_cache(py_func: Any) -> Any:
+    """The cache of a kernel; none for one from elsewhere, whose edits the hash does not see."""
+    is_ours = Path(py_func.__code__.co_filename).resolve().is_relative_to(sources.PACKAGE)
+    return KernelCache(py_func) if is_ours else NullCache()
+
+
+class KernelCache(FunctionCache):
+    """The compiled programs of one kernel on disk; without a disk, kernels are compiled anew."""
+
+    class _impl_class(CompileResultCacheImpl):  # noqa: N801
+        """Finds a kernel by its file's place in the package, in a folder that answers for the
+        rest: for what else numba looks at it has this one answer, wherever the function stands."""
+
+        def __init__(self, py_func: Any):
+            self._lineno = py_func.__code__.co_firstlineno
+            self._locator = self
+            self._py_file = py_func.__code__.co_filename
+            place = Path(self._py_file).resolve().relative_to(sources.PACKAGE).with_suffix("")
+            self._folder = folder_in_use()
+            self._path = self._folder / place
+            self._filename_base = self.get_filename_base(py_func.__qualname__, sys.abiflags)
+
+        def get_cache_path(self) -> str:
+            return str(self._path)
+
+        def ensure_cache_path(self) -> None:
+            self._path.mkdir(parents=True, exist_ok=True)
+
+        def get_source_stamp(self) -> str:
+            return self._folder.name
+
+        def get_disambiguator(self) -> str:
+            return ""  # a module has no two of one name
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """The program for a signature; None if there is none that can be read."""
+        try:
+            return super().load_overload(sig, target_context)
+        except Exception:
+            # Half a file, after the machine went down: its index would stay in the way.
+            with suppress(OSError):
+                self.flush()
+            return None
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        """Keep a program, or tell why that cannot be: the disk is full, or may not be written."""
+        try:
+            super().save_overload(sig, data)
+        except OSError as error:
+            reason = error.strerror or str(error)
+            if reason not in _told:
+                _told.add(reason)
+                told = f"warning: compiled kernels are not kept in {folder_in_use()} ({reason}); "
+                print(f"{told}the next process compiles them again", file=sys.stderr, flush=True)

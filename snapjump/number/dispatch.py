@@ -7,7 +7,7 @@ from numba import njit
 from numba.extending import register_jitable
 
 from snapjump.files import sources
-from snapjump.number.compile_cache import use_cache_folder
+from snapjump.number.compile_cache import kernel_cache, use_cache_folder
 from snapjump.number.linking import PartCompiler, ProgramCompiler
 
 # Plain Python functions that compiled code may call: small ones are merged into their callers
@@ -18,7 +18,7 @@ INLINED = {"forceinline": True, **COMPILED}
 kernel = register_jitable(**INLINED)
 routine = register_jitable(**COMPILED)
 # A function that Python calls, compiled for its arguments once and kept on disk.
-PROGRAM = {"cache": True, "error_model": "numpy", "pipeline_class": ProgramCompiler}
+PROGRAM = {"error_model": "numpy", "pipeline_class": ProgramCompiler}
 _programs: list[Any] = []
 
 
@@ -41,9 +41,10 @@ def refresh() -> None:
         sources.forget(folder)
     use_cache_folder()
     for program in _programs:
-        program.enable_caching()
+        program._cache = kernel_cache(program.py_func)
 
 
 def _remembered(program: Any) -> Any:
+    program._cache = kernel_cache(program.py_func)
     _programs.append(program)
     return program

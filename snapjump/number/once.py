@@ -3,12 +3,12 @@
 import fcntl
 import hashlib
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
-from pathlib import Path
+from contextlib import ExitStack, contextmanager, suppress
 from typing import Any
 
-import numba
 from numba.core.dispatcher import Dispatcher
+
+from snapjump.number.compile_cache import folder_in_use
 
 
 @contextmanager
@@ -22,11 +22,12 @@ def one_process_compiles(kernel: Any, *args: Any) -> Iterator[None]:
         yield
         return
     program = hashlib.sha256(repr((kernel.__qualname__, kinds)).encode()).hexdigest()[:16]
-    folder = Path(numba.config.CACHE_DIR) / "compiling"
-    folder.mkdir(parents=True, exist_ok=True)
-    with open(folder / program, "a") as file:
-        # Where files cannot be locked, each process compiles for itself.
+    with ExitStack() as held:
+        # Where files cannot be written or locked, each process compiles for itself.
         with suppress(OSError):
+            folder = folder_in_use() / "compiling"
+            folder.mkdir(parents=True, exist_ok=True)
+            file = held.enter_context(open(folder / program, "a"))
             fcntl.flock(file, fcntl.LOCK_EX)
         yield
 

@@ -1,11 +1,15 @@
+import errno
 import shutil
 
+import numba
 import pytest
 from command_line import python
-from numba import njit
+from numba.core.caching import FunctionCache, NullCache
 
 from snapjump.files import sources
 from snapjump.number import compile_cache
+from snapjump.number.dispatch import compiled
+from snapjump.statics.resting_gap import resting_gap
 
 
 @pytest.fixture
@@ -68,10 +72,14 @@ print(sum(resting_gap.stats.cache_hits.values()), sum(resting_gap.stats.cache_mi
 
 def compiled_in(root, cache, *plugins):
     """How often the kernel was found and not found by the package there."""
+    return tuple(int(count) for count in python_of(root, cache, *plugins).stdout.split())
+
+
+def python_of(root, cache, *plugins):
+    """The process that does so."""
     program = COMPILE.format(root=str(root), plugins=plugins)
     places = {"NUMBA_CACHE_DIR": str(cache), "PYTHONPATH": str(root)}
-    done = python("-c", program, folder=root, **places)
-    return tuple(int(count) for count in done.stdout.split())
+    return python("-c", program, folder=root, **places)
 
 
 def test_a_copy_finds_what_was_compiled_and_an_edited_one_does_not(copied, tmp_path):
@@ -99,15 +107,41 @@ def test_programs_follow_the_plugins(tmp_path):
     assert len(list(cache.glob("kernels-*"))) == 2
 
 
-def test_functions_of_others_are_left_to_numba():
-    assert compile_cache.KernelLocator.from_function(compiled_in, __file__) is None
-    # They share a name, and only their lines tell them apart.
-    inner = (lambda: lambda: None)()
-    place = str(sources.PACKAGE / "statics" / "resting_gap.py")
-    assert compile_cache.KernelLocator.from_function(inner, place) is None
+def test_kernels_of_others_are_not_kept():
+    assert isinstance(compiled(compiled_in)._cache, NullCache)
+    assert numba.config.CACHE_DIR == "" and numba.config.CACHE_LOCATOR_CLASSES == ""
 
-    @njit(cache=True)
-    def other(x):
-        return x + 1
 
-    assert other(1) == 2
+SAY = "warning: compiled kernels are not kept in"
+
+
+def test_where_no_kernel_can_be_kept_each_process_compiles(copied, tmp_path):
+    """numba would keep them beside the sources, and find them there after an edit elsewhere."""
+    nowhere = tmp_path / "file" / "below"
+    nowhere.parent.write_text("")
+    for _ in range(2):
+        done = python_of(tmp_path, nowhere)
+        assert done.stdout.split() == ["0", "1"]
+        assert done.stderr.count(SAY) == 1 and str(nowhere) in done.stderr
+    assert not list(copied.rglob("*.nbi"))
+
+
+def test_a_full_disk_is_a_warning(monkeypatch, capsys):
+    def full(self, sig, data):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    cache = compile_cache.kernel_cache(resting_gap.py_func)
+    monkeypatch.setattr(FunctionCache, "save_overload", full)
+    for _ in range(2):
+        cache.save_overload(None, None)
+    assert capsys.readouterr().err.count(f"{SAY} {compile_cache.folder_in_use()} (No space") == 1
+
+
+@pytest.mark.parametrize("suffix", [".nbi", ".nbc"])
+def test_a_damaged_kernel_is_compiled_anew(copied, tmp_path, suffix):
+    cache = tmp_path / "cache"
+    assert compiled_in(tmp_path, cache) == (0, 1)
+    (file,) = cache.rglob(f"*{suffix}")
+    file.write_bytes(file.read_bytes()[:100])
+    assert compiled_in(tmp_path, cache) == (0, 1)
+    assert compiled_in(tmp_path, cache) == (1, 0)

@@ -5,8 +5,7 @@ import subprocess
 import sys
 import time
 
-import numba
-
+from snapjump.number import compile_cache
 from snapjump.number.compile_cache import cache_folder, use_cache_folder
 from snapjump.number.old_kernels import OLD_S, remove_old, use
 
@@ -53,8 +52,7 @@ def test_a_process_keeps_its_folder_however_long_it_runs(tmp_path):
 
 
 def test_a_new_folder_takes_the_place_of_old_ones(tmp_path, monkeypatch):
-    monkeypatch.setattr(numba.config, "CACHE_DIR", "")
-    monkeypatch.setattr(numba.config, "CACHE_LOCATOR_CLASSES", "")
+    monkeypatch.setattr(compile_cache, "_place", [])
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
     aged(tmp_path / OLD, OLD_S + 60.0)
     use_cache_folder()

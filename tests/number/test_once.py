@@ -5,10 +5,9 @@ import subprocess
 import sys
 import time
 
-import numba
 import pytest
 
-from snapjump.number import announcement
+from snapjump.number import announcement, once
 from snapjump.number.once import one_process_compiles
 from snapjump.statics.resting_gap import resting_gap
 
@@ -39,7 +38,7 @@ def test_one_of_three_processes_compiles(tmp_path):
 
 
 def test_the_lock_is_free_after_a_failure(tmp_path, monkeypatch):
-    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(once, "folder_in_use", lambda: tmp_path)
     for _ in range(2):
         with pytest.raises(ZeroDivisionError), one_process_compiles(resting_gap, (1.0, 2.0), 1.0):
             raise ZeroDivisionError
