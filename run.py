@@ -4,6 +4,10 @@ import sys
 from pathlib import Path
 
 if __name__ == "__main__":
-    from snapjump.run.tasks.command_line import main
+    try:
+        from snapjump.run.tasks.command_line import main
 
-    sys.exit(main(Path(__file__).resolve().parent / "conf"))
+        sys.exit(main(Path(__file__).resolve().parent / "conf"))
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        sys.exit(130)

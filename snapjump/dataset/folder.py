@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import Any
 
 from snapjump.checks import ParameterError
-from snapjump.dataset.sealed import read_sealed, write_sealed
 from snapjump.dataset.specification import Specification, first_difference
 from snapjump.files.lock import FileLock
+from snapjump.files.sealed import read_sealed, write_sealed
 from snapjump.plan.parts.axes import recorded_axes
 
 DIGITS = 8  # of hashes in names

@@ -9,10 +9,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from snapjump.dataset.folder import DatasetFolder
-from snapjump.dataset.sealed import sha256_of, write_sealed
 from snapjump.dataset.shard import Entry, read_entry
 from snapjump.dataset.specification import Specification
 from snapjump.files.lock import FileLock
+from snapjump.files.sealed import sha256_of, write_sealed
 
 Manifest = dict[str, Any]
 

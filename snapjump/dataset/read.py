@@ -12,10 +12,10 @@ import pyarrow.parquet as pq
 from snapjump.checks import ParameterError
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.manifest import dataset_sha256
-from snapjump.dataset.sealed import read_sealed, sha256_of
 from snapjump.dataset.shard import read_entry
 from snapjump.declare.members import check_known
 from snapjump.files import former_names
+from snapjump.files.sealed import read_sealed, sha256_of
 from snapjump.plan.parts.axes import Axis, recorded_axes
 
 if TYPE_CHECKING:

@@ -11,10 +11,10 @@ import pyarrow.parquet as pq
 
 from snapjump.dataset.columns import Rows, columns_of, content_sha256, table_of
 from snapjump.dataset.folder import DatasetFolder
-from snapjump.dataset.sealed import read_sealed, sha256_of, write_sealed
 from snapjump.dataset.specification import Specification
 from snapjump.files.atomic import write_bytes
 from snapjump.files.provenance import now, origin
+from snapjump.files.sealed import read_sealed, sha256_of, write_sealed
 
 METADATA = b"snapjump"
 Entry = dict[str, Any]

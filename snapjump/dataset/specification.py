@@ -8,10 +8,10 @@ from typing import Any
 from snapjump.checks import ParameterError
 from snapjump.composition import PLAIN, Simulation
 from snapjump.dataset.options import DatasetOptions
-from snapjump.dataset.sealed import sha256_of
 from snapjump.declare.inputs import with_inputs
 from snapjump.declare.members import make_member, member_group
 from snapjump.files.provenance import BEYOND_DATASETS, source_hash
+from snapjump.files.sealed import sha256_of
 from snapjump.plan.base import Plan, PlanOptions
 from snapjump.plan.parts.axes import Axis, recorded_axes
 from snapjump.scenes.sensitivities import check_differentiable

@@ -8,12 +8,12 @@ from typing import Any
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.folder import DatasetFolder
-from snapjump.dataset.sealed import canonical
 from snapjump.dataset.shard import Entry, write_shard
 from snapjump.dataset.simulate import ShardSimulator
 from snapjump.dataset.specification import Specification, restored
 from snapjump.declare.plugins import load_plugins
 from snapjump.declare.scenes import Progress
+from snapjump.files.sealed import canonical
 from snapjump.files.sources import PLUGINS
 
 

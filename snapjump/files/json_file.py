@@ -39,6 +39,6 @@ def read_json(path: Path) -> dict[str, Any] | None:
     """The contents of a JSON file, or None if there is none that can be read."""
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+    except (OSError, ValueError, RecursionError):
         return None
     return content if isinstance(content, dict) else None

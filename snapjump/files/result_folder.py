@@ -1,7 +1,7 @@
 """The folder of one job: which files it holds, and how each is written and read."""
 
-import sys
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -12,26 +12,63 @@ import yaml
 from snapjump.files.atomic import atomic_file, flush, write_text
 from snapjump.files.former_names import with_present_names
 from snapjump.files.json_file import read_json, write_json
+from snapjump.files.lock import FileLock
+from snapjump.files.notice import notice
 
 # Where a run is recorded says nothing about what it computes.
 NOT_PHYSICS = ("tracking",)
+
+PROVENANCE, TRACEBACK = "provenance.json", "traceback.txt"
+ALWAYS = ("config.yaml", PROVENANCE, "result.json")
+Stamp = tuple[int, int]  # what tells that a file was written anew
 
 LONGEST_REASON = 300  # characters of why a picture was not drawn
 
 
 class ResultFolder:
     """``config.yaml``, ``provenance.json``, ``trajectory.npz``, figures, and ``result.json``.
-    ``result.json`` is written last: where it says that a job is finished, all else is there."""
+    ``result.json`` is written last: where it says that a job is finished, all else is there.
+
+    The folder may hold files of others; ``provenance.json`` lists those of the job.
+    """
 
     def __init__(self, path: Path):
         self.path = Path(path)
+        self.lock = FileLock(self.path / ".lock")
+        self._found: dict[str, Stamp] | None = None
+
+    def taken(self) -> list[str]:
+        """Names of ours that files of somebody else have: a job here would replace them."""
+        if self.provenance() is not None or "task" in (self.config() or {}):
+            return []
+        return [name for name in ALWAYS if (self.path / name).exists()]
+
+    def begin(self) -> None:
+        """Remove the files of an earlier job, so that none can pass for one of the next, and note
+        which others are there. Once for each job."""
+        if self._found is None:
+            for name in (*ALWAYS, TRACEBACK, *self._listed()):
+                (self.path / name).unlink(missing_ok=True)
+            self._found = {file.name: stamp(file) for file in self._all()}
+
+    def withdraw(self) -> None:
+        """Leave no trace of a job that was refused; a folder with anything else in it stays."""
+        if self._found is not None:
+            for file in self._new():
+                file.unlink()
+        self.lock.remove()
+        with suppress(OSError):  # not empty
+            self.path.rmdir()
 
     def write_config(self, config: Mapping[str, Any]) -> None:
         """Write the configuration with every reference resolved."""
         write_text(self.path / "config.yaml", yaml.safe_dump(dict(config), sort_keys=False))
 
     def write_provenance(self, content: Mapping[str, Any]) -> None:
-        write_json(self.path / "provenance.json", content)
+        """Write where the job's files come from, and which they are: from now on no more."""
+        own = {file.name for file in self._new()}
+        write_json(self.path / PROVENANCE, {**content, "files": sorted({*own, *ALWAYS})})
+        self._found = None
 
     def write_result(self, content: Mapping[str, Any]) -> list[str]:
         """Write the flat result; returns the keys whose numbers were not finite."""
@@ -64,7 +101,7 @@ class ResultFolder:
                     file.replace(self.path / file.name)
         except Exception as error:
             reason = " ".join(f"{type(error).__name__}: {error}".split())
-            print(f"figures not drawn: {reason[:LONGEST_REASON]}", file=sys.stderr, flush=True)
+            notice(f"figures not drawn: {reason[:LONGEST_REASON]}")
             return False
         return True
 
@@ -74,36 +111,61 @@ class ResultFolder:
         return None if found is None else with_present_names(found, self.config)
 
     def provenance(self) -> dict[str, Any] | None:
-        return read_json(self.path / "provenance.json")
+        return read_json(self.path / PROVENANCE)
 
     def config(self) -> dict[str, Any] | None:
         try:
             content = yaml.safe_load((self.path / "config.yaml").read_text(encoding="utf-8"))
-        except (OSError, yaml.YAMLError):
+        except (OSError, ValueError, RecursionError, yaml.YAMLError):
             return None
         return content if isinstance(content, dict) else None
 
-    def forget(self) -> None:
-        """Remove the result of an earlier attempt, so that it cannot pass for the next one's."""
-        for name in ("result.json", "provenance.json", "traceback.txt"):
-            (self.path / name).unlink(missing_ok=True)
-
     def files(self) -> list[Path]:
-        """Every complete file of the job, by name."""
-        return sorted(
-            file for file in self.path.iterdir() if file.is_file() and not file.name.startswith(".")
+        """The files of the job, by name; of one that was killed those that every job has."""
+        if self._found is not None:
+            return self._new()
+        listed = self._listed() or ALWAYS
+        return [file for file in self._all() if file.name in listed]
+
+    def _new(self) -> list[Path]:
+        """Files that were written since the job began."""
+        before = self._found or {}
+        return [file for file in self._all() if before.get(file.name) != stamp(file)]
+
+    def _all(self) -> list[Path]:
+        files = self.path.iterdir() if self.path.is_dir() else ()
+        return sorted(file for file in files if file.is_file() and not file.name.startswith("."))
+
+    def _listed(self) -> list[str]:
+        """Names in the provenance, which somebody may have edited: none leads elsewhere."""
+        listed = (self.provenance() or {}).get("files")
+        names = listed if isinstance(listed, list) else []
+        return [name for name in names if isinstance(name, str) and Path(name).name == name]
+
+    def holds(
+        self,
+        config: Mapping[str, Any],
+        source_sha256: str,
+        outside: Mapping[str, str],
+        done: frozenset[str],
+    ) -> bool:
+        """Whether this very computation, by the same code, has ended in one of ``done`` here, and
+        all its files are there.
+        ``outside``: digests of what it reads and leaves elsewhere, as they are now."""
+        result, origin = self.result() or {}, self.provenance() or {}
+        return (
+            str(result.get("status")) in done
+            and origin.get("source_sha256") == source_sha256
+            and origin.get("outside", {}) == outside
+            and _physics(self.config() or {}) == _physics(config)
+            and all((self.path / name).is_file() for name in self._listed())
         )
 
-    def holds(self, config: Mapping[str, Any], source_sha256: str, done: frozenset[str]) -> bool:
-        """Whether this very computation, by the same code, has ended in one of ``done`` here."""
-        result, origin = self.result(), self.provenance()
-        return (
-            result is not None
-            and result.get("status") in done
-            and origin is not None
-            and origin.get("source_sha256") == source_sha256
-            and _physics(self.config() or {}) == _physics(config)
-        )
+
+def stamp(file: Path) -> Stamp:
+    """A file's number and time: whoever writes a file whole gives it another number."""
+    found = file.stat()
+    return found.st_ino, found.st_mtime_ns
 
 
 def _physics(config: Mapping[str, Any]) -> dict[str, Any]:

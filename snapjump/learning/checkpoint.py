@@ -17,9 +17,9 @@ from safetensors.torch import save
 from torch import Tensor
 
 from snapjump.checks import ParameterError
-from snapjump.dataset.sealed import canonical
 from snapjump.declare.members import check_known, make_member
 from snapjump.files.atomic import write_bytes
+from snapjump.files.sealed import canonical
 from snapjump.plan.parts.axes import Axis, recorded_axes
 from snapjump.surrogate.base import Inputs, Surrogate
 

@@ -14,11 +14,11 @@ from typing import Any, NamedTuple
 import torch
 
 from snapjump.checks import ParameterError
-from snapjump.dataset.sealed import read_sealed, sha256_of, write_sealed
 from snapjump.declare.members import member_group
 from snapjump.declare.scenes import Progress
 from snapjump.files.lock import FileLock
 from snapjump.files.provenance import origin
+from snapjump.files.sealed import read_sealed, sha256_of, write_sealed
 from snapjump.files.sources import combined_hash, package_files, plugin_files
 from snapjump.learning.checkpoint import (
     Checkpoint,

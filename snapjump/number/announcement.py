@@ -1,9 +1,9 @@
 """Telling the user when kernels are compiled: once after installation, and it takes a while."""
 
-import sys
 import threading
 from typing import Any
 
+from snapjump.files.notice import notice
 from snapjump.number.once import one_process_compiles
 
 TYPICAL_SECONDS = 15
@@ -20,11 +20,7 @@ def load(kernel: Any, *args: Any, typical_seconds: int = TYPICAL_SECONDS) -> Non
 
     def announce() -> None:
         if len(kernel.signatures) == before:
-            print(
-                f"compiling kernels, once, about {typical_seconds} s ...",
-                file=sys.stderr,
-                flush=True,
-            )
+            notice(f"compiling kernels, once, about {typical_seconds} s ...")
 
     timer = threading.Timer(PATIENCE_SECONDS, announce)
     timer.daemon = True

@@ -18,6 +18,7 @@ from numba.core.caching import CompileResultCacheImpl, FunctionCache, NullCache
 
 from snapjump.files import sources
 from snapjump.files.kept_hashes import cache_root
+from snapjump.files.notice import notice
 from snapjump.number.old_kernels import remove_old, use
 
 KERNEL_PACKAGES = (
@@ -120,4 +121,4 @@ class KernelCache(FunctionCache):
             if reason not in _told:
                 _told.add(reason)
                 told = f"warning: compiled kernels are not kept in {folder_in_use()} ({reason}); "
-                print(f"{told}the next process compiles them again", file=sys.stderr, flush=True)
+                notice(f"{told}the next process compiles them again")

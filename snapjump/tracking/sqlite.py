@@ -2,7 +2,6 @@
 
 import os
 import sqlite3
-import sys
 from contextlib import suppress
 from functools import cached_property
 from pathlib import Path
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from snapjump.checks import ParameterError
 from snapjump.files.lock import FileLock
+from snapjump.files.notice import notice
 from snapjump.tracking.parts.mlflow_store import MlflowStore
 
 if TYPE_CHECKING:
@@ -66,9 +66,7 @@ class Sqlite(MlflowStore):
             return
         with FileLock(self.file.parent / f".{self.file.name}.lock"):
             if not self._has_tables():
-                print(
-                    "creating the tracking database, once, about 5 s", file=sys.stderr, flush=True
-                )
+                notice("creating the tracking database, once, about 5 s")
                 self.client.search_experiments(max_results=1)
 
     def _has_tables(self) -> bool:

@@ -14,8 +14,8 @@ from snapjump.dataset.columns import columns_of, content_sha256, schema
 from snapjump.dataset.folder import DatasetFolder, default_path
 from snapjump.dataset.manifest import write_manifest
 from snapjump.dataset.read import open_dataset
-from snapjump.dataset.sealed import read_sealed, write_sealed
 from snapjump.dataset.shard import read_entry, write_shard
+from snapjump.files.sealed import read_sealed, write_sealed
 
 SPECIFICATION = small()
 PLAN = {"name": "latin_hypercube", "count": 24}

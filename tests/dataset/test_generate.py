@@ -11,11 +11,11 @@ from snapjump.checks import ParameterError
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.generate import GenerationError
 from snapjump.dataset.read import open_dataset
-from snapjump.dataset.sealed import read_sealed
 from snapjump.dataset.simulate import curve_over
 from snapjump.dataset.statistics import gather
 from snapjump.dataset.work import job_of, make_shard
 from snapjump.executor.local import LocalExecutor
+from snapjump.files.sealed import read_sealed
 
 SPECIFICATION = small()
 

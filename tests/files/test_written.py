@@ -6,6 +6,8 @@ import os
 import stat
 import subprocess
 import sys
+import threading
+import time
 from pathlib import Path
 
 import numpy as np
@@ -22,7 +24,10 @@ DONE = frozenset({"ok"})
 
 
 def finished_folder(path: Path) -> ResultFolder:
-    folder = ResultFolder(path)
+    return finished_folder_of(ResultFolder(path))
+
+
+def finished_folder_of(folder: ResultFolder) -> ResultFolder:
     folder.write_config(CONFIG)
     folder.write_provenance({"source_sha256": "abc"})
     folder.write_result({"status": "ok"})
@@ -35,14 +40,71 @@ def test_a_configuration_comes_back_as_it_was(tmp_path):
 
 def test_finished_means_same_physics_same_code_and_a_good_end(tmp_path):
     folder = finished_folder(tmp_path)
-    assert folder.holds(CONFIG, "abc", DONE)
-    assert folder.holds({**CONFIG, "tracking": {"name": "sqlite"}}, "abc", DONE)
-    assert not folder.holds({**CONFIG, "design": {"epsilon": 0.3}}, "abc", DONE)
-    assert not folder.holds(CONFIG, "other code", DONE)
+    assert folder.holds(CONFIG, "abc", {}, DONE)
+    assert folder.holds({**CONFIG, "tracking": {"name": "sqlite"}}, "abc", {}, DONE)
+    assert not folder.holds({**CONFIG, "design": {"epsilon": 0.3}}, "abc", {}, DONE)
+    assert not folder.holds(CONFIG, "other code", {}, DONE)
     folder.write_result({"status": "diverged"})
-    assert not folder.holds(CONFIG, "abc", DONE)
-    folder.forget()
-    assert not folder.holds(CONFIG, "abc", DONE)
+    assert not folder.holds(CONFIG, "abc", {}, DONE)
+    folder.begin()
+    assert not folder.holds(CONFIG, "abc", {}, DONE)
+
+
+def test_finished_means_that_what_is_outside_is_as_it_was(tmp_path):
+    folder = ResultFolder(tmp_path)
+    folder.write_config(CONFIG)
+    folder.write_provenance({"source_sha256": "abc", "outside": {"checkpoint": "1"}})
+    folder.write_result({"status": "ok"})
+    assert folder.holds(CONFIG, "abc", {"checkpoint": "1"}, DONE)
+    assert not folder.holds(CONFIG, "abc", {"checkpoint": "2"}, DONE)
+    assert not folder.holds(CONFIG, "abc", {}, DONE)
+
+
+def test_finished_means_that_every_file_is_there(tmp_path):
+    folder = ResultFolder(tmp_path)
+    folder.begin()
+    write_text(tmp_path / "forward_model.safetensors", "")
+    finished_folder_of(folder)
+    assert folder.holds(CONFIG, "abc", {}, DONE)
+    (tmp_path / "forward_model.safetensors").unlink()
+    assert not folder.holds(CONFIG, "abc", {}, DONE)
+
+
+def test_only_what_a_job_wrote_is_its_own(tmp_path):
+    (tmp_path / "secret.txt").write_text("not ours")
+    (tmp_path / "replaced.png").write_text("not ours yet")
+    first = ResultFolder(tmp_path)
+    first.begin()
+    for name in ("jump.png", "replaced.png"):
+        write_text(tmp_path / name, "the first's")
+    finished_folder_of(first)
+    own = {"config.yaml", "jump.png", "provenance.json", "replaced.png", "result.json"}
+    for folder in (first, ResultFolder(tmp_path)):
+        assert {file.name for file in folder.files()} == own
+    second = ResultFolder(tmp_path)
+    second.begin()
+    finished_folder_of(second)
+    for folder in (second, ResultFolder(tmp_path)):
+        assert {file.name for file in folder.files()} == own - {"jump.png", "replaced.png"}
+    left = {file.name for file in tmp_path.iterdir()}
+    assert left == {"config.yaml", "provenance.json", "result.json", "secret.txt"}
+
+
+def test_an_edited_list_leads_nowhere_else(tmp_path):
+    (tmp_path / "run").mkdir()
+    (tmp_path / "outside.txt").write_text("")
+    write_json(tmp_path / "run" / "provenance.json", {"files": ["../outside.txt", 3, None]})
+    ResultFolder(tmp_path / "run").begin()
+    assert (tmp_path / "outside.txt").exists()
+
+
+def test_a_job_that_was_refused_leaves_the_files_of_others(tmp_path):
+    (tmp_path / "notes.txt").write_text("")
+    folder = ResultFolder(tmp_path)
+    folder.begin()
+    folder.write_config(CONFIG)
+    folder.withdraw()
+    assert [file.name for file in tmp_path.iterdir()] == ["notes.txt"]
 
 
 def test_arrays_that_are_not_finite_reach_no_file(tmp_path):
@@ -58,11 +120,13 @@ def test_figures_appear_together_or_not_at_all(tmp_path, capsys):
         (folder / "a.png").write_text("a")
         raise RuntimeError("no ink")
 
-    assert not ResultFolder(tmp_path).write_figures(draw_half)
+    folder = ResultFolder(tmp_path)
+    folder.begin()
+    assert not folder.write_figures(draw_half)
     assert capsys.readouterr().err == "figures not drawn: RuntimeError: no ink\n"
     assert not list(tmp_path.iterdir())
-    assert ResultFolder(tmp_path).write_figures(lambda folder: (folder / "b.png").write_text("b"))
-    assert [path.name for path in ResultFolder(tmp_path).files()] == ["b.png"]
+    assert folder.write_figures(lambda folder: (folder / "b.png").write_text("b"))
+    assert [path.name for path in folder.files()] == ["b.png"]
 
 
 def test_a_result_of_before_is_read_under_the_names_of_today(tmp_path):
@@ -158,6 +222,20 @@ def test_a_lock_excludes_other_processes_and_ends_with_its_own(tmp_path):
     lock = FileLock(path)
     assert lock.acquire(wait=False)
     lock.release()
+
+
+def test_a_lock_that_was_removed_is_another(tmp_path):
+    path = tmp_path / "x.lock"
+    first, waiting = FileLock(path), FileLock(path)
+    first.acquire()
+    waits = threading.Thread(target=waiting.acquire)
+    waits.start()
+    time.sleep(0.1)  # until it waits for the file that is there now
+    first.remove()
+    waits.join()
+    assert path.exists() and not FileLock(path).acquire(wait=False)
+    waiting.remove()
+    assert not path.exists()
 
 
 def test_a_shared_lock_is_shared_with_others_that_share_it(tmp_path):

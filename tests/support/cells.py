@@ -41,4 +41,5 @@ def run_study(study: Any, config: Any, path: Path) -> Any:
     study.prepare(config)
     path.mkdir()
     folder = ResultFolder(path)
+    folder.begin()
     return study.run(folder, silent), folder

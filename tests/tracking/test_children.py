@@ -26,6 +26,7 @@ class Memory(Off):
 
 def job(path: Path) -> ResultFolder:
     folder = ResultFolder(path)
+    folder.begin()
     folder.write_config({"seed": 0})
     folder.write_result({"status": "ok"})
     child = {

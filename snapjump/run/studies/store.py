@@ -1,13 +1,17 @@
 """Finished cells on disk, each in a file of its own, so that no finished work is done twice."""
 
-from dataclasses import replace
+from dataclasses import fields, replace
 from pathlib import Path
 
 from snapjump.checks import ParameterError
-from snapjump.files.json_file import finite, read_json, write_json
+from snapjump.files.json_file import finite
 from snapjump.files.lock import FileLock
+from snapjump.files.notice import notice
+from snapjump.files.sealed import read_sealed, write_sealed
 from snapjump.run.studies.base import FAILED, Cell, Done
 from snapjump.run.tasks.names import readable_name
+
+OF_A_CELL = tuple(one.name for one in fields(Done) if one.name != "cell")
 
 
 class CellStore:
@@ -29,18 +33,22 @@ class CellStore:
         return self.path / f"{readable_name(cell.name)}.json"
 
     def load(self, cell: Cell) -> Done | None:
-        """This very cell as it was finished, or None."""
-        kept = read_json(self.file(cell))
-        inputs, _ = finite(cell.inputs)
-        if kept is None or kept.pop("name") != cell.name or kept.pop("inputs") != inputs:
+        """This very cell as it was finished, or None. Tells of a file that was edited or damaged."""
+        file, wanted = self.file(cell), finite(vars(cell))[0]
+        kept = read_sealed(file)
+        if kept is None:
+            if file.exists():
+                notice(f"done again: {file} is not what was written")
             return None
-        return Done(cell=cell, **kept)
+        if {key: kept.get(key) for key in wanted} != wanted or not kept.keys() >= {*OF_A_CELL}:
+            return None
+        return Done(cell, **{key: kept[key] for key in OF_A_CELL})
 
     def save(self, done: Done) -> Done:
         """Keep a cell, unless it failed; returns it as :meth:`load` would."""
         rows, _ = finite(done.rows)
         clean = replace(done, rows=rows)
         if done.status != FAILED:
-            own = {key: value for key, value in vars(clean).items() if key != "cell"}
-            write_json(self.file(done.cell), {**vars(done.cell), **own})
+            own = {key: getattr(clean, key) for key in OF_A_CELL}
+            write_sealed(self.file(done.cell), finite({**vars(done.cell), **own})[0])
         return clean

@@ -12,13 +12,14 @@ from snapjump.files.atomic import write_text
 from snapjump.files.json_file import finite
 from snapjump.files.provenance import now
 from snapjump.files.result_folder import ResultFolder
+from snapjump.files.sealed import sha256_of
 from snapjump.run.studies import base
 from snapjump.run.studies.base import Cell, Conclusion, Done, Row
 from snapjump.run.studies.children import children
 from snapjump.run.studies.fingerprint import fingerprint
 from snapjump.run.studies.report import write_report
 from snapjump.run.studies.store import CellStore
-from snapjump.run.tasks.base import OK, Outcome, Progress
+from snapjump.run.tasks.base import OK, Outcome, Progress, Task
 from snapjump.tracking.parts.tracked import write_children
 
 # Relative to where the command is run, like the folders of all results.
@@ -26,7 +27,7 @@ STORE = Path("outputs/studies")
 CELLS_FAILED = "cells_failed"
 
 
-class Study(ABC):
+class Study(Task, ABC):
     """Base of all studies. A study plans cells, computes one, and concludes from all.
 
     ``sources``: the modules that a cell's rows depend on, if not just the study's own; when one
@@ -122,6 +123,13 @@ class Study(ABC):
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
         return self._told
+
+    def reads(self, config: Mapping[str, Any]) -> dict[str, str]:
+        """Cells say what they read, files included."""
+        if not self.cells:
+            self.prepare(config)
+        inputs, _ = finite([cell.inputs for cell in self.cells])
+        return {"cells": sha256_of(inputs)}
 
     def _attempt(self, cell: Cell, folder: ResultFolder, failures: list[str]) -> Done:
         started_at = now()

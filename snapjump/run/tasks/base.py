@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any
 
 from snapjump.declare.scenes import Progress
 from snapjump.files.result_folder import ResultFolder
@@ -40,17 +40,29 @@ class Outcome:
         return self.status in FINISHED
 
 
-class Task(Protocol):
+class Task:
     """One instance does one job. ``prepare`` is quick and finds every bad input; ``run`` works."""
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Take the resolved configuration; raises ParameterError before any work is done."""
+        raise NotImplementedError
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         """Work, and leave arrays and figures in the folder; ``result.json`` is the caller's."""
+        raise NotImplementedError
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
         """The closing block, as (heading, text); the first is the title."""
+        raise NotImplementedError
+
+    def reads(self, config: Mapping[str, Any]) -> dict[str, str]:
+        """Digests of what the job reads beside its configuration, by key, as that is now.
+        Asked before ``prepare`` too; raises ParameterError for what cannot be read."""
+        return {}
+
+    def leaves(self, config: Mapping[str, Any]) -> dict[str, str]:
+        """Digests of what the job has left outside its folder, by key, as that is now."""
+        return {}
 
 
 def stretch(progress: Progress, begin: float, end: float) -> Progress:

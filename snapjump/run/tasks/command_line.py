@@ -10,6 +10,8 @@ from snapjump.checks import ParameterError
 from snapjump.declare.former_options import check_arguments
 from snapjump.declare.plugins import load_all, load_installed
 from snapjump.run.tasks.base import EXIT_BAD_INPUT, EXIT_ERROR, EXIT_INTERRUPTED
+from snapjump.run.tasks.interrupts import heeded
+from snapjump.show.terminal.streams import unfailing_streams
 
 FLAGS = frozenset(
     "-m --multirun -r --run -c --cfg -p --package --resolve -i --info -cd --config-dir "
@@ -22,22 +24,32 @@ _exit_codes: list[int] = []
 
 def main(conf: Path) -> int:
     """Do what ``sys.argv`` says with the configurations in ``conf``; returns the exit code."""
-    if {"-h", "--help"} & set(sys.argv[1:]):
+    with unfailing_streams():
+        try:
+            with heeded():
+                return _main(conf)
+        except ParameterError as error:
+            print(error, file=sys.stderr)
+            return EXIT_BAD_INPUT
+        except OSError as error:
+            print(f"error: {error}", file=sys.stderr)
+            return EXIT_ERROR
+        except KeyboardInterrupt:
+            print("interrupted", file=sys.stderr)
+            return EXIT_INTERRUPTED
+
+
+def _main(conf: Path) -> int:
+    arguments = sys.argv[1:]
+    if {"-h", "--help"} & set(arguments):
         from snapjump.show.terminal.help_page import help_page
 
-        print(help_page(conf, [Path(folder) for folder in named_plugins(sys.argv[1:])]))
+        print(help_page(conf, [Path(folder) for folder in named_plugins(arguments)]))
         return 0
-    try:
-        check_flags(sys.argv[1:])
-        check_arguments(sys.argv[1:])
-        load_all(named_plugins(sys.argv[1:]))
-        return _run_hydra(conf)
-    except ParameterError as error:
-        print(error, file=sys.stderr)
-        return EXIT_BAD_INPUT
-    except KeyboardInterrupt:
-        print("interrupted", file=sys.stderr)
-        return EXIT_INTERRUPTED
+    check_flags(arguments)
+    check_arguments(arguments)
+    load_all(named_plugins(arguments))
+    return _run_hydra(conf)
 
 
 def check_flags(arguments: Sequence[str]) -> None:

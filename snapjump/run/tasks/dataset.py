@@ -10,12 +10,14 @@ from snapjump.dataset.folder import DatasetFolder, default_path
 from snapjump.dataset.generate import Generation, generate
 from snapjump.dataset.options import SharedDataset
 from snapjump.dataset.read import open_dataset
+from snapjump.dataset.shard import read_entry
 from snapjump.dataset.specification import specify
 from snapjump.dataset.statistics import gather
 from snapjump.declare.members import make_member
 from snapjump.executor.base import Executor
 from snapjump.files.result_folder import ResultFolder
-from snapjump.run.tasks.base import INTERRUPTED, OK, Outcome, Progress, stretch
+from snapjump.files.sealed import sha256_of
+from snapjump.run.tasks.base import INTERRUPTED, OK, Outcome, Progress, Task, stretch
 from snapjump.run.tasks.complete import check_complete, whole
 from snapjump.show.plots.dataset import draw_dataset, draw_status
 from snapjump.show.terminal.block import number
@@ -27,7 +29,7 @@ OF_THIS_RUN = ("made", "kept")  # rows, whatever their status
 GENERATION_SHARE = 0.95
 
 
-class GenerateDataset:
+class GenerateDataset(Task):
     """Generates what is missing, then looks at all of it."""
 
     _damaged: Sequence[str] = ()
@@ -87,6 +89,15 @@ class GenerateDataset:
             ("hash", str(found["dataset_sha256"] or "not before all parts are done")),
             ("dataset in", os.path.relpath(place)),
         ]
+
+    def leaves(self, config: Mapping[str, Any]) -> dict[str, str]:
+        options: SharedDataset = whole(SharedDataset, config.get("dataset"))
+        made_of = specify(config, options.shard_size, options.sensitivities)
+        folder = DatasetFolder(Path(options.path or default_path(made_of)))
+        numbers = range(options.part - 1, made_of.shards, options.parts)
+        entries = [read_entry(folder, number, made_of.sha256)[0] for number in numbers]
+        contents = [entry and entry["content_sha256"] for entry in entries]
+        return {"dataset.path": sha256_of([folder.manifest.exists(), *contents])}
 
     def _conclude(self, folder: ResultFolder, generation: Generation) -> None:
         """Figures of the whole dataset, and what its record names."""

@@ -11,9 +11,9 @@ from snapjump.declare.families import FAMILIES
 from snapjump.files.atomic import write_text
 from snapjump.files.json_file import finite
 from snapjump.files.provenance import now, provenance
-from snapjump.files.result_folder import ResultFolder
+from snapjump.files.result_folder import TRACEBACK, ResultFolder
 from snapjump.run.tasks.base import BAD_INPUT, ERROR, INTERRUPTED, NOT_FINITE, OK, Outcome, Task
-from snapjump.run.tasks.interrupts import heeded, stopping, uninterrupted
+from snapjump.run.tasks.interrupts import heeded, reason, stopping, uninterrupted
 from snapjump.run.tasks.publish import check_publish, publish
 from snapjump.run.tasks.registry import find_task
 from snapjump.show.terminal.progress import ProgressBar
@@ -33,28 +33,37 @@ def execute(
     config: Mapping[str, Any], folder: ResultFolder, command: str, bar: ProgressBar
 ) -> tuple[Outcome, Task | None]:
     """Do one job and leave its files; never raises for what happens inside the task.
-    A job with bad input has done nothing and leaves nothing: what becomes of it is the caller's."""
+    A job with bad input has done nothing and leaves nothing: what becomes of it is the caller's.
+    The task is returned if it got as far as to be prepared, and can report."""
     started_at, clock = now(), time.perf_counter()
-    task: Task | None = None
+    task, outside, noticed = None, {}, []
     try:
         check_run(config)
         with heeded() as noticed:
-            task = find_task(config["task"]["name"])
-            task.prepare(config)
+            found = find_task(config["task"]["name"])
+            found.prepare(config)
+            outside = found.reads(config)
+            task = found
+            folder.begin()
             folder.write_config(config)
             outcome = task.run(folder, stopping(bar, noticed))
     except ParameterError as error:
         return Outcome(BAD_INPUT, str(error)), task
     except KeyboardInterrupt:
-        outcome = Outcome(INTERRUPTED, "interrupted by the user")
+        outcome = Outcome(INTERRUPTED, reason(noticed))
     except Exception as error:
-        write_text(folder.path / "traceback.txt", traceback.format_exc())
-        outcome = Outcome(ERROR, f"{type(error).__name__}: {error} (see traceback.txt)")
+        outcome = failed(error, folder)
     finally:
         bar.close()
     with uninterrupted():
         outcome.summary.setdefault("wall_seconds", time.perf_counter() - clock)
-        write_outcome(config, folder, command, started_at, outcome)
+        if task is not None and outcome.finished:
+            outside |= task.leaves(config)
+        try:
+            write_outcome(config, folder, command, started_at, outcome, outside)
+        except OSError as error:
+            told = f"{error.strerror}: the result is not in {folder.path}"
+            return Outcome(ERROR, told, outcome.summary), task
         if config["publish"] is not None and outcome.finished:
             try:
                 told = "published " + ", ".join(map(str, publish(config, folder)))
@@ -64,10 +73,27 @@ def execute(
     return outcome, task
 
 
+def failed(error: Exception, folder: ResultFolder) -> Outcome:
+    """The outcome of a job that broke off; where its traceback is, if there was room for it."""
+    told = " ".join(f"{type(error).__name__}: {error}".split())
+    try:
+        folder.begin()
+        write_text(folder.path / TRACEBACK, "".join(traceback.format_exception(error)))
+    except OSError:
+        return Outcome(ERROR, told)
+    return Outcome(ERROR, f"{told} (see {TRACEBACK})")
+
+
 def write_outcome(
-    config: Mapping[str, Any], folder: ResultFolder, command: str, started_at: str, outcome: Outcome
+    config: Mapping[str, Any],
+    folder: ResultFolder,
+    command: str,
+    started_at: str,
+    outcome: Outcome,
+    outside: Mapping[str, str],
 ) -> None:
     """Write what every job leaves; ``result.json`` last. Takes NaN out of the outcome."""
+    folder.begin()
     summary, not_finite = finite(outcome.summary)
     outcome.summary = summary
     # A robot that does not jump has no lift-off; one that does has every number.
@@ -75,7 +101,7 @@ def write_outcome(
         outcome.status = NOT_FINITE
         outcome.message = "not a finite number: " + ", ".join(not_finite)
     folder.write_config(config)
-    folder.write_provenance(provenance(command, config["seed"], started_at))
+    folder.write_provenance({**provenance(command, config["seed"], started_at), "outside": outside})
     message = {"message": outcome.message} if outcome.message else {}
     summary = {key: value for key, value in outcome.summary.items() if key != "status"}
     folder.write_result({"status": outcome.status, **message, **summary})

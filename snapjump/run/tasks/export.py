@@ -4,16 +4,17 @@ from collections.abc import Mapping
 from typing import Any
 
 from snapjump.files.result_folder import ResultFolder
+from snapjump.files.sealed import file_sha256
 from snapjump.learning.export import check_exportable, export
 from snapjump.learning.forward_model import open_forward_model
-from snapjump.run.tasks.base import OK, Outcome, Progress
+from snapjump.run.tasks.base import OK, Outcome, Progress, Task
 from snapjump.show.terminal.block import number
 from snapjump.targets.request import checkpoint_path
 
 FILE = "forward_model.onnx"
 
 
-class Export:
+class Export(Task):
     """Reads a checkpoint, writes ONNX, and compares the two."""
 
     def prepare(self, config: Mapping[str, Any]) -> None:
@@ -26,6 +27,9 @@ class Export:
         progress(0.0, "exporting")
         found = export(self._model, folder.path / FILE, self._seed)
         return Outcome(OK, "", {"checkpoint": self._path, "onnx": FILE, **found._asdict()})
+
+    def reads(self, config: Mapping[str, Any]) -> dict[str, str]:
+        return {"checkpoint": file_sha256(checkpoint_path(config.get("checkpoint")))}
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
         lines = [("export", f"{self._model.about['surrogate']['name']} from {self._path}")]

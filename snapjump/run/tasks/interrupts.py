@@ -1,4 +1,4 @@
-"""Ctrl-C while a job is done: heeded, but never halfway through its files."""
+"""Ctrl-C, SIGTERM and SIGHUP while a job is done: heeded, but never halfway through its files."""
 
 import signal
 import threading
@@ -8,15 +8,18 @@ from typing import Any
 
 from snapjump.run.tasks.base import Progress
 
+# What stops a job: the user, the system that runs it (SLURM, docker), a terminal that goes away.
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
 
 def heeded() -> AbstractContextManager[list[int]]:
-    """Let Ctrl-C stop the block, at its end if need be: raised inside a callback of a library,
-    KeyboardInterrupt may be swallowed there. Gives the signals that have come."""
+    """Let a signal stop the block as Ctrl-C does, at its end if need be: raised inside a callback
+    of a library, KeyboardInterrupt may be swallowed there. Gives the signals that have come."""
     return _noticed(at_once=True)
 
 
 def uninterrupted() -> AbstractContextManager[list[int]]:
-    """Put off Ctrl-C until the block is through, so that a run is never marked halfway."""
+    """Put off signals until the block is through, so that a run is never marked halfway."""
     return _noticed(at_once=False)
 
 
@@ -31,9 +34,15 @@ def stopping(progress: Progress, noticed: list[int]) -> Progress:
     return tell
 
 
+def reason(noticed: list[int]) -> str:
+    """Who stopped a job, in words."""
+    others = [signal.Signals(number).name for number in noticed if number != signal.SIGINT]
+    return f"stopped by {others[0]}" if others else "interrupted by the user"
+
+
 @contextmanager
 def _noticed(at_once: bool) -> Iterator[list[int]]:
-    """Note Ctrl-C, and raise KeyboardInterrupt at the end of the block, or before as well."""
+    """Note signals, and raise KeyboardInterrupt at the end of the block, or before as well."""
     noticed: list[int] = []
     if threading.current_thread() is not threading.main_thread():
         yield noticed
@@ -44,10 +53,13 @@ def _noticed(at_once: bool) -> Iterator[list[int]]:
         if at_once:
             raise KeyboardInterrupt
 
-    before = signal.signal(signal.SIGINT, note)
+    # What nohup has made a process ignore, it goes on ignoring.
+    heard = [number for number in SIGNALS if signal.getsignal(number) != signal.SIG_IGN]
+    before = {number: signal.signal(number, note) for number in heard}
     try:
         yield noticed
     finally:
-        signal.signal(signal.SIGINT, before)
+        for number, handler in before.items():
+            signal.signal(number, handler)
     if noticed:
         raise KeyboardInterrupt

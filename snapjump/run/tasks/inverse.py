@@ -11,10 +11,11 @@ from snapjump.checks import ParameterError
 from snapjump.declare.fields import construct
 from snapjump.declare.members import make_member
 from snapjump.files.result_folder import ResultFolder
+from snapjump.files.sealed import file_sha256
 from snapjump.inverse.base import InverseOptions, Solution
 from snapjump.results import Result
 from snapjump.robot.design import Design
-from snapjump.run.tasks.base import OK, UNREACHABLE, Outcome, Progress, stretch
+from snapjump.run.tasks.base import OK, UNREACHABLE, Outcome, Progress, Task, stretch
 from snapjump.run.tasks.complete import check_complete
 from snapjump.show.plots.inverse import inverse_picture
 from snapjump.show.terminal.inverse_report import inverse_report
@@ -34,7 +35,7 @@ SEARCH, SIMULATION, DRAWING = 0.1, 0.6, 0.8
 DRAWN_POINTS = 81  # of the region in the figure, per control
 
 
-class InverseDesign:
+class InverseDesign(Task):
     """Decides, searches, simulates what was found, and draws it."""
 
     def prepare(self, config: Mapping[str, Any]) -> None:
@@ -82,6 +83,9 @@ class InverseDesign:
 
     def report(self, outcome: Outcome) -> list[tuple[str, str]]:
         return inverse_report(self._config, outcome.summary)
+
+    def reads(self, config: Mapping[str, Any]) -> dict[str, str]:
+        return {"checkpoint": file_sha256(request.checkpoint_path(config.get("checkpoint")))}
 
     def _simulated(self, chosen: Solution, progress: Progress) -> Result:
         """The jump of a design with its trajectory, by the program for one robot."""

@@ -1,6 +1,7 @@
 """One job of Hydra's, a run or a cell of a sweep: done, recorded, told, and its exit code."""
 
 import os
+import re
 import shlex
 import sys
 from collections.abc import Mapping
@@ -19,15 +20,19 @@ from snapjump.files.provenance import now, source_hash
 from snapjump.files.result_folder import ResultFolder
 from snapjump.run.tasks import base
 from snapjump.run.tasks.base import Outcome, Task
-from snapjump.run.tasks.execute import execute, write_outcome
+from snapjump.run.tasks.execute import check_run, execute, write_outcome
 from snapjump.run.tasks.hydra_errors import one_line
 from snapjump.run.tasks.interrupts import uninterrupted
 from snapjump.run.tasks.names import cell_name, register_resolvers, task_overrides
-from snapjump.run.tasks.sweep import PARENT_RUN
+from snapjump.run.tasks.registry import find_task
+from snapjump.run.tasks.sweep import PARENT_RUN, mark_folder
+from snapjump.run.tasks.workers import end_with_sweep
 from snapjump.show.terminal.block import block, number
 from snapjump.show.terminal.progress import ProgressBar
 from snapjump.tracking.base import Tracker, TrackingError
 from snapjump.tracking.parts.tracked import OWN, record_folder
+
+DAY = re.compile(r"\d{4}-\d{2}-\d{2}")  # the folder of a day's runs
 
 # A worker process of a parallel sweep imports this module, and nothing before it.
 register_resolvers()
@@ -36,34 +41,41 @@ register_resolvers()
 def run_job(composed: DictConfig) -> int:
     """Do one job as configured; returns the exit code. Called by Hydra, in any process."""
     hydra = HydraConfig.get()
+    # Paths are relative to where the command is run, whatever hydra.job.chdir says.
+    os.chdir(hydra.runtime.cwd)
     folder = ResultFolder(Path(hydra.runtime.output_dir))
     overrides = task_overrides(hydra)
     try:
         config = OmegaConf.to_container(composed, resolve=True, throw_on_missing=True)
+        assert isinstance(config, dict)
+        load_all(config.get("plugins"))
+        if folder.taken():
+            allowed = f"a folder without a {folder.taken()[0]} of something else"
+            raise ParameterError("hydra.run.dir", str(folder.path), allowed)
+        if hydra.mode == RunMode.MULTIRUN:
+            return run_cell(config, folder, overrides)  # type: ignore[arg-type]
+        return run_alone(config, folder, overrides)  # type: ignore[arg-type]
     except OmegaConfBaseException as error:
         return _refused(str(one_line(error, overrides)), folder)
-    assert isinstance(config, dict)
-    try:
-        load_all(config.get("plugins"))
     except ParameterError as error:
         return _refused(str(error), folder)
-    job = run_cell if hydra.mode == RunMode.MULTIRUN else run_alone
-    return job(config, folder, overrides)  # type: ignore[arg-type]
+    finally:
+        folder.lock.remove()
 
 
 def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[str]) -> int:
-    """One job on its own: the closing block on stdout, an error in one line on stderr."""
-    try:
-        tracker = make_member("tracking", config["tracking"])
-        tracker.check()
-    except ParameterError as error:
-        return _refused(str(error), folder)
+    """One job on its own: the closing block on stdout, an error in one line on stderr.
+    Raises ParameterError for bad input."""
+    if not folder.lock.acquire(wait=False):
+        raise ParameterError("hydra.run.dir", str(folder.path), "a folder that no other run uses")
+    tracker = make_member("tracking", config["tracking"])
+    tracker.check()
     outcome, task = execute(config, folder, command(overrides), ProgressBar())
     if outcome.status == base.BAD_INPUT:
         return _refused(outcome.message, folder)
     code = base.exit_code(outcome.status)
     recorded, place = _record(tracker, folder, folder.path.name, None)
-    if task is not None and outcome.summary:
+    if task is not None:
         _tell(task, outcome, folder, place)
     if code != base.EXIT_OK:
         print(f"{outcome.status}: {outcome.message}", file=sys.stderr)
@@ -72,14 +84,16 @@ def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[s
 
 def run_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[str]) -> int:
     """One cell of a sweep: done only if it is not yet, and told in one line."""
+    end_with_sweep()
+    folder.lock.acquire()  # of a sweep that was killed, a worker may still be at it
     tracker, name = make_member("tracking", config["tracking"]), cell_name(overrides)
+    mark_folder(Path(HydraConfig.get().sweep.dir).absolute(), name, folder.path.absolute())
     parent_id = os.environ.get(PARENT_RUN)
-    if folder.holds(config, source_hash(), base.FINISHED):
+    if is_done(config, folder):
         result = folder.result() or {}
         _record(tracker, folder, name, parent_id)
         print(f"{name}: {result['status']} (kept)", flush=True)
         return base.EXIT_OK
-    folder.forget()
     started_at, published = now(), config.get("publish")
     if published is None:
         outcome, _ = execute(config, folder, command(overrides), ProgressBar(visible=False))
@@ -87,7 +101,7 @@ def run_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[st
         allowed = "null in a sweep, whose cells would replace each other's"
         outcome = Outcome(base.BAD_INPUT, str(ParameterError("publish", published, allowed)))
     if outcome.status == base.BAD_INPUT:
-        write_outcome(config, folder, command(overrides), started_at, outcome)
+        write_outcome(config, folder, command(overrides), started_at, outcome, {})
     _record(tracker, folder, name, parent_id)
     seconds = outcome.summary.get("wall_seconds")
     took = "" if seconds is None else f" ({number(seconds)} s)"
@@ -95,6 +109,17 @@ def run_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[st
     if outcome.status == base.INTERRUPTED:
         raise KeyboardInterrupt
     return base.exit_code(outcome.status)
+
+
+def is_done(config: Mapping[str, Any], folder: ResultFolder) -> bool:
+    """Whether a cell has been done, from what is there now and with what it left still there."""
+    try:
+        check_run(config)
+        task = find_task(config["task"]["name"])
+        outside = {**task.reads(config), **task.leaves(config)}
+    except (ImportError, ParameterError):
+        return False
+    return folder.holds(config, source_hash(), outside, base.FINISHED)
 
 
 def command(overrides: list[str]) -> str:
@@ -109,7 +134,7 @@ def _record(
     with uninterrupted():
         try:
             return True, record_folder(tracker, folder, name, parent_id)
-        except TrackingError as error:
+        except (TrackingError, OSError) as error:
             print(f"not recorded: {error}; the results are in {folder.path}", file=sys.stderr)
             return False, ""
 
@@ -117,8 +142,10 @@ def _record(
 def _refused(message: str, folder: ResultFolder) -> int:
     """Bad input: one line, and no trace of a run that never was."""
     print(message, file=sys.stderr)
-    if folder.path.is_dir() and not any(folder.path.iterdir()):
-        folder.path.rmdir()
+    folder.withdraw()
+    day = folder.path.parent
+    if DAY.fullmatch(day.name) and not any(day.iterdir()):
+        day.rmdir()
     return base.EXIT_BAD_INPUT
 
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from snapjump.files.result_folder import ResultFolder
-from snapjump.run.tasks.base import NOT_FINITE, OK, Outcome, Progress, stretch
+from snapjump.run.tasks.base import NOT_FINITE, OK, Outcome, Progress, Task, stretch
 from snapjump.run.tasks.complete import check_complete
 from snapjump.show.plots import figures
 from snapjump.show.terminal.scene_report import scene_report
@@ -14,7 +14,7 @@ from snapjump.simulation import build, simulate
 SIMULATION_SHARE = 0.6
 
 
-class Simulate:
+class Simulate(Task):
     """Builds the scene, simulates it and draws what happened."""
 
     def prepare(self, config: Mapping[str, Any]) -> None:

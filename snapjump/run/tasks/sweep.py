@@ -16,6 +16,7 @@ from snapjump.files.lock import FileLock
 from snapjump.files.provenance import now
 from snapjump.run.tasks.base import EXIT_BAD_INPUT
 from snapjump.run.tasks.names import cell_name, register_resolvers, sweep_name, task_overrides
+from snapjump.run.tasks.workers import SWEEP_PROCESS
 from snapjump.tracking.base import Tracker, TrackingError
 
 # How the jobs, in whatever process, hear of the sweep's name (a cell's own overrides would give
@@ -23,6 +24,9 @@ from snapjump.tracking.base import Tracker, TrackingError
 SWEEP_NAME = "SNAPJUMP_SWEEP"
 PARENT_RUN = "SNAPJUMP_PARENT_RUN"
 MARK = "sweep.json"
+CELLS = (
+    ".cells"  # where cells are that hydra.sweep.subdir puts elsewhere than where they are sought
+)
 
 register_resolvers()
 
@@ -74,12 +78,31 @@ def leave_sweep(sweep: Sweep) -> None:
     _current.clear()
 
 
+def mark_folder(sweep: Path, name: str, folder: Path) -> None:
+    """Leave word of where a cell is. Raises ParameterError for the folder of another cell."""
+    if folder == sweep / name:
+        return
+    for mark in (sweep / CELLS).glob("*.json"):
+        if mark.stem != name and cell_folder(sweep, mark.stem) == folder:
+            allowed = f"one for each cell, and {mark.stem} has this one"
+            raise ParameterError("hydra.sweep.subdir", folder.name, allowed)
+    (sweep / CELLS).mkdir(exist_ok=True)
+    write_json(sweep / CELLS / f"{name}.json", {"folder": os.path.relpath(folder, sweep)})
+
+
+def cell_folder(sweep: Path, name: str) -> Path:
+    """The folder of a cell."""
+    mark = read_json(sweep / CELLS / f"{name}.json") or {}
+    return Path(os.path.normpath(sweep / str(mark.get("folder", name))))
+
+
 class SweepCallback(Callback):
     """Hydra's callback at the start of a sweep."""
 
     def on_multirun_start(self, config: DictConfig, **others: Any) -> None:
         """Start the sweep; Hydra would turn any Exception from here into a mere warning."""
         os.environ[SWEEP_NAME] = sweep_name(task_overrides(config.hydra))
+        os.environ[SWEEP_PROCESS] = str(os.getpid())
         try:
             cells = expand(config)
             folder = Path(config.hydra.sweep.dir).absolute()
@@ -87,6 +110,11 @@ class SweepCallback(Callback):
             tracker = make_member("tracking", tracking)
             sweep = Sweep(folder, cells, tracker, FileLock(folder / ".lock"))
             sweep.start()
+        except OSError as error:
+            allowed = f"a folder that can be written to ({error.strerror})"
+            refused = ParameterError("hydra.sweep.dir", str(config.hydra.sweep.dir), allowed)
+            print(refused, file=sys.stderr)
+            raise SystemExit(EXIT_BAD_INPUT) from error
         except ParameterError as error:
             print(error, file=sys.stderr)
             raise SystemExit(EXIT_BAD_INPUT) from error

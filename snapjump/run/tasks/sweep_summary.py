@@ -14,7 +14,7 @@ from snapjump.files.result_folder import ResultFolder
 from snapjump.run.tasks import base
 from snapjump.run.tasks.base import FINISHED
 from snapjump.run.tasks.names import cell_name
-from snapjump.run.tasks.sweep import Sweep
+from snapjump.run.tasks.sweep import Sweep, cell_folder
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import picture
 from snapjump.show.terminal.block import markdown_table, number, table
@@ -81,7 +81,7 @@ def read_cells(sweep: Sweep) -> list[Cell]:
     cells = []
     for overrides, inputs in zip(sweep.cells, swept_inputs(sweep.cells), strict=True):
         name = cell_name(overrides)
-        cell = Cell(name, ResultFolder(sweep.folder / name), inputs)
+        cell = Cell(name, ResultFolder(cell_folder(sweep.folder, name)), inputs)
         origin = cell.folder.provenance() or {}
         cell.result = cell.folder.result() or {"status": NOT_STARTED}
         before = str(origin.get("finished_at", "")) < sweep.started_at

@@ -8,13 +8,14 @@ from typing import Any
 from hydra.core.hydra_config import HydraConfig
 
 from snapjump.checks import ParameterError
-from snapjump.dataset.folder import default_path
+from snapjump.dataset.folder import DatasetFolder, default_path
 from snapjump.dataset.options import DatasetOptions
 from snapjump.dataset.read import open_dataset
 from snapjump.dataset.specification import specify
 from snapjump.declare.members import make_member
 from snapjump.files.atomic import write_bytes
 from snapjump.files.result_folder import ResultFolder
+from snapjump.files.sealed import file_sha256
 from snapjump.learning.data import JumpData
 from snapjump.learning.forward_model import ForwardModel
 from snapjump.learning.learn import FORWARD_MODEL, Learned, check_slopes, learn
@@ -22,7 +23,7 @@ from snapjump.learning.measures import errors
 from snapjump.learning.timing import microseconds
 from snapjump.learning.training import Training
 from snapjump.plan.parts.axes import labels_of
-from snapjump.run.tasks.base import INTERRUPTED, NOT_FINITE, OK, Outcome, Progress
+from snapjump.run.tasks.base import INTERRUPTED, NOT_FINITE, OK, Outcome, Progress, Task
 from snapjump.run.tasks.complete import whole
 from snapjump.run.tasks.names import task_overrides
 from snapjump.show.plots.training import draw_training
@@ -36,7 +37,7 @@ ROWS = ("rows_train", "rows_validation", "rows_test")
 OF_TRAINING = ("task", "surrogate", "training", "tracking", "figures")
 
 
-class Train:
+class Train(Task):
     """Trains a surrogate on all of a dataset but the test set, which it is measured on."""
 
     def prepare(self, config: Mapping[str, Any]) -> None:
@@ -100,6 +101,9 @@ class Train:
             ("one design", f"{number(found['inference_us'])} us"),
             ("kept in", str(found["checkpoint"])),
         ]  # fmt: skip
+
+    def reads(self, config: Mapping[str, Any]) -> dict[str, str]:
+        return {"dataset.path": file_sha256(DatasetFolder(dataset_path(config)).manifest)}
 
     def _draw(self, folder: ResultFolder, learned: Learned) -> None:
         test = self._data.test

@@ -158,6 +158,32 @@ def test_a_cell_with_other_inputs_is_another(tmp_path):
     assert store.load(Cell("a/b", {"n": 2})) is None
 
 
+@pytest.mark.parametrize("damage", ["{}", "[]", '{"status": "ok"}', "[" * 100_000, "\0"])
+def test_a_cell_of_something_else_is_done_again(tmp_path, capsys, damage):
+    store = CellStore(tmp_path)
+    done = Done(Cell("a", {"n": 1}), "ok", "", [{"x": 2.0}], "run", "", "")
+    store.save(done)
+    store.file(done.cell).write_text(damage)
+    assert store.load(done.cell) is None
+    assert (
+        capsys.readouterr().err == f"done again: {store.file(done.cell)} is not what was written\n"
+    )
+
+
+def test_an_edited_number_counts_for_nothing(tmp_path):
+    store = CellStore(tmp_path)
+    done = Done(Cell("a", {"n": 1}), "ok", "", [{"x": 2.0}], "run", "", "")
+    store.save(done)
+    file = store.file(done.cell)
+    file.write_text(file.read_text().replace("2.0", "3.0"))
+    assert store.load(done.cell) is None
+
+
+def test_what_cells_read_is_what_a_study_reads():
+    one, other = Squares().reads(CONFIG), Squares().reads(CONFIG)
+    assert one == other and one.keys() == {"cells"}
+
+
 def test_a_killed_study_leaves_whole_cells_and_no_lock(tmp_path):
     script = (
         f"import os, signal, sys; sys.path[:0] = {PLACES!r}\n"

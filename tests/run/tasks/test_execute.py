@@ -1,6 +1,7 @@
 """What becomes of a job, whatever its task does. The tasks here are stand-ins for that."""
 
 import contextlib
+import errno
 import json
 import math
 import signal
@@ -13,7 +14,7 @@ import pytest
 from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
 from snapjump.run.tasks import registry
-from snapjump.run.tasks.base import Outcome
+from snapjump.run.tasks.base import Outcome, Task
 from snapjump.run.tasks.execute import SECTIONS, execute
 from snapjump.show.terminal.progress import ProgressBar
 
@@ -27,7 +28,7 @@ CONFIG: dict[str, Any] = {
 }
 
 
-class StandIn:
+class StandIn(Task):
     """A task that does what the test says."""
 
     def prepare(self, config: Mapping[str, Any]) -> None:
@@ -111,6 +112,34 @@ def test_a_defect_leaves_its_traceback(becomes, tmp_path):
     assert result["status"] == "error"
     assert "ZeroDivisionError: by nought" in result["message"]
     assert "in action" in (tmp_path / "traceback.txt").read_text()
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt(), ModuleNotFoundError("No module 'torch'")])
+def test_what_was_not_prepared_does_not_report(monkeypatch, tmp_path, error):
+    monkeypatch.setattr(StandIn, "prepare", raises(error))
+    outcome, task = execute(CONFIG, ResultFolder(tmp_path), "python run.py", ProgressBar())
+    assert task is None and outcome.status in ("interrupted", "error")
+    assert json.loads((tmp_path / "result.json").read_text())["status"] == outcome.status
+
+
+def test_a_full_disk_is_one_line_and_the_numbers_are_told(monkeypatch, tmp_path):
+    def full(*given: Any, **others: Any) -> Any:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(StandIn, "run", lambda self, *given: Outcome("ok", "", {"x_bar": 1.0}))
+    monkeypatch.setattr(ResultFolder, "write_result", full)
+    outcome, task = execute(CONFIG, ResultFolder(tmp_path), "python run.py", ProgressBar())
+    assert outcome.message == f"No space left on device: the result is not in {tmp_path}"
+    assert task is not None and outcome.summary["x_bar"] == 1.0
+
+
+def test_a_defect_on_a_full_disk_is_one_line(becomes, monkeypatch):
+    def full(*given: Any) -> Any:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("snapjump.run.tasks.execute.write_text", full)
+    outcome, _ = becomes(raises(OSError(errno.ENOSPC, "No space left on device", "a.npz")))
+    assert outcome.message == "OSError: [Errno 28] No space left on device: 'a.npz'"
 
 
 @pytest.mark.parametrize(

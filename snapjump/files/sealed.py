@@ -21,6 +21,15 @@ def sha256_of(value: Any) -> str:
     return hashlib.sha256(canonical(value).encode()).hexdigest()
 
 
+def file_sha256(path: Path) -> str:
+    """A hash of a file's bytes; of one that cannot be read, the reason."""
+    try:
+        with open(path, "rb") as file:
+            return hashlib.file_digest(file, "sha256").hexdigest()
+    except OSError as error:
+        return str(error.strerror)
+
+
 def write_sealed(path: Path, content: Mapping[str, Any]) -> None:
     """Write a JSON file whole, with its hash."""
     write_json(path, {**content, SEAL: sha256_of(content)})
@@ -32,4 +41,7 @@ def read_sealed(path: Path) -> dict[str, Any] | None:
     if content is None:
         return None
     seal = content.pop(SEAL, None)
-    return content if seal == sha256_of(content) else None
+    try:
+        return content if seal == sha256_of(content) else None
+    except ValueError:  # NaN, which nobody has sealed
+        return None
