@@ -39,12 +39,13 @@ def case_rows(
     warm_up(base, forward, method)
     targets = np.array([(case.x_bar, case.y_bar) for case in cases])
     rows: list[Row] = []
-    designs = np.zeros((len(cases), 4))
+    designs, predicted = np.zeros((len(cases), 4)), np.zeros((len(cases), 2))
     for k, case in enumerate(cases):
         robot = variant(base, (*BASELINE[:2], case.mass_bar, case.mu))
         problem = problem_of(robot, targets[k], forward, forward, seed)
         found = answer(problem, method)
         designs[k] = problem.designs(found.solutions[0].controls[None, :])[0]
+        predicted[k] = found.problem.known_forward("cases").predict(designs[k : k + 1])[0]
         rows.append(
             {
                 "robot": case.label,
@@ -60,7 +61,7 @@ def case_rows(
                 "simulations": found.simulations,
             }
         )
-    add_places(rows, "predicted", forward.predict(designs))
+    add_places(rows, "predicted", predicted)
     length_mm = 1e3 * base.robot.length_m
     for k, (tier, simulation) in enumerate(judges.items()):
         batch = simulate_designs(simulation, designs, threads=2, lanes=8)

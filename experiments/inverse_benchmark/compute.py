@@ -55,8 +55,7 @@ def make_problems(
 def solve_block(inputs: Mapping[str, Any]) -> list[Row]:
     """A row for each problem of a cell: misses in mm, time, simulations.
 
-    Misses are judged at the tier of the run (``own``), at standard and at reference. Times include
-    the decision whether a target can be reached.
+    Misses are judged at the tier of the run (``own``), at standard and at reference.
     """
     forward, base = opened(inputs["checkpoint"]), composed(inputs["groups"])
     first, last = inputs["first"], inputs["last"]
@@ -70,7 +69,7 @@ def solve_block(inputs: Mapping[str, Any]) -> list[Row]:
     ):
         problem = make_problem(target, hidden, forward, base, number)
         found = answer(problem, method)
-        row = {"problem": number, **answered(hidden, problem, found.solutions[0], forward)}
+        row = {"problem": number, **answered(hidden, found.problem, found.solutions[0])}
         row |= {key: getattr(found, key) for key in ("reachable", "seconds", "simulations")}
         rows.append({**row, "finished_at": "reference" if at_reference else "own"})
     designs = np.array([[row[column] for column in COLUMNS] for row in rows])
@@ -113,14 +112,14 @@ def make_problem(
     return problem_of(here, target, forward, forward, seed)
 
 
-def answered(hidden: Array, problem: Problem, solution: Solution, forward: ForwardModel) -> Row:
+def answered(hidden: Array, problem: Problem, solution: Solution) -> Row:
     """Target, hidden design, answer and predicted apex as columns of a row."""
-    predicted = forward.predict(problem.designs(solution.controls[None]))[0]
+    forward, design = problem.known_forward("benchmark"), problem.designs(solution.controls[None])
     return {
         **point("target", problem.target),
         "mass_bar": problem.mass_bar,
         "mu": problem.mu,
         **{f"hidden_{name}": float(v) for name, v in zip(CONTROLS, hidden[:2], strict=True)},
         **dict(zip(CONTROLS, solution.controls.tolist(), strict=True)),
-        **point("predicted", predicted),
+        **point("predicted", forward.predict(design)[0]),
     }

@@ -136,9 +136,9 @@ def region_findings(regions: list[Row]) -> list[str]:
     farthest = max(row["farthest_wrong_bar"] for row in regions)
     return [
         f"Achievable region: of {targets} random targets in {len(regions)} environments "
-        f"{100 * accepts / targets:.2g} % are accepted that simulation does not reach, "
-        f"{100 * rejects / targets:.2g} % rejected that it does; those lie within {farthest:.2g} L "
-        "of the simulated boundary."
+        f"{100 * accepts / targets:.2g} % are reached (within 0.03 L) that lie outside of a grid "
+        f"of simulations, {100 * rejects / targets:.2g} % called unreachable that lie inside; all "
+        f"of them within {farthest:.2g} L of its boundary."
     ]
 
 

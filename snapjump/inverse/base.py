@@ -13,6 +13,8 @@ from snapjump.plan.parts.axes import Range, default_axes
 CONTROLS = tuple(axis.column for axis in default_axes() if axis.kind == "control")
 # Apexes nearer to the target than this (L) have reached it, for a forward model's solutions.
 REACHED_BAR = 1.0e-3
+# The largest miss (L) with which a target counts as reached, by simulation.
+REACH_BAR = 0.03
 # Solutions nearer to each other than this share of the ranges are one.
 SAME = 1.0e-3
 
@@ -53,7 +55,7 @@ class Problem:
     """``target``: x_bar, y_bar; ``low``, ``high`` (2,): bounds of delta_alpha (rad) and epsilon.
 
     ``forward`` is None where the environment is outside the training range; ``seed``: of
-    everything random.
+    everything random; ``symmetric``: whether the mirrored design jumps to the mirrored apex.
     """
 
     target: Array
@@ -64,6 +66,7 @@ class Problem:
     forward: ForwardModel | None
     simulator: Simulator
     seed: int = 0
+    symmetric: bool = True
 
     def designs(self, controls: Array) -> Array:
         """Designs (N, 4) of controls (N, 2) in this environment."""

@@ -18,14 +18,16 @@ from scipy.optimize import lsq_linear
 
 from snapjump.arrays import Array
 from snapjump.declare.fields import choice, integer, number
-from snapjump.inverse.base import InverseOptions, Problem, Search, Solution
-from snapjump.inverse.gauss_newton import GaussNewtonOptions
+from snapjump.inverse.base import REACH_BAR, InverseOptions, Problem, Search, Solution
+from snapjump.inverse.gauss_newton import GaussNewtonOptions, nearest_points
 
 CANDIDATES = 8  # a round: as many as the simulator has lanes
 SLOPES = ("fitted", "exact")
 FINISHING = ("same", "reference")
 SIDE = 8  # of the grid of simulations that begins a search without forward model
 LONGEST_STEP = 0.25  # of a control's range
+MOST_MORE, APART = 6, 0.1  # further starts, and how far from each other, as a share of the ranges
+PATIENCE, STALLED = 4, 0.99  # rounds, and the share of a miss that is left of it after so many
 # Distance of the aims around the target: at first that of a forward model's error, then a share of
 # the miss, and never less than what roughness makes of any aim. In L.
 FIRST_RING_BAR, RING_SHARE, LEAST_RING_BAR = 0.02, 0.25, 2.0e-4
@@ -54,10 +56,13 @@ class PhysicsOptions(InverseOptions):
         """The best refined solution, then those of the forward model that were not needed."""
         search = Search(problem, problem.simulator)
         starts = first_guesses(search)
-        refined: list[Solution] = []
+        tried, refined = list(starts), list[Solution]()
         while starts and not any(self._reaches(problem, one) for one in refined):
             refined.append(self._refined(search, starts.pop(0)))
             search = Search(problem, problem.simulator)
+            if not starts and len(tried) <= MOST_MORE and least_miss(problem, refined) > REACH_BAR:
+                starts = other_guesses(problem, tried)[:1]
+                tried += starts
         # Starts that led nowhere are no solutions; those that were not tried may be.
         return [min(refined, key=lambda one: one.miss_bar(problem.target)), *starts]
 
@@ -72,8 +77,11 @@ class PhysicsOptions(InverseOptions):
             searches.append(Search(problem, problem.simulator.at(self.finishing)))
         for search in searches:
             allowed = search.simulator.simulations + self.most_simulations - CANDIDATES
+            misses: list[float] = []
             for best in rounds(search, start):
-                if self._reaches(problem, best) or search.simulator.simulations > allowed:
+                misses.append(best.miss_bar(problem.target))
+                ended = self._reaches(problem, best) or search.simulator.simulations > allowed
+                if ended or stalled(misses):
                     break
             start = best
         return start
@@ -85,6 +93,33 @@ def first_guesses(search: Search) -> list[Solution]:
         return GaussNewtonOptions().solve(search.problem)
     search.simulate(search.problem.scaled(search.problem.grid(SIDE).reshape(-1, 2)))
     return [search.best()]
+
+
+def other_guesses(problem: Problem, tried: list[Solution]) -> list[Solution]:
+    """Where else the forward model comes nearer than all about, the nearest first; far from what
+    was tried."""
+    if problem.forward is None:
+        return []
+    grid = problem.grid(GaussNewtonOptions().points)
+    apexes = problem.forward.predict(problem.designs(grid.reshape(-1, 2))).reshape(grid.shape)
+    known = problem.scaled(np.array([one.controls for one in tried]))
+    return [
+        Solution(controls, problem.forward.predict(problem.designs(controls[None]))[0], False)
+        for controls in nearest_points(grid, apexes, problem.target)
+        if np.abs(known - problem.scaled(controls)).max(axis=1).min() > APART
+    ]
+
+
+def least_miss(problem: Problem, solutions: list[Solution]) -> float:
+    """The least distance of their apexes from the target, in L."""
+    return min(one.miss_bar(problem.target) for one in solutions)
+
+
+def stalled(misses: list[float]) -> bool:
+    """Whether the least misses, one a round, no longer shrink and are far from a reached target."""
+    if len(misses) <= PATIENCE or misses[-1] <= REACH_BAR:
+        return False
+    return misses[-1] > STALLED * misses[-1 - PATIENCE]
 
 
 def by_shares(problem: Problem, slopes: Array) -> Array:

@@ -5,49 +5,68 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from snapjump.inverse import base
-from snapjump.inverse.base import ForwardModel, InverseOptions, Problem, Solution
-from snapjump.inverse.gauss_newton import descend
-from snapjump.targets.region import AchievableRegion
-
-# How far beyond the region's boundary (L) a method may still try: what the forward model's error
-# makes of a boundary. The largest miss that counts as reached, too.
-BOUNDARY_BAR = 0.03
-ITERATIONS = 30
+from snapjump.arrays import Array
+from snapjump.inverse.base import REACH_BAR, InverseOptions, Problem, Solution
+from snapjump.targets.mirror import with_mirror
 
 
 @dataclass(frozen=True)
 class Answer:
-    """``solutions``: the best first; of a target out of reach the design of the nearest apex alone.
+    """``solutions``: the best first, which is simulated; ``problem``: that with the bounds within
+    which it was found.
 
-    ``reachable``: whether the best one gets as near to the target as 0.03 L, by what it believes.
-    ``seconds``: of the decision and the search; ``simulations``: that they took.
+    ``reachable``: whether its simulated apex is within 0.03 L of the target. False where no search
+    on the simulator came as near, None where a method only asked the forward model, which decides
+    nothing. ``searched`` (2, 2): least and largest delta_alpha (rad) and epsilon that were looked
+    at; ``seconds``, ``simulations``: of the search.
     """
 
-    reachable: bool
+    reachable: bool | None
     solutions: list[Solution]
+    problem: Problem
+    searched: Array
     seconds: float
     simulations: int
 
 
 def answer(problem: Problem, method: InverseOptions) -> Answer:
-    """Decide whether the target is in the achievable region, and let a method search if it is.
-    Without a forward model the method alone decides."""
+    """Let a method search, on both sides of the symmetric robot, until a target is reached."""
     begun, before = time.perf_counter(), problem.simulator.simulations
-    nearest = None if problem.forward is None else out_of_reach(problem, problem.forward)
-    solutions = method.solve(problem) if nearest is None else [nearest]
-    reachable = nearest is None and solutions[0].miss_bar(problem.target) <= BOUNDARY_BAR
+    found: list[tuple[float, list[Solution], Problem]] = []
+    for side in with_mirror(problem):
+        solutions = simulated(side, method.solve(side))
+        miss = solutions[0].miss_bar(problem.target)
+        found.append((miss, solutions, side))
+        if miss <= REACH_BAR:
+            break
+    least, solutions, where = min(found, key=lambda one: one[0])
+    reachable = True if least <= REACH_BAR else None if method.needs_forward else False
+    searched = np.array(
+        [
+            np.min([side.low for *_, side in found], axis=0),
+            np.max([side.high for *_, side in found], axis=0),
+        ]
+    ).T
     seconds = time.perf_counter() - begun
-    return Answer(reachable, solutions, seconds, problem.simulator.simulations - before)
+    simulations = problem.simulator.simulations - before
+    return Answer(reachable, solutions, where, searched, seconds, simulations)
 
 
-def out_of_reach(problem: Problem, forward: ForwardModel) -> Solution | None:
-    """The design of the nearest apex for a target that no design reaches, otherwise None."""
-    region = AchievableRegion.of(problem, forward)
-    if region.contains(problem.target[None, :])[0]:
-        return None
-    # The grid's own error is taken out by a descent from where it is nearest.
-    start = np.array([region.nearest(problem.target)[0]])
-    controls, _ = descend(problem, forward, start, ITERATIONS)
-    (nearest,) = base.predicted_solutions(problem, forward, controls)
-    return None if nearest.miss_bar(problem.target) <= BOUNDARY_BAR else nearest
+def simulated(problem: Problem, solutions: list[Solution]) -> list[Solution]:
+    """The solutions with that first which is the best by simulation.
+    A predicted one is believed in its place if it is near enough, else all are compared."""
+    if solutions[0].simulated:
+        return solutions
+    first = _simulated(problem, solutions[:1])
+    if first[0].miss_bar(problem.target) > REACH_BAR and len(solutions) > 1:
+        first += _simulated(problem, solutions[1:])
+        first.sort(key=lambda one: one.miss_bar(problem.target))
+    return first + solutions[len(first) :]
+
+
+def _simulated(problem: Problem, solutions: list[Solution]) -> list[Solution]:
+    controls = np.array([one.controls for one in solutions])
+    apexes = problem.simulator.apexes(problem.designs(controls))
+    # What does not jump gets nowhere.
+    apexes = np.where(np.isfinite(apexes), apexes, np.inf)
+    return [Solution(*pair, True) for pair in zip(controls, apexes, strict=True)]

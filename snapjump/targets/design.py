@@ -22,12 +22,14 @@ def problem_of(
 ) -> Problem:
     """The problem of a target (2,) in L in the environment of a simulation.
 
-    The controls are bounded by the ranges of ``trained``; ``forward`` is what may be asked: the
-    same, or None.
+    The controls are bounded by the ranges of ``trained`` (:func:`answer` searches their mirror
+    image too); ``forward`` is what may be asked: the same, or None.
     """
     low, high = np.array(trained.ranges[:2]).T
     mass_bar, mu = base.environment.mass_bar, base.environment.mu
-    return Problem(target, mass_bar, mu, low, high, forward, JumpSimulator(base), seed)
+    symmetric = base.environment.slope_rad == 0.0
+    simulator = JumpSimulator(base)
+    return Problem(target, mass_bar, mu, low, high, forward, simulator, seed, symmetric)
 
 
 def design_for(

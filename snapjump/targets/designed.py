@@ -20,7 +20,6 @@ class Designed:
     ``jump``: its simulation; ``robust``: where a robust design was asked for; ``trained``: what the
     forward model says of itself; ``warning``: why it was not asked."""
 
-    problem: Problem
     answer: Answer
     chosen: Solution
     costs_bar: Array
@@ -28,6 +27,11 @@ class Designed:
     robust: Comparison | None
     trained: Mapping[str, Any]
     warning: str
+
+    @property
+    def problem(self) -> Problem:
+        """The problem, with the bounds within which the design was found."""
+        return self.answer.problem
 
     @property
     def predicted(self) -> Array | None:
@@ -62,6 +66,8 @@ class Designed:
             "error_m": None if missed is None else missed * length_m,
             "solve_seconds": self.answer.seconds,
             "simulations": self.answer.simulations,
+            **bounds("delta_alpha_rad", self.answer.searched[0]),
+            **bounds("epsilon", self.answer.searched[1]),
             "solutions": len(self.answer.solutions),
             "error_estimate_percent": self.jump.summary.get("error_estimate_percent"),
         }
@@ -97,6 +103,12 @@ def controls(prefix: str, solution: Solution) -> dict[str, Any]:
     """Controls of a solution by their keys."""
     delta_alpha, epsilon = solution.controls.tolist()
     return {f"{prefix}epsilon": epsilon, f"{prefix}delta_alpha_rad": delta_alpha}
+
+
+def bounds(name: str, pair: Array) -> dict[str, float]:
+    """The ends of a range that was searched, by their keys."""
+    least, largest = pair.tolist()
+    return {f"searched_{name}_least": least, f"searched_{name}_largest": largest}
 
 
 def spread(name: str, scatter: Scatter) -> dict[str, Any]:

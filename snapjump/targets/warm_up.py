@@ -10,15 +10,12 @@ from snapjump.targets.simulator import JumpSimulator
 
 
 def warm_up(base: Simulation, forward: ForwardModel, method: InverseOptions) -> None:
-    """Warm up for a search; a method that asks the forward model alone needs no jumps."""
+    """Warm up for a search."""
     middle = np.mean(forward.ranges, axis=1)[None, :]
     simulator = JumpSimulator(base)
     low, high = np.array(forward.ranges[:2]).T
     target, (mass_bar, mu) = forward.predict(middle)[0], middle[0, 2:].tolist()
     problem = Problem(target, mass_bar, mu, low, high, forward, simulator)
     answer(problem, method if method.needs_forward else GaussNewtonOptions())
-    if method.needs_forward:
-        return
-    simulator.apexes(middle)
     if method.needs_slopes:
         simulator.slopes(middle)

@@ -75,7 +75,7 @@ def test_physics_hits_what_the_forward_model_misses(checkpoint, tmp_path, monkey
         assert 0.01 <= row["delta_alpha_rad"] <= 0.19
         assert 0.1 <= row["epsilon"] <= 0.3
         assert row["simulations"] >= 8
-    assert all(row["simulations"] == 0 for row in found["gauss_newton"])
+    assert all(row["simulations"] > 0 for row in found["gauss_newton"])  # its answers are judged
     own = {name: np.mean([row["miss_own_mm"] for row in all_]) for name, all_ in found.items()}
     assert own["physics"] < SOLVED_MM
     assert own["physics"] < 0.1 * own["gauss_newton"]
@@ -94,12 +94,9 @@ def test_the_region_is_held_against_simulation(checkpoint, monkeypatch):
     monkeypatch.setattr(region, "POINTS", 9)
     inputs = {"checkpoint": str(checkpoint), "groups": COARSE, "seed": 0}
     (row,) = region.region_rows({**inputs, "first": 0, "last": 1})
-    assert 20 <= row["reachable"] <= 80
-    assert row["false_accepts"] + row["false_rejects"] <= 10
-    assert row["false_rejects"] <= row["false_rejects_of_grid"]  # there is a margin
-    monkeypatch.setattr(region, "out_of_reach", lambda problem, forward: None)
-    (row,) = region.region_rows({**inputs, "first": 0, "last": 1})
-    assert row["false_accepts"] == 100 - row["reachable"]
+    assert 5 <= row["reachable"] <= 20
+    # The truth is a grid of triangles, and what ends within 0.03 L is reached.
+    assert row["false_rejects"] <= 1 and row["false_accepts"] <= 3
 
 
 def test_a_summary_is_of_the_misses_that_are_known():

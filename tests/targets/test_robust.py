@@ -60,7 +60,7 @@ def test_on_a_fold_the_robust_design_is_better():
     given = problem(target, model)
     tolerance = Tolerance(**{**NONE, "delta_alpha_rad": 0.03})
     plain = [Solution(CONTROLS, target, False)]
-    found = compare(given, model, tolerance, plain)
+    found = compare(given, tolerance, plain)
     ours, theirs = expected(found.robust.controls, target), expected(CONTROLS, target)
     assert ours < 0.95 * theirs
     assert found.robust_scatter.expected_miss_bar == pytest.approx(ours, rel=0.02)
@@ -85,7 +85,7 @@ def test_of_several_solutions_it_takes_the_less_sensitive_branch():
     given = problem(target, model)
     solutions = GaussNewtonOptions().solve(given)[::-1]
     assert solutions[0].controls[0] == pytest.approx(0.14)
-    found = compare(given, model, Tolerance(**{**NONE, "mu": 0.1}), solutions)
+    found = compare(given, Tolerance(**{**NONE, "mu": 0.1}), solutions)
     assert found.robust.controls[0] < 0.1
     assert found.robust_scatter.expected_miss_bar < 1e-3 < found.plain_scatter.expected_miss_bar
 
@@ -94,5 +94,5 @@ def test_the_same_seed_gives_the_same_design():
     model = MadeUpModel()
     given = problem([0.4 * 0.1 * 12.0, HEIGHT * 0.2], model)
     solutions = GaussNewtonOptions().solve(given)
-    first, second = (compare(given, model, Tolerance(), solutions) for _ in range(2))
+    first, second = (compare(given, Tolerance(), solutions) for _ in range(2))
     np.testing.assert_array_equal(first.robust.controls, second.robust.controls)

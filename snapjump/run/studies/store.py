@@ -33,7 +33,7 @@ class CellStore:
         return self.path / f"{readable_name(cell.name)}.json"
 
     def load(self, cell: Cell) -> Done | None:
-        """This very cell as it was finished, or None. Tells of a file that was edited or damaged."""
+        """This very cell as it was finished, or None; a file that was edited since is told."""
         file, wanted = self.file(cell), finite(vars(cell))[0]
         kept = read_sealed(file)
         if kept is None:

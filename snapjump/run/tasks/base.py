@@ -14,9 +14,10 @@ BAD_INPUT = "bad_input"
 INTERRUPTED = "interrupted"
 NOT_FINITE = "not_finite"
 UNREACHABLE = "unreachable"
+NOT_REACHED = "not_reached"
 ERROR = "error"
-# An unreachable target is an answer: no restart of a sweep would find another.
-FINISHED = frozenset({OK, NO_JUMP, UNREACHABLE})
+# A target that is not reached is an answer: no restart of a sweep would find another.
+FINISHED = frozenset({OK, NO_JUMP, UNREACHABLE, NOT_REACHED})
 
 EXIT_OK = 0
 EXIT_ERROR = 1
@@ -77,6 +78,7 @@ def exit_code(status: str) -> int:
         ERROR: EXIT_ERROR,
         INTERRUPTED: EXIT_INTERRUPTED,
         UNREACHABLE: EXIT_UNREACHABLE,
+        NOT_REACHED: EXIT_UNREACHABLE,
     }
     return special.get(status, EXIT_OK if status in FINISHED else EXIT_FAILED)
 

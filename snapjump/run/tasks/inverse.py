@@ -15,7 +15,7 @@ from snapjump.files.sealed import file_sha256
 from snapjump.inverse.base import InverseOptions, Solution
 from snapjump.results import Result
 from snapjump.robot.design import Design
-from snapjump.run.tasks.base import OK, UNREACHABLE, Outcome, Progress, Task, stretch
+from snapjump.run.tasks.base import NOT_REACHED, OK, UNREACHABLE, Outcome, Progress, Task, stretch
 from snapjump.run.tasks.complete import check_complete
 from snapjump.show.plots.inverse import inverse_picture
 from snapjump.show.terminal.inverse_report import inverse_report
@@ -68,13 +68,13 @@ class InverseDesign(Task):
         progress(SEARCH, "searching")
         found = answer(problem, self._method)
         chosen, robust = found.solutions[0], None
-        if self._method.robust and self._forward is not None and found.reachable:
-            robust = compare(problem, self._forward, self._tolerance, found.solutions)
+        if self._method.robust and found.problem.forward is not None and found.reachable:
+            robust = compare(found.problem, self._tolerance, found.solutions)
             chosen = robust.robust
-        costs_bar = one_percent_costs_bar(problem, chosen)
+        costs_bar = one_percent_costs_bar(found.problem, chosen)
         jump = self._simulated(chosen, progress)
         designed = Designed(
-            problem, found, chosen, costs_bar, jump, robust, self._trained.about, self._warning
+            found, chosen, costs_bar, jump, robust, self._trained.about, self._warning
         )
         if self._config["figures"]:
             progress(DRAWING, "drawing")
@@ -95,25 +95,30 @@ class InverseDesign(Task):
         return simulate(simulation, stretch(progress, SIMULATION, DRAWING))
 
     def _draw(self, folder: ResultFolder, designed: Designed) -> None:
-        region = None
-        if self._forward is not None:
-            region = AchievableRegion.of(designed.problem, self._forward, DRAWN_POINTS)
+        problem, region = designed.problem, None
+        if problem.forward is not None:
+            region = AchievableRegion.of(problem, problem.forward, DRAWN_POINTS)
         folder.write_figures(lambda path: inverse_picture(designed, region, path / "inverse.png"))
 
 
 def outcome_of(designed: Designed) -> Outcome:
     """The outcome of a designed jump."""
-    summary, jump = designed.summary(), designed.jump
-    if designed.answer.reachable:
+    summary, jump, found = designed.summary(), designed.jump, designed.answer
+    if found.reachable:
         if jump.status != OK:
             return Outcome(jump.status, f"the design that was found: {jump.message}", summary)
         return Outcome(OK, "", summary)
-    nearest = designed.answer.solutions[0]
-    x, y = nearest.apex.tolist()
+    x, y = found.solutions[0].apex.tolist()
+    (least, largest), (loosest, tightest) = found.searched.tolist()
+    searched = (
+        f"in {found.simulations} simulations with delta_alpha in [{least:g}, {largest:g}] rad and "
+        f"epsilon in [{loosest:g}, {tightest:g}]"
+    )
+    nearest = f"the nearest simulated apex is x {x:.4g} L, y {y:.4g} L"
+    if found.reachable is None:
+        told = f"{nearest} by the forward model's designs (inverse=physics searches on)"
+        return Outcome(NOT_REACHED, told, summary)
     if not math.isfinite(x):
-        return Outcome(UNREACHABLE, "no design was found that jumps at all", summary)
-    told = "no design reaches the target; the nearest predicted apex is"
-    if nearest.simulated:
-        told = "no design was found that reaches the target; the nearest simulated apex is"
-    message = f"{told} x {x:.4g} L, y {y:.4g} L"
-    return Outcome(UNREACHABLE, message, summary)
+        return Outcome(UNREACHABLE, f"no design was found that jumps at all, {searched}", summary)
+    told = f"no design was found that reaches the target, {searched}; {nearest}"
+    return Outcome(UNREACHABLE, told, summary)

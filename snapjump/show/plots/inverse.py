@@ -60,11 +60,7 @@ def headline(designed: Designed) -> str:
     found = f"Δα = {delta_alpha:.4g} rad,  ε = {epsilon:.4g}"
     if designed.answer.reachable:
         return title + found
-    return (
-        title
-        + ("not reached" if problem.forward is None else "out of reach")
-        + f"; nearest {found}"
-    )
+    return f"{title}not reached; nearest {found}"
 
 
 def draw_path(axes: Any, designed: Designed, motion: Motion) -> None:

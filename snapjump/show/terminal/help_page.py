@@ -50,7 +50,7 @@ Flags
   --cfg job         print every key of this run, with its value, and stop
 
 Results go to outputs/, one folder a run. Exit codes: 0 done, 1 a defect of this program, 2 bad
-input, 3 a simulation that could not finish, 4 a target that cannot be reached, 5 done but not
+input, 3 a simulation that could not finish, 4 a target that is not reached, 5 done but not
 recorded, 130 interrupted."""
 
 

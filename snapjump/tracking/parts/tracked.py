@@ -22,6 +22,7 @@ STATES: dict[str, State] = {
     "ok": "FINISHED",
     "no_jump": "FINISHED",
     "unreachable": "FINISHED",
+    "not_reached": "FINISHED",
     "interrupted": "KILLED",
 }
 

@@ -34,7 +34,7 @@ def shows(pixels: np.ndarray, colour: str) -> bool:
 def test_region_solutions_and_flight(jump, tmp_path, target):
     given = problem(target, MODEL)
     found = answer(given, GaussNewtonOptions())
-    designed = Designed(given, found, found.solutions[0], np.zeros(4), jump, None, about(), "")
+    designed = Designed(found, found.solutions[0], np.zeros(4), jump, None, about(), "")
     picture = drawn(designed, AchievableRegion.of(given, MODEL), tmp_path)
     for colour in (palette.BEAM, palette.PLUM, palette.CENTRE, palette.FORCE, palette.INK):
         assert shows(picture, colour)
@@ -44,18 +44,17 @@ def test_region_solutions_and_flight(jump, tmp_path, target):
 def test_a_robust_design_has_clouds(jump, tmp_path):
     given = problem(TARGET, MODEL)
     found = answer(given, GaussNewtonOptions())
-    robust = compare(given, MODEL, Tolerance(), found.solutions)
-    designed = Designed(given, found, robust.robust, np.zeros(4), jump, robust, about(), "")
+    robust = compare(found.problem, Tolerance(), found.solutions)
+    designed = Designed(found, robust.robust, np.zeros(4), jump, robust, about(), "")
     picture = drawn(designed, AchievableRegion.of(given, MODEL), tmp_path)
     assert shows(picture, palette.CLAMP)
     assert picture.shape[0] > 1000
 
 
 def test_without_a_forward_model(jump, tmp_path):
-    found = Answer(True, [Solution(np.array([0.1, 0.2]), TARGET, True)], 1.0, 60)
-    designed = Designed(
-        problem(TARGET), found, found.solutions[0], np.zeros(4), jump, None, about(), ""
-    )
+    solutions = [Solution(np.array([0.1, 0.2]), TARGET, True)]
+    found = Answer(True, solutions, problem(TARGET), np.zeros((2, 2)), 1.0, 60)
+    designed = Designed(found, found.solutions[0], np.zeros(4), jump, None, about(), "")
     picture = drawn(designed, None, tmp_path)
     assert shows(picture, palette.CENTRE) and not shows(picture, palette.PLUM)
 
