@@ -2,7 +2,8 @@
 
 import math
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 LONGEST = 80  # characters of a value that an error shows
@@ -14,6 +15,19 @@ class ParameterError(ValueError):
     def __init__(self, key: str, value: Any, allowed: str):
         self.key, self.value, self.allowed = key, value, allowed
         super().__init__(f"{key} = {shown(value)} is not allowed: {allowed}")
+
+
+@contextmanager
+def of_ours(refused: Callable[[str], ParameterError]) -> Iterator[None]:
+    """Turn whatever a file's content raises in the block into one refusal: it is not ours.
+    ``refused``: makes the refusal of a reason in a few words."""
+    try:
+        yield
+    except ParameterError:
+        raise
+    except Exception as error:
+        reason = " ".join(f"{type(error).__name__}: {error}".split())
+        raise refused(f"what it says is not of snapjump ({reason[:LONGEST]})") from error
 
 
 def shown(value: Any) -> str:

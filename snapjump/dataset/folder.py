@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from snapjump.checks import ParameterError
+from snapjump.checks import ParameterError, of_ours
 from snapjump.dataset.specification import Specification, first_difference
 from snapjump.files.lock import FileLock
 from snapjump.files.sealed import read_sealed, write_sealed
@@ -64,7 +64,8 @@ class DatasetFolder:
         if there is None:
             raise self.refused(f"a folder whose {SPECIFICATION} is not damaged")
         mine = specification.plain
-        found = first_difference(by_path(mine), by_path(there)) or first_difference(mine, there)
+        with of_ours(lambda reason: self.refused(f"a folder of a dataset: {reason}")):
+            found = first_difference(by_path(mine), by_path(there)) or first_difference(mine, there)
         if found is None:
             return
         key, ours, theirs = found
@@ -83,10 +84,10 @@ class DatasetFolder:
 
     def sweep(self, numbers: list[int]) -> None:
         """Remove what killed processes left half-written of these shards."""
-        for number in numbers:
-            for file in (self.shard(number), self.entry(number)):
-                for left in file.parent.glob(f".{file.name}.*"):
-                    left.unlink(missing_ok=True)
+        names = {file.name for n in numbers for file in (self.shard(n), self.entry(n))}
+        for left in (self.path / SHARDS).glob(".*"):
+            if left.name[1:].rpartition(".")[0] in names:
+                left.unlink(missing_ok=True)
 
     def refused(self, allowed: str) -> ParameterError:
         return ParameterError("dataset.path", str(self.path), allowed)

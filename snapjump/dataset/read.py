@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from snapjump.checks import ParameterError
+from snapjump.checks import ParameterError, of_ours
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.manifest import dataset_sha256
 from snapjump.dataset.shard import read_entry
@@ -81,6 +81,13 @@ def open_dataset(path: str | Path) -> Dataset:
     makes that good.
     """
     folder = DatasetFolder(Path(path))
+    with of_ours(lambda reason: folder.refused(f"a folder with a dataset: {reason}")):
+        found = _read(folder)
+        assert found.axes and sum(found.statuses.values()) == found.rows
+        return found
+
+
+def _read(folder: DatasetFolder) -> Dataset:
     manifest = read_sealed(folder.manifest)
     if manifest is None:
         raise folder.refused(f"a folder with a {folder.manifest.name} that is not damaged")

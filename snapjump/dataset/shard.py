@@ -14,7 +14,7 @@ from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.specification import Specification
 from snapjump.files.atomic import write_bytes
 from snapjump.files.provenance import now, origin
-from snapjump.files.sealed import read_sealed, sha256_of, write_sealed
+from snapjump.files.sealed import file_sha256, read_sealed, sha256_of, write_sealed
 
 METADATA = b"snapjump"
 Entry = dict[str, Any]
@@ -67,12 +67,25 @@ def read_entry(
     if not file.exists():
         return None, ""
     entry = read_sealed(file)
-    if entry is None:
+    if entry is None or not is_entry(entry):
         return None, f"{file.name} is damaged"
     if (entry["shard"], entry["specification_sha256"]) != (number, specification_sha256):
         return None, f"{file.name} is of another dataset or shard"
     reason = damage(folder.shard(number), entry)
     return (None, reason) if reason else (entry, "")
+
+
+def is_entry(content: Entry) -> bool:
+    """Whether it has all that an entry has: somebody may have sealed something else."""
+    counts, words = ("shard", "rows", "bytes"), ("content_sha256", "file_sha256")
+    statuses = content.get("statuses")
+    return (
+        all(isinstance(content.get(key), int) for key in counts)
+        and all(isinstance(content.get(key), str) for key in words)
+        and "specification_sha256" in content
+        and isinstance(statuses, dict)
+        and all(isinstance(count, int) for count in statuses.values())
+    )
 
 
 def damage(shard: Path, entry: Entry) -> str:
@@ -82,7 +95,5 @@ def damage(shard: Path, entry: Entry) -> str:
     size = shard.stat().st_size
     if size != entry["bytes"]:
         return f"{shard.name} has {size} bytes instead of {entry['bytes']}"
-    with open(shard, "rb") as file:
-        if hashlib.file_digest(file, "sha256").hexdigest() != entry["file_sha256"]:
-            return f"{shard.name} is not what was written"
-    return ""
+    is_whole = file_sha256(shard) == entry["file_sha256"]
+    return "" if is_whole else f"{shard.name} is not what was written"

@@ -16,7 +16,7 @@ from safetensors import SafetensorError, safe_open
 from safetensors.torch import save
 from torch import Tensor
 
-from snapjump.checks import ParameterError
+from snapjump.checks import ParameterError, of_ours
 from snapjump.declare.members import check_known, make_member
 from snapjump.files.atomic import write_bytes
 from snapjump.files.sealed import canonical
@@ -47,6 +47,11 @@ def write_checkpoint(path: Path, network: Surrogate, about: Mapping[str, Any]) -
 def read_checkpoint(path: str | Path) -> Checkpoint:
     """Read and check one. Raises ParameterError, which says what is wrong with the file."""
     path = Path(path)
+    with of_ours(lambda reason: _refused(path, reason)):
+        return _read(path)
+
+
+def _read(path: Path) -> Checkpoint:
     metadata, tensors = _contents(path)
     form = metadata.get("format")
     if form != FORMAT:
@@ -61,7 +66,7 @@ def read_checkpoint(path: str | Path) -> Checkpoint:
                 learned_inputs(recorded_axes(about))
             )
         network.load_state_dict(tensors, assign=True)
-        check_known(about.get("dataset", {}).get("specification", {}).get("configuration", {}))
+        check_known(about["dataset"]["specification"]["configuration"])
     except ParameterError as error:
         raise _refused(path, f"it has members that are not known here: {error}") from error
     except RuntimeError as error:  # other names or shapes
@@ -87,7 +92,8 @@ def _contents(path: Path) -> tuple[dict[str, str], dict[str, Tensor]]:
             tensors = {name: file.get_tensor(name).clone() for name in file.keys()}
             return file.metadata() or {}, tensors
     except FileNotFoundError:
-        raise _refused(path, "there is no such file") from None
+        missing = not path.exists()  # safetensors says so of what may not be read, too
+        raise _refused(path, "there is no such file" if missing else "it cannot be read") from None
     except (OSError, SafetensorError) as error:
         raise _refused(path, f"it cannot be read: {' '.join(str(error).split())}") from error
 

@@ -2,17 +2,18 @@
 
 import logging
 import math
+import uuid
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import NamedTuple
 
-import torch
 from pytorch_lightning import Trainer
 from pytorch_lightning.callbacks import EarlyStopping
 
 from snapjump.batch.progress import Progress
+from snapjump.files.notice import notice
 from snapjump.learning.data import JumpData
 from snapjump.learning.keeper import AtomicFiles, Keeper
 from snapjump.learning.lightning_module import VALIDATION, Descent
@@ -55,7 +56,9 @@ def descend(network: Surrogate, data: JumpData, folder: Path, progress: Progress
             reload_dataloaders_every_n_epochs=1,
         )
         try:
-            trainer.fit(Descent(network, training), datamodule=data, ckpt_path=resumable(keeper))
+            trainer.fit(
+                Descent(network, training), datamodule=data, ckpt_path=resumable(keeper.file)
+            )
         except SystemExit:  # Lightning's answer to Ctrl-C
             raise KeyboardInterrupt from None
     last = keeper.curves[-1]
@@ -68,13 +71,18 @@ def descend(network: Surrogate, data: JumpData, folder: Path, progress: Progress
     return Fitted(keeper.curves, keeper.seconds)
 
 
-def resumable(keeper: Keeper) -> Path | None:
-    """The state that an earlier run left, if it can be read."""
-    try:
-        torch.load(keeper.file, weights_only=True)
-    except Exception:  # whatever is wrong with it, training anew makes it good
+def resumable(file: Path) -> Path | None:
+    """The state that an earlier run left. One that is damaged is put aside, and that is told."""
+    if not file.exists():
         return None
-    return keeper.file
+    try:
+        AtomicFiles().load_checkpoint(file)
+    except (OSError, ValueError) as error:
+        aside = file.with_name(f"{file.name}.damaged-{uuid.uuid4().hex[:8]}")
+        file.rename(aside)
+        notice(f"training begins anew: {aside} cannot be gone on from ({error})")
+        return None
+    return file
 
 
 @contextmanager

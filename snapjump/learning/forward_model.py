@@ -11,7 +11,7 @@ import torch
 from torch import Tensor
 
 from snapjump.arrays import Array
-from snapjump.checks import ParameterError
+from snapjump.checks import ParameterError, of_ours
 from snapjump.composition import Simulation
 from snapjump.dataset.specification import first_difference
 from snapjump.declare.inputs import PARTS
@@ -126,4 +126,18 @@ def _joined(chunks: list[Tensor]) -> Array:
 
 def open_forward_model(path: str | Path) -> ForwardModel:
     """The forward model of a checkpoint. Raises ParameterError for a file that is none."""
-    return ForwardModel(*read_checkpoint(path))
+
+    def refused(reason: str) -> ParameterError:
+        return ParameterError("checkpoint", str(path), f"a forward model: {reason}")
+
+    network, about = read_checkpoint(path)
+    with of_ours(refused):
+        model = ForwardModel(network, about)
+        dataset = about["dataset"]
+        told = (dataset["sha256"], dataset["specification"]["configuration"]["accuracy"]["name"])
+        if not all(isinstance(word, str) for word in told):
+            raise refused("it does not name its dataset")
+        middle = np.mean(model.ranges, axis=1)[None, :]
+        if not np.isfinite([model.predict(middle), model.jacobian(middle)[:, :, 0]]).all():
+            raise refused("what it predicts is not finite")
+    return model

@@ -1,5 +1,7 @@
 """What a training keeps as it goes: curves, the best weights, and all that it needs to go on."""
 
+import hashlib
+import io
 import math
 import time
 from pathlib import Path
@@ -10,26 +12,34 @@ from pytorch_lightning import Callback, LightningModule, Trainer
 from pytorch_lightning.plugins.io import CheckpointIO
 
 from snapjump.batch.progress import Progress
-from snapjump.files.atomic import atomic_file
+from snapjump.files.atomic import write_bytes
 from snapjump.learning.lightning_module import VALIDATION, Descent
 
 SAVE_EVERY_S = 5.0
+DIGEST = hashlib.sha256().digest_size
 
 
 class AtomicFiles(CheckpointIO):
-    """Lightning's checkpoints, whole or not at all, and without code inside."""
+    """Lightning's checkpoints, whole or not at all, behind their hash, and without code inside."""
 
     def save_checkpoint(
         self, checkpoint: dict[str, Any], path: Any, storage_options: Any = None
     ) -> None:
-        with atomic_file(Path(path), "wb") as file:
-            torch.save(checkpoint, file)
+        stream = io.BytesIO()
+        torch.save(checkpoint, stream)
+        content = stream.getvalue()
+        write_bytes(Path(path), hashlib.sha256(content).digest() + content)
 
     def load_checkpoint(
         self, path: Any, map_location: Any = None, weights_only: bool | None = None
     ) -> dict[str, Any]:
-        content: dict[str, Any] = torch.load(path, map_location, weights_only=True)
-        return content
+        """Raises ValueError for a file that is not as it was written."""
+        whole = Path(path).read_bytes()
+        content = whole[DIGEST:]
+        if hashlib.sha256(content).digest() != whole[:DIGEST]:
+            raise ValueError("its checksum is another")
+        found: dict[str, Any] = torch.load(io.BytesIO(content), map_location, weights_only=True)
+        return found
 
     def remove_checkpoint(self, path: Any) -> None:
         Path(path).unlink(missing_ok=True)

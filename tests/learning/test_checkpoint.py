@@ -3,6 +3,7 @@
 import json
 import os
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from safetensors.torch import save_file
 
 from snapjump.checks import ParameterError
 from snapjump.learning import export as module
-from snapjump.learning.checkpoint import read_checkpoint, write_checkpoint
+from snapjump.learning.checkpoint import FORMAT, _sha256, read_checkpoint, write_checkpoint
 from snapjump.learning.export import check_exportable, export, one_core
 from snapjump.learning.forward_model import ForwardModel, open_forward_model
 
@@ -87,6 +88,54 @@ def test_weights_of_another_surrogate(tmp_path, why):
     for change in OTHERS[why]:
         write_checkpoint(file, network(), about({**RESNET, **change}))
         unusable(file, why)
+
+
+def sealed_as_ours(file: Path, about: Any, tensors: Any) -> None:
+    """A checkpoint whose checksum is right, whatever it says."""
+    text = about if isinstance(about, str) else json.dumps(about)
+    content = {"format": FORMAT, "about": text, "sha256": _sha256(text, tensors)}
+    save_file(tensors, file, content)
+
+
+NESTED = "[" * 100_000 + "]" * 100_000
+FOREIGN = [
+    None, [], 3, "text", {}, NESTED, "{", {"surrogate": None}, {"surrogate": RESNET},
+    {**about(), "surrogate": []}, {**about(), "dataset": None}, {**about(), "dataset": {}},
+    {**about(), "dataset": {"sha256": 3, "specification": about()["dataset"]["specification"]}},
+    {**about(), "dataset": {"sha256": "0", "specification": {"configuration": []}}},
+    {**about(), "ranges": None}, {**about(), "ranges": [[0, 1]]}, {**about(), "inputs": [1, 2]},
+    {**about(), "inputs": [{"path": "nowhere"}]},
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("content", FOREIGN, ids=lambda content: str(content)[:40])
+def test_whatever_a_foreign_file_says_it_is_one_line(tmp_path, content):
+    file = tmp_path / "model.safetensors"
+    text = content if content in (NESTED, "{") else json.dumps(content)
+    sealed_as_ours(file, text, network().state_dict())
+    with pytest.raises(ParameterError, match=r"checkpoint = ") as caught:
+        open_forward_model(file)
+    assert "\n" not in str(caught.value) and len(str(caught.value)) < 600
+
+
+def test_weights_of_other_kinds(tmp_path):
+    file = tmp_path / "model.safetensors"
+    weights = network().state_dict()
+    sealed_as_ours(file, about(), {name: value.int() for name, value in weights.items()})
+    unusable(file, "")
+    save_file({name: value.bfloat16() for name, value in weights.items()}, file,
+              {"format": FORMAT, "about": json.dumps(about())})  # fmt: skip
+    unusable(file, "")
+
+
+def test_finite_weights_that_predict_nothing(tmp_path):
+    file, broken = tmp_path / "model.safetensors", network()
+    with torch.no_grad():
+        for value in broken.parameters():
+            value.fill_(1e30)
+    write_checkpoint(file, broken, about())
+    with pytest.raises(ParameterError, match="not finite"):
+        open_forward_model(file)
 
 
 def test_nan_reaches_no_file(tmp_path):

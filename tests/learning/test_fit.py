@@ -128,11 +128,53 @@ def test_ctrl_c_is_not_swallowed(jump_set, tmp_path):
         fitted(jump_set(), tmp_path, dies_after(1, [], KeyboardInterrupt))
 
 
-def test_a_state_that_is_damaged_is_begun_anew(jump_set, tmp_path):
-    whole, _ = fitted(jump_set(), tmp_path)
-    (tmp_path / STATE).write_bytes((tmp_path / STATE).read_bytes()[:1000])
-    again, fit = fitted(jump_set(), tmp_path)
+def cut_off(file: Path) -> None:
+    file.write_bytes(file.read_bytes()[:1000])
+
+
+def is_a_folder(file: Path) -> None:
+    file.unlink()
+    file.mkdir()
+
+
+def holds(content: Any) -> Any:
+    """Damage that leaves something else that torch can read."""
+    return lambda file: torch.save(content, file)
+
+
+def changed(file: Path) -> None:
+    """A bit in the middle."""
+    content = bytearray(file.read_bytes())
+    content[len(content) // 2] ^= 1
+    file.write_bytes(bytes(content))
+
+
+DAMAGES = {
+    "cut off": cut_off,
+    "a flipped bit": changed,
+    "folder": is_a_folder,
+    "text": lambda file: file.write_text("a text"),
+    "nothing": lambda file: file.write_text(""),
+    "empty": holds({}),
+    "tensor": holds(torch.ones(3)),
+    "other keys": holds({"epoch": 3, "global_step": "many", "state_dict": None}),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGES)
+@pytest.mark.parametrize("after", [3, 6])
+def test_a_state_that_is_damaged_is_put_aside_and_begun_anew(
+    jump_set, tmp_path, every_epoch, capsys, damage, after
+):
+    whole, _ = fitted(jump_set(), tmp_path / "whole")
+    with pytest.raises(Killed):
+        fitted(jump_set(), tmp_path / "killed", dies_after(after, []))
+    DAMAGES[damage](tmp_path / "killed" / STATE)
+    again, fit = fitted(jump_set(), tmp_path / "killed")
     assert equal(again, whole) and len(fit.curves) == 6
+    assert len(list((tmp_path / "killed").glob(f"{STATE}.damaged-*"))) == 1
+    (told,) = capsys.readouterr().err.splitlines()
+    assert told.startswith("training begins anew: ")
 
 
 def test_a_loss_that_is_no_number_is_told(jump_set, tmp_path):
