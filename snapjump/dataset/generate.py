@@ -56,6 +56,7 @@ def generate(
             with executor:
                 maker = _Maker(folder, specification, executor, backend, progress, generation)
                 maker.make_all(missing)
+            folder.sweep(numbers)  # of workers that were killed
     finally:
         generation.manifest = write_manifest(folder, specification)
     return generation

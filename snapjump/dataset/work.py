@@ -13,6 +13,7 @@ from snapjump.dataset.simulate import ShardSimulator
 from snapjump.dataset.specification import Specification, restored
 from snapjump.declare.plugins import load_plugins
 from snapjump.declare.scenes import Progress
+from snapjump.files.provenance import BEYOND_DATASETS, source_hash
 from snapjump.files.sealed import canonical
 from snapjump.files.sources import PLUGINS
 
@@ -36,12 +37,12 @@ def make_shard(job: Mapping[str, Any], progress: Progress | None) -> Entry:
     for plugins in job.get("plugins", ()):
         load_plugins(plugins)
     asked = job["specification"]
-    simulator = prepared(canonical(asked), canonical(job["backend"]))
-    own = simulator.specification.plain["source_sha256"]
+    own = source_hash(BEYOND_DATASETS)
     if own != asked["source_sha256"]:
         raise ParameterError(
             "source_sha256", own, f"{asked['source_sha256']}, which this worker's snapjump is not"
         )
+    simulator = prepared(canonical(asked), canonical(job["backend"]))
     first, last = simulator.specification.stretch(job["shard"])
     rows = simulator.rows(first, last, progress)
     folder = DatasetFolder(Path(job["folder"]))

@@ -6,20 +6,27 @@ import platform
 import re
 import signal
 import socket
+import time
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from importlib.util import find_spec
 from typing import Any
 from urllib.parse import urlsplit
 
-from snapjump.checks import ParameterError
-from snapjump.declare.fields import integer
+from snapjump.checks import LONGEST, ParameterError
+from snapjump.deadline import within
+from snapjump.declare.fields import integer, number
 from snapjump.declare.scenes import Progress
 from snapjump.executor.base import Answer, Executor, ExecutorOptions, Job, Work
+from snapjump.files.notice import notice
+from snapjump.files.sources import combined_hash, package_files
 
 CONNECT_TIMEOUT_S = 10.0
 ADDRESS = re.compile(r"(tcp|tls)://[^\s:/]+:\d{1,5}")
 PATIENCE_S = 0.5  # between looks at what has been finished
+ANSWER_S = 15.0  # within which a scheduler and its workers answer
+WAIT_S = 4.0  # for a first worker
+SERVERS = ("scheduler", "worker", "nanny")
 
 
 class DaskExecutor(Executor):
@@ -29,8 +36,8 @@ class DaskExecutor(Executor):
     (dask's ``distributed.scheduler.allowed-failures``).
     """
 
-    def __init__(self, scheduler: str | None, workers: int):
-        self.scheduler, self.workers = scheduler, workers
+    def __init__(self, scheduler: str | None, workers: int, wait_s: float = WAIT_S):
+        self.scheduler, self.workers, self.wait_s = scheduler, workers, wait_s
 
     def check(self) -> None:
         if find_spec("distributed") is None:
@@ -46,28 +53,81 @@ class DaskExecutor(Executor):
             raise ParameterError("executor.scheduler", self.scheduler, allowed) from None
 
     def __enter__(self) -> "DaskExecutor":
-        from distributed import Client, LocalCluster
-
         # That a worker has gone is told by what becomes of its job.
         logging.getLogger("distributed").setLevel(logging.CRITICAL)
         self._cluster = None
         if self.scheduler is None:
+            self._begin_workers()
+            return self
+        self._connect()
+        try:
+            self._wait_for_workers()
+            self._compare_sources()
+        except BaseException:
+            self.__exit__()
+            raise
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        # What was going on is lost anyway; a cluster that has gone cannot be closed.
+        with suppress(OSError, TimeoutError):
+            within(ANSWER_S, self._client.close)
+            if self._cluster is not None:
+                self._cluster.close()
+
+    def _begin_workers(self) -> None:
+        """Workers of our own: with certificates of their own, so that nobody else on this machine
+        can give them work, and without the pages that any process could read."""
+        import dask
+        from distributed import Client, LocalCluster, Security
+
+        with dask.config.set({f"distributed.{who}.http.routes": [] for who in SERVERS}):
             self._cluster = LocalCluster(
                 n_workers=self.workers,
                 threads_per_worker=1,
                 host="127.0.0.1",
                 dashboard_address=None,
                 preload=[__name__],
+                security=Security.temporary(),
             )
-        self._client = Client(self._cluster or self.scheduler, timeout=CONNECT_TIMEOUT_S)
-        return self
+        self._client = Client(self._cluster, timeout=CONNECT_TIMEOUT_S)
 
-    def __exit__(self, *error: object) -> None:
-        # What was going on is lost anyway; a cluster that has gone cannot be closed.
-        with suppress(OSError, TimeoutError):
-            self._client.close()
-            if self._cluster is not None:
-                self._cluster.close()
+    def _connect(self) -> None:
+        """Raise ParameterError for what does not answer as a scheduler does."""
+        from distributed import Client
+
+        try:
+            self._client = within(
+                ANSWER_S, lambda: Client(self.scheduler, timeout=CONNECT_TIMEOUT_S)
+            )
+        except Exception as error:
+            reason = " ".join(f"{type(error).__name__}: {error}".split())[:LONGEST]
+            raise self._refused(f"the address of a dask scheduler ({reason})") from error
+
+    def _wait_for_workers(self) -> None:
+        """Raise ParameterError if there is none, after as long as was asked for."""
+        end = time.monotonic() + self.wait_s
+        if not self._client.nthreads() and self.wait_s > WAIT_S:
+            notice(f"no workers at {self.scheduler} yet; waiting for {self.wait_s:g} s")
+        while not self._client.nthreads():
+            if time.monotonic() > end:
+                allowed = f"one with workers, and there was none for {self.wait_s:g} s"
+                raise self._refused(f"{allowed} (executor.wait_s waits longer)")
+            time.sleep(PATIENCE_S)
+
+    def _compare_sources(self) -> None:
+        """Raise ParameterError for workers whose snapjump is another, before any work is done."""
+        try:
+            found = within(ANSWER_S, lambda: self._client.run(own_sources))
+        except Exception as error:
+            reason = " ".join(f"{type(error).__name__}: {error}".split())[:LONGEST]
+            raise self._refused(f"one whose workers have this snapjump ({reason})") from error
+        others = [worker for worker, sources in found.items() if sources != own_sources()]
+        if others:
+            raise self._refused(f"one whose workers have this snapjump; {others[0]} has another")
+
+    def _refused(self, allowed: str) -> ParameterError:
+        return ParameterError("executor.scheduler", self.scheduler, allowed)
 
     @property
     def cores(self) -> int:
@@ -88,18 +148,31 @@ class DaskExecutor(Executor):
         return max(1, len(os.sched_getaffinity(0)) // self.workers)
 
     def answers(self, work: Work, jobs: Sequence[Job], progress: Progress) -> Iterator[Answer]:
-        from distributed import wait
+        from distributed import CancelledError, wait
 
         waiting = [self._client.submit(work, dict(job), None, pure=False) for job in jobs]
+        lost: float | None = None  # since when nothing is heard of the scheduler
         while waiting:
+            now = time.monotonic()
+            lost = None if self._client.status == "running" else lost or now
+            if lost is not None and now - lost > ANSWER_S:
+                raise ConnectionError(f"the scheduler {self.scheduler or 'here'} has gone")
             try:
                 done, left = wait(waiting, timeout=PATIENCE_S, return_when="FIRST_COMPLETED")
             except TimeoutError:
                 progress(0.0, "")
                 continue
+            except CancelledError:  # of a client that has lost its scheduler
+                time.sleep(PATIENCE_S)
+                continue
             waiting = list(left)
             for future in done:
                 yield future.result()
+
+
+def own_sources() -> str:
+    """A hash of the sources of this process."""
+    return combined_hash(package_files())
 
 
 def dask_setup(worker: Any) -> None:
@@ -115,10 +188,12 @@ def own_cores() -> tuple[str, list[int]]:
 
 class Dask(ExecutorOptions):
     """Workers of dask.distributed: of a scheduler, or processes on this machine.
-    ``scheduler``: its address, None to start ``workers`` processes here."""
+    ``scheduler``: its address, None to start ``workers`` processes here; ``wait_s``: how long to
+    wait for its first worker."""
 
     scheduler: str | None = None
     workers: int = integer(2, least=1, most=1024)
+    wait_s: float = number(WAIT_S, least=0.0, most=1e7, unit="s")
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -130,4 +205,4 @@ class Dask(ExecutorOptions):
             )
 
     def executor(self) -> DaskExecutor:
-        return DaskExecutor(self.scheduler, self.workers)
+        return DaskExecutor(self.scheduler, self.workers, self.wait_s)

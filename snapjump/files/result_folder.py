@@ -157,7 +157,7 @@ class ResultFolder:
             str(result.get("status")) in done
             and origin.get("source_sha256") == source_sha256
             and origin.get("outside", {}) == outside
-            and _physics(self.config() or {}) == _physics(config)
+            and physics(self.config() or {}) == physics(config)
             and all((self.path / name).is_file() for name in self._listed())
         )
 
@@ -168,5 +168,6 @@ def stamp(file: Path) -> Stamp:
     return found.st_ino, found.st_mtime_ns
 
 
-def _physics(config: Mapping[str, Any]) -> dict[str, Any]:
+def physics(config: Mapping[str, Any]) -> dict[str, Any]:
+    """A configuration without what says nothing about results."""
     return {key: value for key, value in config.items() if key not in NOT_PHYSICS}

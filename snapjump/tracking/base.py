@@ -65,14 +65,13 @@ class Tracker(Part):
     def check(self) -> None:
         """Find out quickly whether records can be written; raises ParameterError."""
 
-    def record(self, record: Record, run_id: str | None = None) -> str | None:
-        """Write one record, in place of an earlier one if it can be; returns its id.
-        Raises TrackingError."""
+    def open(self, record: Record, run_id: str | None) -> str | None:
+        """Begin a record, or go on with an earlier one if that can be; returns its id.
+        Raises TrackingError, as all of these do, within a bounded time."""
         return None
 
-    def open_parent(self, name: str, run_id: str | None) -> str | None:
-        """Start, or go on with, the record of a whole sweep; returns its id."""
-        return None
+    def write(self, run_id: str, record: Record) -> None:
+        """Write all of a record but its files."""
 
-    def close_parent(self, run_id: str, record: Record) -> None:
-        """Complete the record of a whole sweep."""
+    def send(self, run_id: str, record: Record) -> None:
+        """Put the record's files beside it."""

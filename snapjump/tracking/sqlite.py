@@ -51,8 +51,12 @@ class Sqlite(MlflowStore):
 
     def check(self) -> None:
         """The file, or else its nearest folder that exists, must be writable."""
-        existing = next(p for p in (self.file, *self.file.parents) if p.exists())
+        try:
+            existing = next(p for p in (self.file, *self.file.parents) if p.exists())
+        except OSError as error:  # a name that is too long
+            raise ParameterError("tracking.path", self.path, str(error.strerror)) from error
         for wrong, allowed in (
+            (not existing.is_dir() and existing != self.file, f"a folder; {existing} is none"),
             ("?" in str(self.file), "a path without '?'"),
             (self.file.is_dir(), "a file, and this is a folder"),
             (not os.access(existing, os.W_OK), f"{existing} must be writable"),
@@ -76,6 +80,8 @@ class Sqlite(MlflowStore):
         try:
             query = "SELECT version_num FROM alembic_version"
             return connection.execute(query).fetchone() is not None
+        except sqlite3.OperationalError as error:
+            return "locked" in str(error)  # by somebody who has made them
         except sqlite3.DatabaseError:
             return False
         finally:

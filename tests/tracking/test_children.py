@@ -18,7 +18,7 @@ class Memory(Off):
     def records(self) -> dict[str, Record]:
         return {}
 
-    def record(self, record: Record, run_id: str | None = None) -> str:
+    def open(self, record: Record, run_id: str | None) -> str:
         run_id = run_id or f"run {len(self.records)}"
         self.records[run_id] = record
         return run_id

@@ -4,6 +4,7 @@ import shutil
 
 import pytest
 
+from snapjump.tracking.base import Record
 from snapjump.tracking.sqlite import Sqlite
 
 
@@ -14,7 +15,7 @@ def test_a_folder_of_any_name(tmp_path, tables, name):
     shutil.copy(tables, tmp_path / name / "mlruns.db")
     store = Sqlite(path=str(tmp_path / name / "mlruns.db"))
     store.check()
-    run = store.open_parent("sweep", None)
+    run = store.open(Record("sweep", "FINISHED", 0, 0), None)
     assert store.client.get_run(run).info.status == "RUNNING"
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted({"a b", name})
     assert list((tmp_path / "a b").iterdir()) == []

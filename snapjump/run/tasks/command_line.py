@@ -13,10 +13,19 @@ from snapjump.run.tasks.base import EXIT_BAD_INPUT, EXIT_ERROR, EXIT_INTERRUPTED
 from snapjump.run.tasks.interrupts import heeded
 from snapjump.show.terminal.streams import unfailing_streams
 
-FLAGS = frozenset(
-    "-m --multirun -r --run -c --cfg -p --package --resolve -i --info -cd --config-dir "
-    "-cn --config-name -cp --config-path -sc --shell-completion --hydra-help --version".split()
+# Hydra's flags, and the values that some take.
+ALONE = frozenset(
+    "-m --multirun -r --run --resolve -sc --shell-completion --hydra-help --version".split()
 )
+WITH_VALUE: dict[str, tuple[str, ...]] = {
+    **dict.fromkeys(("-c", "--cfg"), ("job", "hydra", "all")),
+    **dict.fromkeys(
+        ("-i", "--info"), ("all", "config", "defaults", "defaults-tree", "plugins", "searchpath")
+    ),
+    **dict.fromkeys(
+        "-p --package -cd --config-dir -cn --config-name -cp --config-path".split(), ()
+    ),
+}
 
 # Hydra drops what a job returns; a job in this process leaves its exit code here.
 _exit_codes: list[int] = []
@@ -46,17 +55,44 @@ def _main(conf: Path) -> int:
 
         print(help_page(conf, [Path(folder) for folder in named_plugins(arguments)]))
         return 0
-    check_flags(arguments)
+    if any(argument.startswith("record=") for argument in arguments):
+        from snapjump.run.tasks.record import record
+
+        return record(conf, arguments)
+    arguments = flags_first(arguments)
+    sys.argv[1:] = arguments
     check_arguments(arguments)
     load_all(named_plugins(arguments))
     return _run_hydra(conf)
 
 
-def check_flags(arguments: Sequence[str]) -> None:
-    """Raise ParameterError for a flag that is not Hydra's."""
-    for argument in arguments:
-        if argument.startswith("-") and argument.partition("=")[0] not in FLAGS:
-            raise ParameterError("command line", argument, "a flag that --help lists")
+def flags_first(arguments: Sequence[str]) -> list[str]:
+    """The arguments with flags, wherever they stand, before overrides, as Hydra takes them.
+    Raises ParameterError for a flag that is not Hydra's, or has not one of its values."""
+    flags: list[str] = []
+    others: list[str] = []
+    waiting = list(arguments)
+    while waiting:
+        flag, equals, value = waiting.pop(0).partition("=")
+        if not flag.startswith("-"):
+            others.append(flag + equals + value)
+        elif flag in ALONE and not equals:
+            flags.append(flag)
+        elif flag in WITH_VALUE:
+            choices = WITH_VALUE[flag]
+            if not equals and waiting and (not choices or waiting[0] in choices):
+                value = waiting.pop(0)
+            if not value and flag in ("-i", "--info"):
+                value = choices[0]
+            if not value or (choices and value not in choices):
+                allowed = "one of " + ", ".join(choices) if choices else "a value after it"
+                raise ParameterError(
+                    "command line", flag + equals + value, f"{flag} with {allowed}"
+                )
+            flags += [flag, value]
+        else:
+            raise ParameterError("command line", flag + equals + value, "a flag that --help lists")
+    return flags + others
 
 
 def named_plugins(arguments: Sequence[str]) -> list[str]:

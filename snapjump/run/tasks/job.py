@@ -22,10 +22,10 @@ from snapjump.run.tasks import base
 from snapjump.run.tasks.base import Outcome, Task
 from snapjump.run.tasks.execute import check_run, execute, write_outcome
 from snapjump.run.tasks.hydra_errors import one_line
-from snapjump.run.tasks.interrupts import uninterrupted
 from snapjump.run.tasks.names import cell_name, register_resolvers, task_overrides
 from snapjump.run.tasks.registry import find_task
 from snapjump.run.tasks.sweep import PARENT_RUN, mark_folder
+from snapjump.run.tasks.tracking import chosen
 from snapjump.run.tasks.workers import end_with_sweep
 from snapjump.show.terminal.block import block, number
 from snapjump.show.terminal.progress import ProgressBar
@@ -49,6 +49,7 @@ def run_job(composed: DictConfig) -> int:
         config = OmegaConf.to_container(composed, resolve=True, throw_on_missing=True)
         assert isinstance(config, dict)
         load_all(config.get("plugins"))
+        config["tracking"] = chosen(config.get("tracking"), overrides)
         if folder.taken():
             allowed = f"a folder without a {folder.taken()[0]} of something else"
             raise ParameterError("hydra.run.dir", str(folder.path), allowed)
@@ -73,13 +74,20 @@ def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[s
     outcome, task = execute(config, folder, command(overrides), ProgressBar())
     if outcome.status == base.BAD_INPUT:
         return _refused(outcome.message, folder)
-    code = base.exit_code(outcome.status)
-    recorded, place = _record(tracker, folder, folder.path.name, None)
+    code = ended = base.exit_code(outcome.status)
+    place, interrupted = "", False
+    try:
+        place = record_folder(tracker, folder, folder.path.name, None)
+    except (TrackingError, OSError, KeyboardInterrupt) as error:
+        interrupted = isinstance(error, KeyboardInterrupt)
+        again = shlex.join(["python", "run.py", f"record={os.path.relpath(folder.path)}"])
+        print(f"not recorded: {str(error) or 'interrupted'}; {again} does it", file=sys.stderr)
+        code = code or (base.EXIT_INTERRUPTED if interrupted else base.EXIT_UNTRACKED)
     if task is not None:
         _tell(task, outcome, folder, place)
-    if code != base.EXIT_OK:
+    if ended != base.EXIT_OK:
         print(f"{outcome.status}: {outcome.message}", file=sys.stderr)
-    return code or (base.EXIT_OK if recorded else base.EXIT_UNTRACKED)
+    return code
 
 
 def run_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[str]) -> int:
@@ -127,16 +135,12 @@ def command(overrides: list[str]) -> str:
     return shlex.join(["python", "run.py", *overrides])
 
 
-def _record(
-    tracker: Tracker, folder: ResultFolder, name: str, parent_id: str | None
-) -> tuple[bool, str]:
-    """Record the folder; whether that went well, and where the record is."""
-    with uninterrupted():
-        try:
-            return True, record_folder(tracker, folder, name, parent_id)
-        except (TrackingError, OSError) as error:
-            print(f"not recorded: {error}; the results are in {folder.path}", file=sys.stderr)
-            return False, ""
+def _record(tracker: Tracker, folder: ResultFolder, name: str, parent_id: str | None) -> None:
+    """Record a cell; what cannot be is tried again at the end of the sweep, and by its restart."""
+    try:
+        record_folder(tracker, folder, name, parent_id)
+    except (TrackingError, OSError) as error:
+        print(f"{name} is not recorded: {error}", file=sys.stderr)
 
 
 def _refused(message: str, folder: ResultFolder) -> int:

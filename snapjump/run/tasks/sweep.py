@@ -16,8 +16,10 @@ from snapjump.files.lock import FileLock
 from snapjump.files.provenance import now
 from snapjump.run.tasks.base import EXIT_BAD_INPUT
 from snapjump.run.tasks.names import cell_name, register_resolvers, sweep_name, task_overrides
+from snapjump.run.tasks.tracking import chosen
 from snapjump.run.tasks.workers import SWEEP_PROCESS
-from snapjump.tracking.base import Tracker, TrackingError
+from snapjump.tracking.base import Record, Tracker, TrackingError
+from snapjump.tracking.parts.tracked import milliseconds
 
 # How the jobs, in whatever process, hear of the sweep's name (a cell's own overrides would give
 # another one) and of the parent's record.
@@ -52,8 +54,10 @@ class Sweep:
         mark = read_json(self.folder / MARK) or {}
         same_place = mark.get("place") == self.tracker.place
         try:
-            self.parent_id = self.tracker.open_parent(
-                self.folder.name, mark.get("parent_id") if same_place else None
+            began = milliseconds(self.started_at)
+            record = Record(self.folder.name, "FINISHED", began, began, tags={"sweep": "true"})
+            self.parent_id = self.tracker.open(
+                record, mark.get("parent_id") if same_place else None
             )
         except TrackingError as error:
             raise ParameterError("tracking", self.tracker.place, str(error)) from error
@@ -106,8 +110,8 @@ class SweepCallback(Callback):
         try:
             cells = expand(config)
             folder = Path(config.hydra.sweep.dir).absolute()
-            tracking = OmegaConf.to_container(config.tracking, resolve=True)
-            tracker = make_member("tracking", tracking)
+            group: Any = OmegaConf.to_container(config.tracking, resolve=True)
+            tracker = make_member("tracking", chosen(group, task_overrides(config.hydra)))
             sweep = Sweep(folder, cells, tracker, FileLock(folder / ".lock"))
             sweep.start()
         except OSError as error:

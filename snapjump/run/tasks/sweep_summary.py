@@ -213,7 +213,8 @@ def _record(sweep: Sweep, cells: Sequence[Cell], files: Sequence[str], interrupt
         for cell in cells:
             if cell.status != NOT_STARTED:
                 record_folder(sweep.tracker, cell.folder, cell.name, sweep.parent_id)
-        sweep.tracker.close_parent(sweep.parent_id, record)
+        sweep.tracker.write(sweep.parent_id, record)
+        sweep.tracker.send(sweep.parent_id, record)
     except TrackingError as error:
         print(f"not recorded: {error}", file=sys.stderr)
         return False

@@ -14,7 +14,7 @@ from snapjump.dataset.read import open_dataset
 from snapjump.dataset.specification import specify
 from snapjump.declare.members import make_member
 from snapjump.files.atomic import write_bytes
-from snapjump.files.result_folder import ResultFolder
+from snapjump.files.result_folder import ResultFolder, physics
 from snapjump.files.sealed import file_sha256
 from snapjump.learning.data import JumpData
 from snapjump.learning.forward_model import ForwardModel
@@ -57,7 +57,7 @@ class Train(Task):
         use = DatasetUse(path.name, dataset.sha256, str(path), dataset.rows, "training")
         write_datasets(folder, [use])
         try:
-            learned = learn(self._data, self._options, progress, self._config)
+            learned = learn(self._data, self._options, progress, physics(self._config))
         except FloatingPointError as error:
             return Outcome(NOT_FINITE, str(error))
         file = folder.path / FORWARD_MODEL

@@ -48,6 +48,7 @@ Flags
   -m, --multirun    every combination of the values that are given with commas; a sweep that is
                     started again does only the cells that are not finished
   --cfg job         print every key of this run, with its value, and stop
+  record=<folder>   record a run, which is done, from its files: after a server that did not answer
 
 Results go to outputs/, one folder a run. Exit codes: 0 done, 1 a defect of this program, 2 bad
 input, 3 a simulation that could not finish, 4 a target that is not reached, 5 done but not

@@ -1,33 +1,43 @@
-"""The base of all MLflow trackers: one run per record, written in one batch at the end."""
+"""The base of all MLflow trackers: one run per record, written in one batch at the end.
+
+Whatever a store does, nobody waits for it for ever: each step has a deadline, and a store that
+missed one is not asked again by this process.
+"""
 
 import json
 import logging
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
+from snapjump.deadline import LateError, check_left, within
 from snapjump.tracking.base import DatasetUse, Record, Tracker, TrackingError
 
 if TYPE_CHECKING:
     from mlflow.entities import DatasetInput
     from mlflow.tracking import MlflowClient
 
+T = TypeVar("T")
 PARAMS_PER_BATCH = 100
 METRICS_PER_BATCH = 1000
 LONGEST_PARAM = 5000
 LONGEST_TAG = 5000
 LONGEST_DIGEST = 36
+LONGEST_REASON = 200
+# In seconds: for tables and imports, which are ours; for numbers; for files, with so much a MB.
+READY_S, NUMBERS_S, FILES_S, MEGABYTE_S = 180.0, 20.0, 20.0, 1.0
 ENVIRONMENT = {
     "MLFLOW_DISABLE_TELEMETRY": "true",
     "MLFLOW_SUPPRESS_PRINTING_URL_TO_STDOUT": "true",
     "MLFLOW_ENABLE_ARTIFACTS_PROGRESS_BAR": "false",
-    # A server that has gone must not hold up a job whose results are safe on disk.
     "MLFLOW_HTTP_REQUEST_MAX_RETRIES": "2",
-    "MLFLOW_HTTP_REQUEST_TIMEOUT": "30",
+    "MLFLOW_HTTP_REQUEST_TIMEOUT": "10",
+    # Servers ask for an hour of patience.
+    "MLFLOW_HTTP_RESPECT_RETRY_AFTER_HEADER": "false",
     "GIT_PYTHON_REFRESH": "quiet",
 }
+_late: set[str] = set()  # places that missed a deadline of this process
 
 
 class MlflowStore(Tracker):
@@ -52,58 +62,96 @@ class MlflowStore(Tracker):
 
         logging.getLogger("mlflow").setLevel(logging.WARNING)
         logging.getLogger("alembic").setLevel(logging.WARNING)
+        # Its words about attempts that fail come again in the one line of what became of them.
+        logging.getLogger("urllib3").setLevel(logging.ERROR)
         return MlflowClient(tracking_uri=self.place, registry_uri=self.place)
 
-    def record(self, record: Record, run_id: str | None = None) -> str:
-        """Write one record, into the run of an earlier attempt if there is one; its id."""
-        parent = {"mlflow.parentRunId": record.parent_id} if record.parent_id else {}
-        with tracking_errors(self.place):
-            if run_id and self._goes_on(lambda: self._complete(run_id, record)):
-                return run_id
-            created = self._create(record.name, record.started_ms, parent)
-            self._complete(created, record)
-        return created
+    def open(self, record: Record, run_id: str | None) -> str:
+        self._bounded(READY_S, self._get_ready)
+        return self._bounded(NUMBERS_S, lambda: self._open(record, run_id))
 
-    def open_parent(self, name: str, run_id: str | None) -> str:
-        """Start the run of a whole sweep, or go on with the one that an earlier start made."""
-        with tracking_errors(self.place):
-            if run_id and self._goes_on(lambda: self.client.update_run(run_id, status="RUNNING")):
-                return run_id
-            return self._create(name, None, {"sweep": "true"})
-
-    def close_parent(self, run_id: str, record: Record) -> None:
-        with tracking_errors(self.place):
-            self._complete(run_id, record)
-
-    def _create(self, name: str, started_ms: int | None, tags: Mapping[str, str]) -> str:
+    def _get_ready(self) -> None:
+        assert self.client
         self.prepare()
+
+    def write(self, run_id: str, record: Record) -> None:
+        self._bounded(NUMBERS_S, lambda: self._write(run_id, record))
+
+    def send(self, run_id: str, record: Record) -> None:
+        megabytes = sum(file.stat().st_size for file in record.files) / 1e6
+        self._bounded(FILES_S + MEGABYTE_S * megabytes, lambda: self._send(run_id, record))
+
+    def _bounded(self, seconds: float, work: Callable[[], T]) -> T:
+        """Work with the store that has to end in time. Raises TrackingError of one line."""
+        if self.place in _late:
+            raise TrackingError(f"{self.place}: it did not answer before")
+        try:
+            return within(seconds, work)
+        except Exception as error:
+            if isinstance(error, LateError):
+                _late.add(self.place)
+            lines = str(error).strip().splitlines() or [type(error).__name__]
+            reason = "".join(c if c.isprintable() else "?" for c in lines[0])
+            raise TrackingError(f"{self.place}: {reason[:LONGEST_REASON]}") from error
+
+    def _open(self, record: Record, run_id: str | None) -> str:
+        if run_id and self._goes_on(run_id, record):
+            return run_id
+        tags = dict(record.tags)
+        if record.parent_id:
+            tags["mlflow.parentRunId"] = record.parent_id
+        experiment = self._experiment_id()
+        check_left()
         run = self.client.create_run(
-            self._experiment_id(), start_time=started_ms, tags=dict(tags), run_name=name
+            experiment, start_time=record.started_ms, tags=_cut_all(tags), run_name=record.name
         )
         return str(run.info.run_id)
 
-    def _complete(self, run_id: str, record: Record) -> None:
-        from mlflow.entities import Metric, Param, RunTag
+    def _goes_on(self, run_id: str, record: Record) -> bool:
+        """Whether an earlier run can be continued: it may be gone, or have been made with other
+        parameters, which MLflow never changes."""
+        from mlflow.exceptions import MlflowException
 
-        params = [Param(key, _cut(value, LONGEST_PARAM)) for key, value in record.params.items()]
+        try:
+            self.client.update_run(run_id, status="RUNNING")
+            self._log_params(run_id, record.params)
+        except MlflowException:
+            return False
+        return True
+
+    def _write(self, run_id: str, record: Record) -> None:
+        from mlflow.entities import Metric, RunTag
+
+        self._log_params(run_id, record.params)
         metrics = [Metric(key, value, record.ended_ms, 0) for key, value in record.metrics.items()]
-        tags = [RunTag(key, _cut(value, LONGEST_TAG)) for key, value in record.tags.items()]
+        tags = [RunTag(key, value) for key, value in _cut_all(record.tags).items()]
+        check_left()
+        self.client.log_batch(run_id, metrics=metrics, tags=tags)
         points = [
             Metric(key, value, record.ended_ms, step)
             for key, curve in record.curves.items()
             for step, value in curve
         ]
-        first, *more = _pieces(params, PARAMS_PER_BATCH) or [[]]
-        self.client.log_batch(run_id, metrics=metrics, params=first, tags=tags)
-        for some in more:
-            self.client.log_batch(run_id, params=some)
         for some in _pieces(points, METRICS_PER_BATCH):
+            check_left()
             self.client.log_batch(run_id, metrics=some)
         if record.datasets:
             self.client.log_inputs(run_id, [_input(use) for use in record.datasets])
-        for file in record.files:
-            self.client.log_artifact(run_id, str(file))
+        check_left()
         self.client.set_terminated(run_id, record.state, record.ended_ms)
+
+    def _log_params(self, run_id: str, values: Mapping[str, Any]) -> None:
+        from mlflow.entities import Param
+
+        params = [Param(key, _cut(value, LONGEST_PARAM)) for key, value in values.items()]
+        for some in _pieces(params, PARAMS_PER_BATCH):
+            check_left()
+            self.client.log_batch(run_id, params=some)
+
+    def _send(self, run_id: str, record: Record) -> None:
+        for file in record.files:
+            check_left()
+            self.client.log_artifact(run_id, str(file))
 
     def _experiment_id(self) -> str:
         from mlflow.exceptions import MlflowException
@@ -111,6 +159,7 @@ class MlflowStore(Tracker):
         place = None if self.artifacts is None else f"{self.artifacts}/{self.experiment}"
         found = self.client.get_experiment_by_name(self.experiment)
         if found is None:
+            check_left()
             try:
                 return str(self.client.create_experiment(self.experiment, place))
             except MlflowException:
@@ -119,27 +168,6 @@ class MlflowStore(Tracker):
                 if found is None:
                     raise
         return str(found.experiment_id)
-
-    def _goes_on(self, continued: Callable[[], Any]) -> bool:
-        """Whether an earlier run can be continued so: it may be gone, or have been made with other
-        parameters, which MLflow never changes."""
-        from mlflow.exceptions import MlflowException
-
-        try:
-            continued()
-        except MlflowException:
-            return False
-        return True
-
-
-@contextmanager
-def tracking_errors(uri: str) -> Iterator[None]:
-    """Turn whatever the store and its network raise into a TrackingError of one line."""
-    try:
-        yield
-    except Exception as error:
-        lines = str(error).strip().splitlines() or [type(error).__name__]
-        raise TrackingError(f"{uri}: {lines[0]}") from error
 
 
 def _input(use: DatasetUse) -> "DatasetInput":
@@ -161,3 +189,7 @@ def _pieces(items: Sequence[Any], size: int) -> list[Any]:
 
 def _cut(value: Any, longest: int) -> str:
     return str(value)[:longest]
+
+
+def _cut_all(tags: Mapping[str, str]) -> dict[str, str]:
+    return {key: _cut(value, LONGEST_TAG) for key, value in tags.items()}

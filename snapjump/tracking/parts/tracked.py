@@ -10,7 +10,7 @@ import numpy as np
 from snapjump.files.atomic import write_text
 from snapjump.files.json_file import read_json, write_json
 from snapjump.files.result_folder import ResultFolder
-from snapjump.tracking.base import Curves, DatasetUse, Record, State, Tracker
+from snapjump.tracking.base import Curves, DatasetUse, Record, State, Tracker, TrackingError
 
 MARK = "tracking.json"
 CHILDREN = "children.json"
@@ -28,20 +28,34 @@ STATES: dict[str, State] = {
 
 
 def record_folder(tracker: Tracker, folder: ResultFolder, name: str, parent_id: str | None) -> str:
-    """Record a job under a parent unless that has been done; returns where, for people."""
-    mark = read_json(folder.path / MARK) or {}
+    """Record a job under a parent, or what of it is not recorded yet; returns where, for people.
+    Raises TrackingError; then the next call goes on with the record that was begun."""
+    kept = read_json(folder.path / MARK) or {}
     place = {"place": tracker.place, "parent_id": parent_id}
+    same_place = {key: kept.get(key) for key in place} == place
+    mark: dict[str, Any] = kept if same_place else dict(place)
     finished_at = (folder.provenance() or {}).get("finished_at")
-    same_place = {key: mark.get(key) for key in place} == place
-    if not same_place or mark.get("finished_at") != finished_at:
-        earlier = mark.get("run_id") if same_place else None
-        run_id = tracker.record(make_record(folder, name, parent_id), earlier)
+    record = make_record(folder, name, parent_id)
+    if "run_id" not in mark or mark.get("finished_at") != finished_at:
+        run_id = tracker.open(record, mark.get("run_id"))
         if run_id is None:
             return ""
-        below = mark.get("children", {}) if same_place and earlier == run_id else {}
-        below = record_children(tracker, folder, run_id, below)
-        mark = {**place, "finished_at": finished_at, "run_id": run_id, "children": below}
+        below = mark.get("children", {}) if mark.get("run_id") == run_id else {}
+        mark = {**place, "run_id": run_id, "children": below, "files": False}
         write_json(folder.path / MARK, mark)
+        tracker.write(run_id, record)
+        try:
+            record_children(tracker, folder, run_id, below)
+        finally:
+            write_json(folder.path / MARK, mark)
+        mark["finished_at"] = finished_at
+        write_json(folder.path / MARK, mark)
+    if mark.get("files") is False:
+        try:
+            tracker.send(mark["run_id"], record)
+        except TrackingError as error:
+            raise TrackingError(f"all but the files ({error})") from error
+        write_json(folder.path / MARK, {**mark, "files": True})
     return f"{mark['place']} run {mark['run_id']}"
 
 
@@ -78,10 +92,9 @@ def read_curves(folder: ResultFolder) -> Curves:
 
 
 def record_children(
-    tracker: Tracker, folder: ResultFolder, parent_id: str, earlier: Mapping[str, str]
-) -> dict[str, str]:
-    """Record what a job left with :func:`write_children`; returns the ids by name."""
-    found = {}
+    tracker: Tracker, folder: ResultFolder, parent_id: str, ids: dict[str, str]
+) -> None:
+    """Record what a job left with :func:`write_children`; puts into ``ids`` those by name."""
     for child in (read_json(folder.path / CHILDREN) or {}).get("children", []):
         record = Record(
             name=child["name"],
@@ -93,8 +106,8 @@ def record_children(
             tags={"status": child["status"], "message": child["message"]},
             parent_id=parent_id,
         )
-        found[child["name"]] = str(tracker.record(record, earlier.get(child["name"])))
-    return found
+        ids[record.name] = str(tracker.open(record, ids.get(record.name)))
+        tracker.write(ids[record.name], record)
 
 
 def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Record:
