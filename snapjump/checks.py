@@ -1,6 +1,7 @@
 """Checks of what users pass in: one clear error that names the key, the value and the range."""
 
 import math
+import numbers
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -14,7 +15,8 @@ class ParameterError(ValueError):
 
     def __init__(self, key: str, value: Any, allowed: str):
         self.key, self.value, self.allowed = key, value, allowed
-        super().__init__(f"{key} = {shown(value)} is not allowed: {allowed}")
+        name = key if len(key) <= LONGEST else f"{key[:LONGEST]} ..."
+        super().__init__(f"{name} = {shown(value)} is not allowed: {allowed}")
 
 
 @contextmanager
@@ -40,8 +42,8 @@ def shown(value: Any) -> str:
 
 
 def is_finite_number(value: Any) -> bool:
-    """Whether it is a number that a float can hold; truth values are none."""
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
+    """Whether it is a number that a float can hold, of Python or numpy; truth values are none."""
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
         return False
     return -sys.float_info.max <= value <= sys.float_info.max
 
@@ -68,7 +70,8 @@ def check_number(
 
 def check_integer(key: str, value: Any, low: int, high: int) -> None:
     """Require an integer in [low, high]."""
-    if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
+    is_integer = isinstance(value, numbers.Integral) and not isinstance(value, bool)
+    if not is_integer or not low <= value <= high:
         raise ParameterError(key, value, f"an integer in [{low}, {high}]")
 
 

@@ -13,7 +13,10 @@ from snapjump.checks import ParameterError, check_group, check_integer, check_nu
 
 
 class Number(NamedTuple):
-    """A finite number in [low, high], or in (low, high] when ``above``, or one of some words."""
+    """A finite number in [low, high], or in (low, high] when ``above``, or one of some words.
+
+    What may be in a field: ``check`` raises ParameterError, ``plain`` is what is kept of a value.
+    """
 
     low: float
     high: float
@@ -29,6 +32,10 @@ class Number(NamedTuple):
             return
         check_number(key, value, self.low, self.high, above=self.above, unit=self.unit)
 
+    def plain(self, value: Any) -> Any:
+        """A float for every number: a program is compiled for each kind of number it is given."""
+        return value if isinstance(value, str) else float(value)
+
 
 class Integer(NamedTuple):
     """An integer in [low, high]."""
@@ -38,6 +45,9 @@ class Integer(NamedTuple):
 
     def check(self, key: str, value: Any) -> None:
         check_integer(key, value, self.low, self.high)
+
+    def plain(self, value: Any) -> int:
+        return int(value)
 
 
 class Choice(NamedTuple):
@@ -49,6 +59,9 @@ class Choice(NamedTuple):
         if type(value) is not type(self.words[0]) or value not in self.words:
             raise ParameterError(key, value, "one of " + ", ".join(map(str, self.words)))
 
+    def plain(self, value: Any) -> Any:
+        return value
+
 
 class Flag(NamedTuple):
     """True or false."""
@@ -56,6 +69,9 @@ class Flag(NamedTuple):
     def check(self, key: str, value: Any) -> None:
         if not isinstance(value, bool):
             raise ParameterError(key, value, "true or false")
+
+    def plain(self, value: Any) -> Any:
+        return value
 
 
 class About(TypedDict, total=False):
@@ -174,6 +190,7 @@ class Part:
             value, allowed = getattr(self, declared.name), declared.metadata.get("allowed")
             if allowed is not None and not (value is None and declared.default is None):
                 allowed.check(f"{self.group}.{declared.name}", value)
+                object.__setattr__(self, declared.name, allowed.plain(value))
 
 
 def settings(part: Any) -> list[str]:
