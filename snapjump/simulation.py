@@ -1,9 +1,10 @@
 """From a plain configuration to a result: the library's front door."""
 
 from collections.abc import Mapping
+from difflib import get_close_matches
 from typing import Any
 
-from snapjump.checks import check_choice, check_group
+from snapjump.checks import ParameterError, check_choice, check_group
 from snapjump.composition import PLAIN, Simulation, with_tier
 from snapjump.declare.families import FAMILIES
 from snapjump.declare.former_options import with_present_options
@@ -12,24 +13,39 @@ from snapjump.results import Result
 from snapjump.robot.design import Design
 from snapjump.robot.environment import Environment
 from snapjump.robot.robot import Robot
-from snapjump.tiers import TIERS
+from snapjump.tiers import TIERS, check_tier_keys
+
+GROUPS = (*PLAIN, *FAMILIES, "accuracy")
+# Of a whole configuration, what is about the run.
+OF_SOME_TASKS = (
+    *("dataset", "plan", "executor", "surrogate", "training", "checkpoint"),
+    *("inverse", "target", "tolerance", "figure"),
+)
+OF_RUNS = (*("task", "tracking", "figures", "seed", "effort", "publish", "plugins"), *OF_SOME_TASKS)
 
 
 def build(config: Mapping[str, Any]) -> Simulation:
     """A checked simulation from nested groups, as Hydra composes them.
 
-    Each family's group has a ``name`` and that member's fields; ``robot``, ``design`` and
-    ``environment`` have fields only; ``accuracy.name`` is the tier. An integrator that is not
-    known but has ``rows`` is a Runge-Kutta method of that tableau. Raises ParameterError.
+    Each family's group has a ``name`` and that member's fields, or is the name alone; ``robot``,
+    ``design`` and ``environment`` have fields only; ``accuracy.name`` is the tier. An integrator that
+    is not known but has ``rows`` is a Runge-Kutta method of that tableau. Keys of a whole
+    configuration that are about its run are passed over. Raises ParameterError.
     """
     check_group("configuration", config)
     config = with_present_options(config)
-    for group in (*PLAIN, *FAMILIES, "accuracy"):
-        check_group(group, config.get(group) or {})
-    parts: Any = {group: config[group] for group in (*PLAIN, *FAMILIES) if config.get(group)}
-    accuracy = (config.get("accuracy") or {}).get("name", "standard")
-    check_choice("accuracy.name", accuracy, tuple(TIERS))
-    return Simulation(**parts, accuracy=accuracy)
+    for key, value in config.items():
+        if key not in (*GROUPS, *OF_RUNS):
+            near = get_close_matches(str(key), GROUPS, n=1)
+            hint = f"did you mean {near[0]}? " if near else ""
+            raise ParameterError(str(key), value, f"{hint}one of {', '.join(GROUPS)}")
+    parts: Any = {key: config[key] for key in GROUPS if config.get(key) is not None}
+    accuracy = parts.pop("accuracy", {"name": "standard"})
+    check_tier_keys(accuracy)
+    if "name" not in accuracy:
+        raise ParameterError("accuracy", dict(accuracy), "a group with the name of a tier")
+    check_choice("accuracy.name", accuracy["name"], tuple(TIERS))
+    return Simulation(**parts, accuracy=accuracy["name"])
 
 
 def simulate(simulation: Simulation, progress: Progress | None = None) -> Result:

@@ -9,6 +9,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from snapjump.checks import ParameterError, check_group
+
 
 @dataclass(frozen=True)
 class Tier:
@@ -78,3 +80,16 @@ TIERS = {
     "standard": Tier(MEMBERS, resolved(120, 1e-6, 8.0), 0.5, (0.19, 0.12)),
     "reference": Tier(MEMBERS, resolved(320, 6e-8, 2.0, **FINE), 0.05, (0.028, 0.012)),
 }
+
+# Of the group ``accuracy``, whose numbers members of other groups refer to.
+KEYS = ("name", "known_error", *dict.fromkeys(
+    path.rpartition(".")[2] for tier in TIERS.values() for path in tier.numbers
+))  # fmt: skip
+
+
+def check_tier_keys(group: Any) -> None:
+    """Raise ParameterError for a group ``accuracy`` with a key that is none of a tier's."""
+    check_group("accuracy", group)
+    for key, value in group.items():
+        if key not in KEYS:
+            raise ParameterError(f"accuracy.{key}", value, f"accuracy has {', '.join(KEYS)}")

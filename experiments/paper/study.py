@@ -28,6 +28,7 @@ from snapjump.files.sources import Source, combined_hash
 from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Row, Section, Table
 from snapjump.run.studies.fingerprint import sources
 from snapjump.run.studies.study import Study
+from snapjump.run.tasks.base import SIMULATION
 from snapjump.show.terminal.block import markdown_table
 from snapjump.tiers import TIERS
 
@@ -54,6 +55,8 @@ ALL = "all"
 
 class Paper(Study):
     """The parts, each with cells of its own, and the table of all statements."""
+
+    keys = (*SIMULATION, "figure")
 
     choices = ("figure",)
     # Cells name the sources of their own part among their inputs, so that an edited part is done

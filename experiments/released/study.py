@@ -29,6 +29,8 @@ BOUNDS = {"x": 15.0, "y": 6.0}  # percent that the axes show; what is beyond lie
 class Released(Study):
     """All rows at the released settings and converged, and a few with each quirk left out."""
 
+    keys = ()
+
     options = ("rows", "quirk_rows")
     sources = ("experiments.released.data", "experiments.released.settings")
 

@@ -32,6 +32,8 @@ DESIGNS, CONFIGURATIONS = (10_000, 100_000), (500, 5_000)  # quick, full
 class Robustness(Study):
     """Counts by status over ranges twice as wide as the paper's; invalid configurations."""
 
+    keys = ()
+
     options = ("designs", "configurations")
     scene = "jump"
     sources = (

@@ -37,6 +37,8 @@ SNAP = {family: {"name": name} for family, name in {"sim": "snap", **WITHOUT_GRO
 class Scenes(Study):
     """Time saved and change of the answer, side by side."""
 
+    keys = ()
+
     options = ("designs",)
     scene = "jump"
     sources = ("experiments.scenes.jumps", "experiments.designs")

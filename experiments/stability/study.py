@@ -31,6 +31,8 @@ SPREAD_TRUTH = "truth of the calibration"
 class Stability(Study):
     """Maps of status and error over the extremes; calibration of the error estimate."""
 
+    keys = ()
+
     options = ("designs",)
     scene = "jump"
     sources = (

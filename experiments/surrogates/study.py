@@ -28,6 +28,8 @@ LONGEST, SMALLEST_BATCH = 1200, 16  # epochs, and jumps
 class CompareSurrogates(Study):
     """Error against jumps; what the paper's data cost; the floor; where the error sits."""
 
+    keys = ()
+
     options = ("standard", "paper", "slopes")
     sources = ("experiments.surrogates.compute",)
 

@@ -32,13 +32,11 @@ class Study(Task, ABC):
 
     ``sources``: the modules that a cell's rows depend on, if not just the study's own; when one
     of them changes, or a module of the experiments that it imports, cells are done again.
-    ``options``: the keys of its ``conf/task/<name>.yaml`` beside ``name``; ``choices``: keys
-    of the configuration that only choose among cells: runs with others share what is finished;
-    ``scene``: the only one that the study is of, if there is one.
+    ``choices``: keys of the configuration that only choose among cells: runs with others share what
+    is finished; ``scene``: the only one that the study is of, if there is one.
     """
 
     sources: ClassVar[tuple[str, ...]] = ()
-    options: ClassVar[tuple[str, ...]] = ()
     choices: ClassVar[tuple[str, ...]] = ()
     scene: ClassVar[str] = ""
 
@@ -68,10 +66,6 @@ class Study(Task, ABC):
         """Check everything, and plan the cells."""
         self.config = config
         task = config["task"]
-        for key in task:
-            if key not in ("name", *self.options):
-                allowed = ", ".join(self.options) or "no keys"
-                raise ParameterError(f"task.{key}", task[key], f"task={task['name']} has {allowed}")
         for key in self.options:
             if key not in task:
                 raise ParameterError(f"task.{key}", None, "a value, which cannot be left out")

@@ -2,11 +2,14 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
+from snapjump.declare.families import FAMILIES
 from snapjump.declare.scenes import Progress
 from snapjump.files.result_folder import ResultFolder
 
+# What a simulation is made of.
+SIMULATION = ("accuracy", "robot", "design", "environment", *FAMILIES)
 # Statuses that any task may end in, beside those of its own that name a failure.
 OK = "ok"
 NO_JUMP = "no_jump"
@@ -42,7 +45,14 @@ class Outcome:
 
 
 class Task:
-    """One instance does one job. ``prepare`` is quick and finds every bad input; ``run`` works."""
+    """One instance does one job. ``prepare`` is quick and finds every bad input; ``run`` works.
+
+    ``keys``: the groups and keys of the configuration that it reads, beside those of every run;
+    ``options``: the keys of its ``conf/task/<name>.yaml`` beside ``name``.
+    """
+
+    keys: ClassVar[tuple[str, ...]] = SIMULATION
+    options: ClassVar[tuple[str, ...]] = ()
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Take the resolved configuration; raises ParameterError before any work is done."""

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from snapjump.checks import ParameterError
 from snapjump.dataset.folder import DatasetFolder, default_path
 from snapjump.dataset.generate import Generation, generate
 from snapjump.dataset.options import SharedDataset
@@ -17,8 +18,10 @@ from snapjump.declare.members import make_member
 from snapjump.executor.base import Executor
 from snapjump.files.result_folder import ResultFolder
 from snapjump.files.sealed import sha256_of
-from snapjump.run.tasks.base import INTERRUPTED, OK, Outcome, Progress, Task, stretch
+from snapjump.plan.parts.axes import Axis
+from snapjump.run.tasks.base import INTERRUPTED, OK, SIMULATION, Outcome, Progress, Task, stretch
 from snapjump.run.tasks.complete import check_complete, whole
+from snapjump.run.tasks.names import given_overrides
 from snapjump.show.plots.dataset import draw_dataset, draw_status
 from snapjump.show.terminal.block import number
 from snapjump.tracking.base import DatasetUse
@@ -32,6 +35,8 @@ GENERATION_SHARE = 0.95
 class GenerateDataset(Task):
     """Generates what is missing, then looks at all of it."""
 
+    keys = (*SIMULATION, "dataset", "plan", "executor")
+
     _damaged: Sequence[str] = ()
 
     def prepare(self, config: Mapping[str, Any]) -> None:
@@ -39,6 +44,7 @@ class GenerateDataset(Task):
         self._options: SharedDataset = whole(SharedDataset, config.get("dataset"))
         self._specification = specify(config, self._options.shard_size, self._options.sensitivities)
         check_complete(config, self._specification.simulation)
+        check_fixed(self._specification.axes, given_overrides())
         self._executor: Executor = make_member("executor", config.get("executor")).executor()
         self._executor.check()
         path = self._options.path or default_path(self._specification)
@@ -117,6 +123,19 @@ class GenerateDataset(Task):
             draw_status(statistics, dataset.statuses, title, path / "status.png")
 
         folder.write_figures(draw)
+
+
+def check_fixed(axes: Sequence[Axis], overrides: Sequence[str]) -> None:
+    """Raise ParameterError for the value of an input that varies."""
+    for text in overrides:
+        path, _, value = text.lstrip("+~").partition("=")
+        for axis in axes:
+            if path == axis.path:
+                low, high = axis.range
+                allowed = (
+                    f"left out: it varies over [{low:g}, {high:g}] (plan.inputs says what does)"
+                )
+                raise ParameterError(path, value, allowed)
 
 
 def summary(folder: DatasetFolder, generation: Generation) -> dict[str, Any]:

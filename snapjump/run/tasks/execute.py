@@ -1,9 +1,10 @@
 """One job around its task: checks, files, and a status whatever happens."""
 
+import shlex
 import sys
 import time
 import traceback
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from snapjump.checks import ParameterError, check_choice, check_integer
@@ -12,25 +13,31 @@ from snapjump.files.atomic import write_text
 from snapjump.files.json_file import finite
 from snapjump.files.provenance import now, provenance
 from snapjump.files.result_folder import TRACEBACK, ResultFolder
-from snapjump.run.tasks.base import BAD_INPUT, ERROR, INTERRUPTED, NOT_FINITE, OK, Outcome, Task
+from snapjump.run.tasks.base import (
+    BAD_INPUT,
+    ERROR,
+    INTERRUPTED,
+    NOT_FINITE,
+    OK,
+    SIMULATION,
+    Outcome,
+    Task,
+)
 from snapjump.run.tasks.interrupts import heeded, reason, stopping, uninterrupted
 from snapjump.run.tasks.publish import check_publish, publish
 from snapjump.run.tasks.registry import find_task
 from snapjump.show.terminal.progress import ProgressBar
+from snapjump.simulation import GROUPS, OF_RUNS, OF_SOME_TASKS
+from snapjump.tiers import check_tier_keys
 
 SECTIONS = ("task", "accuracy", "robot", "design", "environment", *FAMILIES, "tracking")
-# Which only some tasks have.
-EXTRAS = (
-    *("dataset", "plan", "executor", "surrogate", "training", "checkpoint"),
-    *("inverse", "target", "tolerance", "figure", "plugins"),
-)
 SWITCHES = ("figures", "seed", "effort", "publish")
 EFFORTS = ("quick", "full")
 LARGEST_SEED = 2**32 - 1
 
 
 def execute(
-    config: Mapping[str, Any], folder: ResultFolder, command: str, bar: ProgressBar
+    config: Mapping[str, Any], folder: ResultFolder, overrides: Sequence[str], bar: ProgressBar
 ) -> tuple[Outcome, Task | None]:
     """Do one job and leave its files; never raises for what happens inside the task.
     A job with bad input has done nothing and leaves nothing: what becomes of it is the caller's.
@@ -41,6 +48,7 @@ def execute(
         check_run(config)
         with heeded() as noticed:
             found = find_task(config["task"]["name"])
+            check_read(found, config, overrides)
             found.prepare(config)
             outside = found.reads(config)
             task = found
@@ -60,7 +68,7 @@ def execute(
         if task is not None and outcome.finished:
             outside |= task.leaves(config)
         try:
-            write_outcome(config, folder, command, started_at, outcome, outside)
+            write_outcome(config, folder, overrides, started_at, outcome, outside)
         except OSError as error:
             told = f"{error.strerror}: the result is not in {folder.path}"
             return Outcome(ERROR, told, outcome.summary), task
@@ -87,7 +95,7 @@ def failed(error: Exception, folder: ResultFolder) -> Outcome:
 def write_outcome(
     config: Mapping[str, Any],
     folder: ResultFolder,
-    command: str,
+    overrides: Sequence[str],
     started_at: str,
     outcome: Outcome,
     outside: Mapping[str, str],
@@ -101,16 +109,44 @@ def write_outcome(
         outcome.status = NOT_FINITE
         outcome.message = "not a finite number: " + ", ".join(not_finite)
     folder.write_config(config)
-    folder.write_provenance({**provenance(command, config["seed"], started_at), "outside": outside})
+    folder.write_provenance(
+        {**provenance(command(overrides), config["seed"], started_at), "outside": outside}
+    )
     message = {"message": outcome.message} if outcome.message else {}
     summary = {key: value for key, value in outcome.summary.items() if key != "status"}
     folder.write_result({"status": outcome.status, **message, **summary})
 
 
+def command(overrides: Sequence[str]) -> str:
+    """The command that repeats a job."""
+    return shlex.join(["python", "run.py", *overrides])
+
+
+def check_read(task: Task, config: Mapping[str, Any], overrides: Sequence[str]) -> None:
+    """Raise ParameterError for what a command says and its task does not read."""
+    name = config["task"]["name"]
+    left_out = f"left out: task={name} reads {', '.join(task.keys) or 'no other group'}"
+    for key in OF_SOME_TASKS:
+        if key in config and key not in task.keys:
+            raise ParameterError(key, config[key], left_out)
+    for key, value in config["task"].items():
+        if key not in ("name", *task.options):
+            allowed = ", ".join(task.options) or "no keys"
+            raise ParameterError(f"task.{key}", value, f"task={name} has {allowed}")
+    check_tier_keys(config["accuracy"])
+    for text in overrides:
+        path, _, given = text.lstrip("+~").partition("=")
+        group = path.partition("@")[0].partition(".")[0]
+        if group in SIMULATION and group not in task.keys:
+            raise ParameterError(path, given, left_out)
+        if path == "integrator.name":  # a tableau under the name of another
+            raise ParameterError(path, given, "chosen by integrator=<name>")
+
+
 def check_run(config: Mapping[str, Any]) -> None:
     """Check the keys that are about the run itself; raises ParameterError."""
     for key in config:
-        if key not in (*SECTIONS, *EXTRAS, *SWITCHES):
+        if key not in (*GROUPS, *OF_RUNS):
             raise ParameterError(key, config[key], "no such key; see --help")
     for key in SECTIONS:
         if not isinstance(config.get(key), Mapping):

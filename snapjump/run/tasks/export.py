@@ -17,6 +17,8 @@ FILE = "forward_model.onnx"
 class Export(Task):
     """Reads a checkpoint, writes ONNX, and compares the two."""
 
+    keys = ("checkpoint",)
+
     def prepare(self, config: Mapping[str, Any]) -> None:
         self._path = str(checkpoint_path(config.get("checkpoint")))
         self._seed: int = config["seed"]

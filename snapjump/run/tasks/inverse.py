@@ -15,7 +15,16 @@ from snapjump.files.sealed import file_sha256
 from snapjump.inverse.base import InverseOptions, Solution
 from snapjump.results import Result
 from snapjump.robot.design import Design
-from snapjump.run.tasks.base import NOT_REACHED, OK, UNREACHABLE, Outcome, Progress, Task, stretch
+from snapjump.run.tasks.base import (
+    NOT_REACHED,
+    OK,
+    SIMULATION,
+    UNREACHABLE,
+    Outcome,
+    Progress,
+    Task,
+    stretch,
+)
 from snapjump.run.tasks.complete import check_complete
 from snapjump.show.plots.inverse import inverse_picture
 from snapjump.show.terminal.inverse_report import inverse_report
@@ -31,12 +40,14 @@ from snapjump.targets.simulator import differentiable
 from snapjump.targets.warm_up import warm_up
 
 # Shares of the progress bar that are done as the search, the simulation and the drawing begin.
-SEARCH, SIMULATION, DRAWING = 0.1, 0.6, 0.8
+SEARCHING, SIMULATING, DRAWING = 0.1, 0.6, 0.8
 DRAWN_POINTS = 81  # of the region in the figure, per control
 
 
 class InverseDesign(Task):
     """Decides, searches, simulates what was found, and draws it."""
+
+    keys = (*SIMULATION, "inverse", "target", "checkpoint", "tolerance")
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         self._config = config
@@ -65,7 +76,7 @@ class InverseDesign(Task):
         )
         progress(0.0, "getting ready")
         warm_up(self._base, self._trained, self._method)
-        progress(SEARCH, "searching")
+        progress(SEARCHING, "searching")
         found = answer(problem, self._method)
         chosen, robust = found.solutions[0], None
         if self._method.robust and found.problem.forward is not None and found.reachable:
@@ -92,7 +103,7 @@ class InverseDesign(Task):
         delta_alpha, epsilon = chosen.controls.tolist()
         design = Design(epsilon=epsilon, delta_alpha=delta_alpha)
         simulation = replace(self._base, design=design, backend=ScalarBackend())
-        return simulate(simulation, stretch(progress, SIMULATION, DRAWING))
+        return simulate(simulation, stretch(progress, SIMULATING, DRAWING))
 
     def _draw(self, folder: ResultFolder, designed: Designed) -> None:
         problem, region = designed.problem, None

@@ -71,7 +71,7 @@ def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[s
         raise ParameterError("hydra.run.dir", str(folder.path), "a folder that no other run uses")
     tracker = make_member("tracking", config["tracking"])
     tracker.check()
-    outcome, task = execute(config, folder, command(overrides), ProgressBar())
+    outcome, task = execute(config, folder, overrides, ProgressBar())
     if outcome.status == base.BAD_INPUT:
         return _refused(outcome.message, folder)
     code = ended = base.exit_code(outcome.status)
@@ -104,12 +104,12 @@ def run_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[st
         return base.EXIT_OK
     started_at, published = now(), config.get("publish")
     if published is None:
-        outcome, _ = execute(config, folder, command(overrides), ProgressBar(visible=False))
+        outcome, _ = execute(config, folder, overrides, ProgressBar(visible=False))
     else:
         allowed = "null in a sweep, whose cells would replace each other's"
         outcome = Outcome(base.BAD_INPUT, str(ParameterError("publish", published, allowed)))
     if outcome.status == base.BAD_INPUT:
-        write_outcome(config, folder, command(overrides), started_at, outcome, {})
+        write_outcome(config, folder, overrides, started_at, outcome, {})
     _record(tracker, folder, name, parent_id)
     seconds = outcome.summary.get("wall_seconds")
     took = "" if seconds is None else f" ({number(seconds)} s)"
@@ -128,11 +128,6 @@ def is_done(config: Mapping[str, Any], folder: ResultFolder) -> bool:
     except (ImportError, ParameterError):
         return False
     return folder.holds(config, source_hash(), outside, base.FINISHED)
-
-
-def command(overrides: list[str]) -> str:
-    """The command that repeats a job."""
-    return shlex.join(["python", "run.py", *overrides])
 
 
 def _record(tracker: Tracker, folder: ResultFolder, name: str, parent_id: str | None) -> None:

@@ -29,6 +29,13 @@ def task_overrides(hydra: DictConfig) -> list[str]:
     return overrides
 
 
+def given_overrides() -> list[str]:
+    """Those of the command that this process does; none where there is none."""
+    from hydra.core.hydra_config import HydraConfig
+
+    return task_overrides(HydraConfig.get()) if HydraConfig.initialized() else []
+
+
 def register_resolvers() -> None:
     """Let configurations use ``${unique_id:}`` and ``${cell_name:}``."""
 

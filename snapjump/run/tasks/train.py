@@ -5,8 +5,6 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from hydra.core.hydra_config import HydraConfig
-
 from snapjump.checks import ParameterError
 from snapjump.dataset.folder import DatasetFolder, default_path
 from snapjump.dataset.options import DatasetOptions
@@ -23,9 +21,9 @@ from snapjump.learning.measures import errors
 from snapjump.learning.timing import microseconds
 from snapjump.learning.training import Training
 from snapjump.plan.parts.axes import labels_of
-from snapjump.run.tasks.base import INTERRUPTED, NOT_FINITE, OK, Outcome, Progress, Task
+from snapjump.run.tasks.base import INTERRUPTED, NOT_FINITE, OK, SIMULATION, Outcome, Progress, Task
 from snapjump.run.tasks.complete import whole
-from snapjump.run.tasks.names import task_overrides
+from snapjump.run.tasks.names import given_overrides
 from snapjump.show.plots.training import draw_training
 from snapjump.show.terminal.block import number
 from snapjump.surrogate.base import SurrogateOptions
@@ -39,6 +37,8 @@ OF_TRAINING = ("task", "surrogate", "training", "tracking", "figures")
 
 class Train(Task):
     """Trains a surrogate on all of a dataset but the test set, which it is measured on."""
+
+    keys = (*SIMULATION, "dataset", "plan", "surrogate", "training")
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         self._config = config
@@ -129,7 +129,7 @@ def dataset_path(config: Mapping[str, Any]) -> Path:
 
 def command_of_dataset() -> str:
     """The command that makes the dataset of this configuration."""
-    given = task_overrides(HydraConfig.get()) if HydraConfig.initialized() else []
+    given = given_overrides()
     kept = [
         text for text in given if text.lstrip("+").split("=")[0].split(".")[0] not in OF_TRAINING
     ]

@@ -17,6 +17,7 @@ from snapjump.run.studies.base import Cell, Conclusion, Done, Figure, Section, T
 from snapjump.run.studies.fingerprint import fingerprint, sources
 from snapjump.run.studies.store import CellStore
 from snapjump.run.studies.study import Study
+from snapjump.run.tasks.execute import check_read
 from snapjump.run.tasks.publish import replaced
 
 CONFIG: dict[str, Any] = {
@@ -141,8 +142,9 @@ def test_a_failed_cell_is_told_and_done_again():
 
 
 def test_a_key_that_the_study_does_not_have():
+    config = {**CONFIG, "accuracy": {}, "task": {**CONFIG["task"], "foo": 1}}
     with pytest.raises(ParameterError, match=r"task.foo = 1 .* cells"):
-        Squares().prepare({**CONFIG, "task": {**CONFIG["task"], "foo": 1}})
+        check_read(Squares(), config, [])
 
 
 def test_only_one_process_at_a_time(tmp_path):

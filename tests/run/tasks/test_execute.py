@@ -55,7 +55,7 @@ def becomes(monkeypatch, tmp_path) -> Any:
 
     def run(action: Any) -> tuple[Outcome, dict[str, Any]]:
         monkeypatch.setattr(StandIn, "run", lambda self, *given: action(*given))
-        outcome, _ = execute(CONFIG, ResultFolder(tmp_path), "python run.py", ProgressBar())
+        outcome, _ = execute(CONFIG, ResultFolder(tmp_path), [], ProgressBar())
         return outcome, json.loads((tmp_path / "result.json").read_text())
 
     return run
@@ -117,7 +117,7 @@ def test_a_defect_leaves_its_traceback(becomes, tmp_path):
 @pytest.mark.parametrize("error", [KeyboardInterrupt(), ModuleNotFoundError("No module 'torch'")])
 def test_what_was_not_prepared_does_not_report(monkeypatch, tmp_path, error):
     monkeypatch.setattr(StandIn, "prepare", raises(error))
-    outcome, task = execute(CONFIG, ResultFolder(tmp_path), "python run.py", ProgressBar())
+    outcome, task = execute(CONFIG, ResultFolder(tmp_path), [], ProgressBar())
     assert task is None and outcome.status in ("interrupted", "error")
     assert json.loads((tmp_path / "result.json").read_text())["status"] == outcome.status
 
@@ -128,7 +128,7 @@ def test_a_full_disk_is_one_line_and_the_numbers_are_told(monkeypatch, tmp_path)
 
     monkeypatch.setattr(StandIn, "run", lambda self, *given: Outcome("ok", "", {"x_bar": 1.0}))
     monkeypatch.setattr(ResultFolder, "write_result", full)
-    outcome, task = execute(CONFIG, ResultFolder(tmp_path), "python run.py", ProgressBar())
+    outcome, task = execute(CONFIG, ResultFolder(tmp_path), [], ProgressBar())
     assert outcome.message == f"No space left on device: the result is not in {tmp_path}"
     assert task is not None and outcome.summary["x_bar"] == 1.0
 
@@ -158,9 +158,7 @@ def test_a_defect_on_a_full_disk_is_one_line(becomes, monkeypatch):
     ],
 )
 def test_bad_input_is_one_line_and_leaves_nothing(tmp_path, change, key):
-    outcome, _ = execute(
-        {**CONFIG, **change}, ResultFolder(tmp_path), "python run.py", ProgressBar()
-    )
+    outcome, _ = execute({**CONFIG, **change}, ResultFolder(tmp_path), [], ProgressBar())
     assert outcome.status == "bad_input"
     assert outcome.message.startswith(f"{key} = ") and "\n" not in outcome.message
     assert not list(tmp_path.iterdir())
