@@ -45,7 +45,7 @@ def is_finite_number(value: Any) -> bool:
     """Whether it is a number that a float can hold, of Python or numpy; truth values are none."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         return False
-    return -sys.float_info.max <= value <= sys.float_info.max
+    return bool(abs(value) <= sys.float_info.max)  # type: ignore[operator]
 
 
 def check_number(

@@ -1,5 +1,6 @@
 """From a plain configuration to a result: the library's front door."""
 
+import warnings
 from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Any
@@ -8,6 +9,7 @@ from snapjump.checks import ParameterError, check_choice, check_group
 from snapjump.composition import PLAIN, Simulation, with_tier
 from snapjump.declare.families import FAMILIES
 from snapjump.declare.former_options import with_present_options
+from snapjump.declare.inputs import unusual
 from snapjump.declare.scenes import Progress
 from snapjump.results import Result
 from snapjump.robot.design import Design
@@ -28,8 +30,8 @@ def build(config: Mapping[str, Any]) -> Simulation:
     """A checked simulation from nested groups, as Hydra composes them.
 
     Each family's group has a ``name`` and that member's fields, or is the name alone; ``robot``,
-    ``design`` and ``environment`` have fields only; ``accuracy.name`` is the tier. An integrator that
-    is not known but has ``rows`` is a Runge-Kutta method of that tableau. Keys of a whole
+    ``design`` and ``environment`` have fields only; ``accuracy.name`` is the tier. An integrator
+    that is not known but has ``rows`` is a Runge-Kutta method of that tableau. Keys of a whole
     configuration that are about its run are passed over. Raises ParameterError.
     """
     check_group("configuration", config)
@@ -73,4 +75,6 @@ def simulate_jump(
         environment=environment or Environment(),
         **parts,
     )
+    for line in unusual(simulation):
+        warnings.warn(line, stacklevel=2)
     return simulate(simulation)

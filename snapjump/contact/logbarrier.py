@@ -34,6 +34,7 @@ class LogBarrier(ContactOptions):
         doc="gap below which the ground pushes",
         symbol="d̂",
         plan=(2e-4, 1e-3),
+        usual=(1e-9, 0.1),
     )
     damping_s: float = number(
         0.0,

@@ -20,6 +20,7 @@ class KelvinVoigt(DampingOptions):
         doc="relaxation time of the material",
         symbol="η",
         plan=(1e-6, 2e-5),
+        usual=(0.0, 0.01),
     )
 
     @DampingLaw.member

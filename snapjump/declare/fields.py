@@ -78,13 +78,15 @@ class About(TypedDict, total=False):
     """Attributes of a number for plans, plots and reports, beside unit, range and meaning.
 
     ``symbol`` as in formulas; ``plan``: low and high of a dataset; ``kind``: of whom it is, one of
-    control, environment, property; ``column``: its name in files, where that is not the field's.
+    control, environment, property; ``column``: its name in files, where that is not the field's;
+    ``usual``: least and largest of what is built, beyond which another unit may be meant.
     """
 
     symbol: str
     plan: tuple[float, float]
     kind: str
     column: str
+    usual: tuple[float, float]
 
 
 def number(

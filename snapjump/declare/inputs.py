@@ -102,6 +102,20 @@ def with_inputs(simulation: S, values: Mapping[str, float]) -> S:
     return replace(simulation, **parts)  # type: ignore[type-var]
 
 
+def unusual(simulation: Any) -> list[str]:
+    """A line for each input that is far from what is built, as where mm or GPa are typed."""
+    found = []
+    for group in PARTS:
+        part = getattr(simulation, group)
+        for field in fields(part):
+            value, usual = getattr(part, field.name), field.metadata.get("about", {}).get("usual")
+            if usual and not isinstance(value, str) and not usual[0] <= value <= usual[1]:
+                unit = f" {field.metadata['allowed'].unit}".rstrip()
+                span = f"[{usual[0]:g}, {usual[1]:g}]{unit}"
+                found.append(f"{group}.{field.name} = {value:g}{unit} is unusual: not in {span}")
+    return found
+
+
 def check_inputs(simulation: Any, paths: Iterable[str]) -> None:
     """Raise ParameterError for a path that is no input of the simulation, or is there twice."""
     seen = set()

@@ -6,7 +6,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.checks import ParameterError
+from snapjump.checks import ParameterError, is_finite_number
 
 
 class Named(Protocol):
@@ -39,7 +39,7 @@ def rows_of(
     names = ", ".join(paths)
     columns = getattr(designs, "columns", None)
     if columns is None:
-        rows = np.asarray(designs, dtype=float)
+        rows = numbers_of(designs)
         if rows.ndim != 2 or rows.shape[1] != len(inputs):
             raise ParameterError(
                 "designs", rows.shape, f"rows of {names}: shape (R, {len(inputs)})"
@@ -59,4 +59,16 @@ def rows_of(
                 raise ParameterError(
                     "designs", column, f"columns of {names}, or {one.path} among the inputs too"
                 )
-    return np.column_stack([np.asarray(designs.iloc[:, k], dtype=float) for k in places])
+    return np.column_stack([numbers_of(designs.iloc[:, k]) for k in places])
+
+
+def numbers_of(values: Any) -> NDArray[np.float64]:
+    """An array of floats. Raises ParameterError for texts, complex numbers and truth values."""
+    found = np.asarray(values)
+    if found.dtype.kind == "O":  # a mixture: each for itself
+        numeric = all(is_finite_number(one) or one != one for one in found.ravel())
+    else:
+        numeric = found.dtype.kind in "fiu"
+    if not numeric:
+        raise ParameterError("designs", str(found.dtype), "numbers")
+    return found.astype(float)

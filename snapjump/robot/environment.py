@@ -14,8 +14,9 @@ class Environment(Part):
     group = "environment"
 
     mu: float = number(
-        0.3, least=0.0, doc="friction coefficient", symbol="μ", plan=(0.1, 0.6), kind="environment"
-    )
+        0.3, least=0.0, most=100.0, usual=(0.0, 5.0), doc="friction coefficient", symbol="μ",
+        plan=(0.1, 0.6), kind="environment",
+    )  # fmt: skip
     mass_bar: float = number(
         0.768, above=0.0, doc="m g L^2/EI of the whole robot", symbol="m̄", plan=(0.3, 2.0),
         kind="environment",

@@ -28,29 +28,51 @@ class Robot(Part):
     group = "robot"
 
     length_m: float = positive(
-        0.02, unit="m", doc="length of the beam", symbol="L", plan=(0.015, 0.03)
+        0.02, unit="m", doc="length of the beam", symbol="L", plan=(0.015, 0.03), usual=(1e-4, 2.0)
     )
     width_m: float = positive(
-        0.01, unit="m", doc="width of the beam", symbol="w", plan=(0.005, 0.02)
+        0.01, unit="m", doc="width of the beam", symbol="w", plan=(0.005, 0.02), usual=(1e-5, 1.0)
     )
     thickness_m: float = positive(
-        5e-5, unit="m", doc="thickness of the beam", symbol="b", plan=(3.5e-5, 7.5e-5)
+        5e-5,
+        unit="m",
+        doc="thickness of the beam",
+        symbol="b",
+        plan=(3.5e-5, 7.5e-5),
+        usual=(1e-7, 0.05),
     )
     youngs_modulus_Pa: float = positive(
-        2e11, unit="Pa", doc="Young's modulus", symbol="E", plan=(1e11, 3e11)
+        2e11, unit="Pa", doc="Young's modulus", symbol="E", plan=(1e11, 3e11), usual=(1e4, 2e12)
     )
     density_kg_m3: float = positive(
-        5000.0, unit="kg/m^3", doc="density of the beam", symbol="ρ", plan=(2000.0, 8000.0)
+        5000.0,
+        unit="kg/m^3",
+        doc="density of the beam",
+        symbol="ρ",
+        plan=(2000.0, 8000.0),
+        usual=(1.0, 25e3),
     )
     frame_height_m: float = positive(
-        0.01, unit="m", doc="height of the frame", symbol="l₂", plan=(0.005, 0.02)
+        0.01,
+        unit="m",
+        doc="height of the frame",
+        symbol="l₂",
+        plan=(0.005, 0.02),
+        usual=(1e-5, 2.0),
     )
     gravity_m_s2: float = number(
         10.0, least=0.0, most=LARGEST, unit="m/s^2", doc="gravity", symbol="g", plan=(1.6, 10.0),
         kind="environment",
+        usual=(0.0, 300.0),
     )  # fmt: skip
     rotation_rate_rad_s: float = positive(
-        20.0, unit="rad/s", doc="rate of the clamps", symbol="Ω", plan=(5.0, 40.0), kind="control"
+        20.0,
+        unit="rad/s",
+        doc="rate of the clamps",
+        symbol="Ω",
+        plan=(5.0, 40.0),
+        kind="control",
+        usual=(1e-4, 1e4),
     )
     rotation_end_rad: float = number(
         1.5, least=0.0, most=math.pi / 2, unit="rad", doc="angle at which the clamps stop",
@@ -59,6 +81,7 @@ class Robot(Part):
     mount_height: float | Literal["optimal", "fitted"] = number(
         "optimal", above=0.0, unit="m", words=("optimal", "fitted"), symbol="h",
         plan=(1.5e-3, 4e-3), doc="height of the clamps above the feet",
+        usual=(1e-6, 1.0),
     )  # fmt: skip
 
     def __post_init__(self) -> None:

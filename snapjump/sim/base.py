@@ -18,9 +18,10 @@ AT_REST = {**WITHOUT_GROUND, "damping": "none"}
 def check_samples(duration_s: float, interval_s: float, elements: int = 1) -> None:
     """Require no more samples, of so many elements, than fit in memory."""
     most = min(MOST_SAMPLES, MOST_ELEMENT_SAMPLES // elements)
-    if duration_s > most * interval_s:
-        least = f"{duration_s / most:g} s for {duration_s:g} s"
-        allowed = f"at least {least}, which are {most} samples"
+    shortest_s = duration_s / most
+    # What the message says, with its six digits, is accepted.
+    if interval_s < (1.0 - 1e-5) * shortest_s:
+        allowed = f"at least {shortest_s:g} s for {duration_s:g} s, which are {most} samples"
         raise ParameterError("sim.sample_interval_s", interval_s, allowed)
 
 

@@ -42,7 +42,7 @@ class Jump(SceneOptions):
         model = jump_model(simulation)
         if simulation.backend.one_at_a_time:
             limit_s = model.time_limit.duration * simulation.robot.scales.time_s
-            check_samples(limit_s, self.sample_interval_s)
+            check_samples(limit_s, self.sample_interval_s, simulation.discretization.elements)
 
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
         """One jump with its whole trajectory and energy ledger.

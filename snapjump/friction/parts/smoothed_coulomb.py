@@ -41,6 +41,8 @@ class SmoothedCoulombOptions(FrictionOptions):
     velocity_threshold_m_s: float = number(
         1.0e-3,
         above=0.0,
+        most=1000.0,
+        usual=(1e-9, 10.0),
         unit="m/s",
         doc="half width of the stick zone",
         symbol="ε_v",

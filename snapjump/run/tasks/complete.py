@@ -6,6 +6,8 @@ from typing import Any
 
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import construct, settings
+from snapjump.declare.inputs import unusual
+from snapjump.files.notice import notice
 
 
 def check_complete(config: Mapping[str, Any], simulation: object, **others: Any) -> None:
@@ -16,6 +18,12 @@ def check_complete(config: Mapping[str, Any], simulation: object, **others: Any)
         for key in settings(options) if is_dataclass(options) else ():
             if key not in values:
                 raise ParameterError(f"{group}.{key}", None, "a value, which cannot be left out")
+
+
+def warn_of_unusual(simulation: Any) -> None:
+    """Say which inputs are far from what is built: another unit may be meant."""
+    for line in unusual(simulation):
+        notice(f"warning: {line}")
 
 
 def whole(cls: Any, values: Any) -> Any:

@@ -20,7 +20,7 @@ from snapjump.files.result_folder import ResultFolder
 from snapjump.files.sealed import sha256_of
 from snapjump.plan.parts.axes import Axis
 from snapjump.run.tasks.base import INTERRUPTED, OK, SIMULATION, Outcome, Progress, Task, stretch
-from snapjump.run.tasks.complete import check_complete, whole
+from snapjump.run.tasks.complete import check_complete, warn_of_unusual, whole
 from snapjump.run.tasks.names import given_overrides
 from snapjump.show.plots.dataset import draw_dataset, draw_status
 from snapjump.show.terminal.block import number
@@ -44,6 +44,7 @@ class GenerateDataset(Task):
         self._options: SharedDataset = whole(SharedDataset, config.get("dataset"))
         self._specification = specify(config, self._options.shard_size, self._options.sensitivities)
         check_complete(config, self._specification.simulation)
+        warn_of_unusual(self._specification.simulation)
         check_fixed(self._specification.axes, given_overrides())
         self._executor: Executor = make_member("executor", config.get("executor")).executor()
         self._executor.check()
@@ -132,9 +133,8 @@ def check_fixed(axes: Sequence[Axis], overrides: Sequence[str]) -> None:
         for axis in axes:
             if path == axis.path:
                 low, high = axis.range
-                allowed = (
-                    f"left out: it varies over [{low:g}, {high:g}] (plan.inputs says what does)"
-                )
+                allowed = f"left out: plan.inputs has it vary over [{low:g}, {high:g}]"
+
                 raise ParameterError(path, value, allowed)
 
 

@@ -154,6 +154,8 @@ def check_run(config: Mapping[str, Any]) -> None:
     for key in SWITCHES:
         if key not in config:
             raise ParameterError(key, None, "a value, which cannot be left out")
+    if "name" not in config["task"]:
+        raise ParameterError("task.name", None, "a value, which cannot be left out")
     check_integer("seed", config["seed"], 0, LARGEST_SEED)
     if not isinstance(config["figures"], bool):
         raise ParameterError("figures", config["figures"], "true or false")

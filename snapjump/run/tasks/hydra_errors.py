@@ -33,6 +33,9 @@ def one_line(error: Exception, arguments: Sequence[str]) -> ParameterError:
             return _unknown_key(cause, arguments)
         if isinstance(cause, OmegaConfBaseException):
             key = str(cause.full_key or cause.key or "configuration")
+            if "Cannot merge" in str(cause):
+                allowed = f"a group: {key}.<key>=... sets one of its keys"
+                return ParameterError(key, _given(key, arguments), allowed)
             reason = (str(cause).strip().splitlines() or [type(cause).__name__])[0]
             return ParameterError(key, _given(key, arguments), reason)
     key = text.partition("Could not override '")[2].partition("'")[0]

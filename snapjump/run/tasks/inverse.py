@@ -25,7 +25,7 @@ from snapjump.run.tasks.base import (
     Task,
     stretch,
 )
-from snapjump.run.tasks.complete import check_complete
+from snapjump.run.tasks.complete import check_complete, warn_of_unusual
 from snapjump.show.plots.inverse import inverse_picture
 from snapjump.show.terminal.inverse_report import inverse_report
 from snapjump.simulation import build, simulate
@@ -60,6 +60,7 @@ class InverseDesign(Task):
             raise ParameterError("sim", scene, "jump, which is what has an apex")
         self._base = build(config)
         check_complete(config, self._base, inverse=self._method, tolerance=self._tolerance)
+        warn_of_unusual(self._base)
         self._base.sim.check_start(self._base)
         if self._method.needs_slopes:
             differentiable(self._base)

@@ -5,7 +5,7 @@ from typing import Any
 
 from snapjump.files.result_folder import ResultFolder
 from snapjump.run.tasks.base import NOT_FINITE, OK, Outcome, Progress, Task, stretch
-from snapjump.run.tasks.complete import check_complete
+from snapjump.run.tasks.complete import check_complete, warn_of_unusual
 from snapjump.show.plots import figures
 from snapjump.show.terminal.scene_report import scene_report
 from snapjump.simulation import build, simulate
@@ -21,6 +21,7 @@ class Simulate(Task):
         self._config = config
         self._simulation = build(config)
         check_complete(config, self._simulation)
+        warn_of_unusual(self._simulation)
         self._simulation.sim.check_start(self._simulation)
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
