@@ -23,6 +23,7 @@ class Output(cached_property[T]):
 
     ``unit``: 1 without a dimension, empty for words and flags; ``kind``: NUMBER, INTEGER, FLAG or
     WORD; ``of``: the statuses that have it, empty for all; ``timing``: differs from run to run;
+    ``unknown``: NaN says that it is not known, and not that anything went wrong;
     ``show``: heading and text of its place in the closing block, empty to leave it out.
     """
 
@@ -33,12 +34,14 @@ class Output(cached_property[T]):
         kind: str,
         of: tuple[str, ...],
         timing: bool,
+        unknown: bool,
         show: str | None,
     ):
         super().__init__(known_of(of, read) if of else read)
         self.name = read.__name__
         self.meaning = " ".join((read.__doc__ or "").split()).rstrip(".")
         self.unit, self.kind, self.of, self.timing = unit, kind, of, timing
+        self.unknown = unknown
         self.show = f"{self.name}: {{}}" if show is None else show
 
 
@@ -48,10 +51,11 @@ def output(
     kind: str = NUMBER,
     of: tuple[str, ...] = (),
     timing: bool = False,
+    unknown: bool = False,
     show: str | None = None,
 ) -> Callable[[Callable[[Any], T]], Output[T]]:
     """Declare a method to be an output; without ``show`` its name is its heading."""
-    return lambda read: Output(read, unit, kind, of, timing, show)
+    return lambda read: Output(read, unit, kind, of, timing, unknown, show)
 
 
 def known_of(statuses: tuple[str, ...], read: Callable[[Any], Any]) -> Callable[[Any], Any]:

@@ -113,17 +113,17 @@ class JumpOutputs(GroundOutputs):
         """Largest step, times the frequency of contact in it."""
         return self.outcome[:, c.COARSEST]
 
-    @output("%", of=FLOWN, show="")
+    @output("%", of=FLOWN, unknown=True, show="")
     def x_error_estimate_percent(self) -> Array:
         """Estimated error of x_bar, of max(|x|, 0.1 y)."""
         return self.estimate.x_percent
 
-    @output("%", of=FLOWN, show="")
+    @output("%", of=FLOWN, unknown=True, show="")
     def y_error_estimate_percent(self) -> Array:
         """Estimated error of y_bar."""
         return self.estimate.y_percent
 
-    @output("%", of=FLOWN, show="")
+    @output("%", of=FLOWN, unknown=True, show="")
     def error_estimate_percent(self) -> Array:
         """The larger of both estimated errors."""
         return self.estimate.percent

@@ -27,7 +27,11 @@ class Simulate(Task):
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:
         share = SIMULATION_SHARE if self._config["figures"] else 1.0
         result = simulate(self._simulation, stretch(progress, 0.0, share))
-        outcome = Outcome(result.status, result.message, dict(result.summary))
+        summary = dict(result.summary)
+        for each in self._simulation.sim.outputs.declared():
+            if each.unknown and summary.get(each.name) != summary.get(each.name):  # NaN
+                summary[each.name] = None
+        outcome = Outcome(result.status, result.message, summary)
         not_finite = folder.write_arrays("trajectory", result.arrays)
         if not_finite and outcome.status == OK:
             outcome.status = NOT_FINITE

@@ -169,6 +169,14 @@ def test_a_robot_that_does_not_jump_is_no_failure(command, tmp_path):
     assert "no_jump" in done.stdout
 
 
+def test_an_error_that_is_not_known_is_no_failure(command, tmp_path):
+    done = command(*JUMP, "tracking=off", "sim.start_fraction=0.5")
+    _, result = result_in(tmp_path)
+    assert result["status"] == "ok" and result["x_bar"] > 1.0
+    assert result["error_estimate_percent"] is None and result["within_tier"] is None
+    assert "not known here" in done.stdout
+
+
 def test_ctrl_c_leaves_a_clean_marked_run(tmp_path):
     # The configuration is written just before the work begins.
     run = ("accuracy=reference", "tracking=off")
