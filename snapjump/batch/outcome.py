@@ -32,6 +32,11 @@ class Batch(JumpOutputs):
     ready: Prepared
     sensitivities: Sensitivities | None = None
 
+    @property
+    def refusals(self) -> dict[int, str]:
+        """Why a design was refused, key, value and range in one line, by the number of its row."""
+        return self.ready.refusals
+
     @cached_property
     def scales(self) -> Any:
         """Each robot's own."""

@@ -1,7 +1,7 @@
 """Robots of many designs: their models, or why there is none."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -25,13 +25,15 @@ class Prepared:
     """The M of R designs that can be simulated: their simulations and models.
 
     simulations, models (M); chosen (M): which designs they are; status (R): RUNNING, or why a
-    design cannot be simulated (see :mod:`snapjump.engine.status`).
+    design cannot be simulated (see :mod:`snapjump.engine.status`); refusals: why in one line, by
+    the number of the design.
     """
 
     simulations: list[Simulation]
     models: list[Model]
     chosen: NDArray[np.int64]
     status: NDArray[np.int64]
+    refusals: dict[int, str] = field(default_factory=dict)
 
     def spread(self, values: Array, otherwise: float = np.nan) -> Array:
         """Values (M, ...) of the designs that are simulated among those of all (R, ...)."""
@@ -92,12 +94,13 @@ def prepare_designs(
     check_curve(base, curve)
     status = np.full(len(designs), RUNNING)
     possible: dict[int, Simulation] = {}
+    refusals: dict[int, str] = {}
     for k, design in enumerate(designs):
         try:
             simulation = variant(base, design, inputs)
             compression(simulation)
-        except ParameterError:
-            status[k] = BAD_DESIGN
+        except ParameterError as error:
+            status[k], refusals[k] = BAD_DESIGN, str(error)
         else:
             possible[k] = simulation
     models: dict[int, Model] = {}
@@ -105,9 +108,10 @@ def prepare_designs(
     for (k, simulation), threshold in zip(possible.items(), known, strict=True):
         try:
             models[k] = jump_model(simulation, threshold)
-        except NoThresholdError:
-            status[k] = NO_THRESHOLD
-        except ParameterError:
-            status[k] = BAD_DESIGN
+        except NoThresholdError as error:
+            status[k], refusals[k] = NO_THRESHOLD, str(error)
+        except ParameterError as error:
+            status[k], refusals[k] = BAD_DESIGN, str(error)
     chosen = np.array(list(models), dtype=np.int64)
-    return Prepared([possible[k] for k in models], list(models.values()), chosen, status)
+    kept = [possible[k] for k in models]
+    return Prepared(kept, list(models.values()), chosen, status, refusals)

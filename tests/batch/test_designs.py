@@ -64,6 +64,13 @@ def test_refused_designs_are_rows_with_a_status(batch):
             assert np.isnan(values[refused]).all(), output.name
 
 
+def test_refused_designs_say_why_by_their_rows(batch):
+    assert batch.refusals.keys() == {*range(1, 1 + len(BAD))}
+    assert batch.refusals[1].startswith("design.epsilon = 0.41 is not allowed: ")
+    assert batch.refusals[4].startswith("environment.mu = -0.1 is not allowed: ")
+    assert all("\n" not in line and line for line in batch.refusals.values())
+
+
 def test_rows_are_those_of_the_batch_of_good_designs(batch):
     """They are equal to the last bit, at another width and number of threads."""
     alone = simulate_batch(variants(BASE, GOOD), lanes=8).columns()
