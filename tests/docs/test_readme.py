@@ -50,7 +50,7 @@ RUNS = sorted(
         tuple(words[1:])
         for page in PAGES
         for words in commands(page)
-        if words[:1] == ["run.py"] and whole(words) and not words[1].startswith("record=")
+        if words[:1] == ["run.py"] and whole(words) and not words[-1].startswith("record=")
     }
 )
 MODULES = sorted({w[1] for page in PAGES for w in commands(page) if w[:1] == ["-m"]})
