@@ -14,7 +14,7 @@ from snapjump.batch.outcome import Batch, Marched, batch_of
 from snapjump.batch.prepare import Prepared, prepare_designs
 from snapjump.batch.progress import BatchProgress
 from snapjump.batch.sensitivities import Slopes
-from snapjump.checks import ParameterError, check_integer
+from snapjump.checks import ParameterError, check_integer, check_number
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS, check_inputs, inputs_of
 from snapjump.declare.scenes import Progress
@@ -110,13 +110,24 @@ def simulate_batch(
 
     Raises ParameterError where they differ in more than that.
     """
+    if not simulations:
+        raise ParameterError("simulations", [], "one at least")
     check_backend(simulations[0])
     check_alike(simulations)
+    check_width(lanes, threads)
+    check_number("most_iterations", most_iterations, 1.0)
     count = len(simulations)
     models = [jump_model(simulation) for simulation in simulations]
     ready = Prepared(list(simulations), models, np.arange(count), np.full(count, RUNNING))
     marched = march_all(ready, lanes, threads, most_iterations, progress)
     return batch_of(simulations[0], ready, marched)
+
+
+def check_width(lanes: int, threads: int) -> None:
+    """Raise ParameterError for lanes that there are not, or threads out of range."""
+    if lanes not in (1, *WIDTHS):
+        raise ParameterError("lanes", lanes, "1, 2, 4, 8 or 16")
+    check_integer("threads", threads, 1, MOST_THREADS)
 
 
 def simulate_designs(
@@ -153,10 +164,8 @@ def simulate_designs(
     check_backend(base)
     backend = base.backend if isinstance(base.backend, LanesBackend) else LanesBackend()
     width = backend.width if lanes is None else lanes
-    if width not in (1, *WIDTHS):
-        raise ParameterError("lanes", lanes, "1, 2, 4, 8 or 16")
     crew = backend.thread_count if threads is None else threads
-    check_integer("threads", crew, 1, MOST_THREADS)
+    check_width(width, crew)
     if sensitivities:
         check_differentiable(base, inputs)
         if curve is None and "design.epsilon" in inputs:

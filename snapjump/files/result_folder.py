@@ -1,5 +1,6 @@
 """The folder of one job: which files it holds, and how each is written and read."""
 
+import shutil
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from pathlib import Path
@@ -19,6 +20,7 @@ from snapjump.files.notice import notice
 NOT_PHYSICS = ("tracking",)
 
 PROVENANCE, TRACEBACK = "provenance.json", "traceback.txt"
+DRAWING = ".figures."
 ALWAYS = ("config.yaml", PROVENANCE, "result.json")
 Stamp = tuple[int, int]  # what tells that a file was written anew
 
@@ -49,6 +51,8 @@ class ResultFolder:
         if self._found is None:
             for name in (*ALWAYS, TRACEBACK, *self._listed()):
                 (self.path / name).unlink(missing_ok=True)
+            for left in self.path.glob(f"{DRAWING}*"):  # of a job that was killed
+                shutil.rmtree(left, ignore_errors=True)
             self._found = {file.name: stamp(file) for file in self._all()}
 
     def withdraw(self) -> None:
@@ -94,7 +98,7 @@ class ResultFolder:
         takes no result along.
         """
         try:
-            with TemporaryDirectory(prefix=".figures.", dir=self.path) as folder:
+            with TemporaryDirectory(prefix=DRAWING, dir=self.path) as folder:
                 draw(Path(folder))
                 for file in sorted(Path(folder).iterdir()):
                     flush(file)

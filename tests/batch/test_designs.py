@@ -1,5 +1,6 @@
 """Many designs at once: rows like those of single jumps, and a status for what is refused."""
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -69,6 +70,21 @@ def test_refused_designs_say_why_by_their_rows(batch):
     assert batch.refusals[1].startswith("design.epsilon = 0.41 is not allowed: ")
     assert batch.refusals[4].startswith("environment.mu = -0.1 is not allowed: ")
     assert all("\n" not in line and line for line in batch.refusals.values())
+
+
+@pytest.mark.parametrize(
+    "given",
+    [{"lanes": 0}, {"lanes": 3}, {"threads": 0}, {"threads": -5}, {"most_iterations": math.nan},
+     {"most_iterations": 0}],
+)  # fmt: skip
+def test_batches_in_no_lanes_or_threads_are_refused(given):
+    with pytest.raises(ParameterError, match=next(iter(given))):
+        simulate_batch([BASE], **given)
+
+
+def test_a_batch_of_nothing_is_refused():
+    with pytest.raises(ParameterError, match="simulations"):
+        simulate_batch([])
 
 
 def test_rows_are_those_of_the_batch_of_good_designs(batch):

@@ -80,6 +80,13 @@ def test_only_what_a_job_wrote_is_its_own(tmp_path):
     assert left == {"config.yaml", "provenance.json", "result.json", "secret.txt"}
 
 
+def test_half_drawn_pictures_of_a_killed_job_go(tmp_path):
+    (tmp_path / ".figures.abc").mkdir()
+    (tmp_path / ".figures.abc" / "jump.png").write_text("")
+    ResultFolder(tmp_path).begin()
+    assert not list(tmp_path.iterdir())
+
+
 def test_an_edited_list_leads_nowhere_else(tmp_path):
     (tmp_path / "run").mkdir()
     (tmp_path / "outside.txt").write_text("")

@@ -13,6 +13,7 @@ from snapjump.checks import ParameterError
 from snapjump.declare.members import make_member
 from snapjump.files.json_file import read_json, write_json
 from snapjump.files.lock import FileLock
+from snapjump.files.notice import notice
 from snapjump.files.provenance import now
 from snapjump.run.tasks.base import EXIT_BAD_INPUT
 from snapjump.run.tasks.names import cell_name, register_resolvers, sweep_name, task_overrides
@@ -26,9 +27,9 @@ from snapjump.tracking.parts.tracked import milliseconds
 SWEEP_NAME = "SNAPJUMP_SWEEP"
 PARENT_RUN = "SNAPJUMP_PARENT_RUN"
 MARK = "sweep.json"
-CELLS = (
-    ".cells"  # where cells are that hydra.sweep.subdir puts elsewhere than where they are sought
-)
+# Where cells are that hydra.sweep.subdir puts elsewhere than where they are sought.
+CELLS = ".cells"
+MANY = 200  # cells, whose composing takes seconds
 
 register_resolvers()
 
@@ -123,6 +124,8 @@ class SweepCallback(Callback):
             print(error, file=sys.stderr)
             raise SystemExit(EXIT_BAD_INPUT) from error
         _current[:] = [sweep]
+        if len(cells) > MANY:
+            notice(f"{len(cells)} cells in {folder}; all are composed before the first begins")
 
 
 def expand(config: DictConfig) -> list[list[str]]:
