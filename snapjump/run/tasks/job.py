@@ -5,6 +5,7 @@ import re
 import shlex
 import sys
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -30,7 +31,7 @@ from snapjump.run.tasks.workers import end_with_sweep
 from snapjump.show.terminal.block import block, number
 from snapjump.show.terminal.progress import ProgressBar
 from snapjump.tracking.base import Tracker, TrackingError
-from snapjump.tracking.parts.tracked import OWN, record_folder
+from snapjump.tracking.parts.tracked import MARK, OWN, record_folder
 
 DAY = re.compile(r"\d{4}-\d{2}-\d{2}")  # the folder of a day's runs
 
@@ -76,6 +77,7 @@ def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[s
         return _refused(outcome.message, folder)
     code = ended = base.exit_code(outcome.status)
     place, interrupted = "", False
+    (folder.path / MARK).unlink(missing_ok=True)  # of a run that was here before
     try:
         place = record_folder(tracker, folder, folder.path.name, None)
     except (TrackingError, OSError, KeyboardInterrupt) as error:
@@ -142,9 +144,9 @@ def _refused(message: str, folder: ResultFolder) -> int:
     """Bad input: one line, and no trace of a run that never was."""
     print(message, file=sys.stderr)
     folder.withdraw()
-    day = folder.path.parent
-    if DAY.fullmatch(day.name) and not any(day.iterdir()):
-        day.rmdir()
+    if DAY.fullmatch(folder.path.parent.name):
+        with suppress(OSError):  # others are in it
+            folder.path.parent.rmdir()
     return base.EXIT_BAD_INPUT
 
 

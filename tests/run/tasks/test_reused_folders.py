@@ -26,6 +26,12 @@ def test_a_second_run_has_only_its_own_files(command, database, tmp_path):
     assert last == {"config.yaml", "provenance.json", "result.json", "trajectory.npz"}
 
 
+def test_the_same_run_again_is_another_record(command, database, tmp_path):
+    for _ in range(2):
+        command(*SCENE, "hydra.run.dir=out", "figures=false")
+    assert len(artifacts(tmp_path)) == 2
+
+
 def test_files_of_others_are_neither_told_nor_recorded_nor_touched(command, database, tmp_path):
     (tmp_path / "secret.txt").write_text("mine")
     done = command(*SCENE, "hydra.run.dir=.", "figures=false")
