@@ -10,7 +10,7 @@ jump: $(STAMP)  ## one jump: numbers, figures, film
 	$(VENV)/bin/python run.py sim=jump contact=logbarrier
 
 test: $(STAMP)  ## all tests that take less than a minute, compiling included
-	$(VENV)/bin/python -m pytest -n 2 --dist loadgroup -m "not slow and not compiles"
+	$(VENV)/bin/python -m pytest -n 2 --dist loadgroup -m "not slow and not compiles and not processes"
 
 check: $(STAMP)  ## style, types, import layers
 	$(VENV)/bin/ruff check .

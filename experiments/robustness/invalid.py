@@ -15,7 +15,7 @@ from snapjump.simulation import PLAIN, build
 
 ACCEPTED, CRASHED, UNCLEAR = "accepted", "crashed", "unclear"
 LONGEST_LINE = 400
-NOT_GROUPS: tuple[Any, ...] = ("jump", 5, 1.5, [1], True, ("name",))
+NOT_GROUPS: tuple[Any, ...] = ("nonsense", 5, 1.5, [1], True, ("name",))
 NOT_NAMES: tuple[Any, ...] = (None, 3, "", "no such member", ["jump"], {"name": 1}, True)
 
 

@@ -167,7 +167,15 @@ class DaskExecutor(Executor):
                 continue
             waiting = list(left)
             for future in done:
-                yield future.result()
+                try:
+                    answer = future.result()
+                except (OSError, CancelledError):
+                    time.sleep(PATIENCE_S)
+                    if self._client.status == "running":  # the work's own
+                        raise
+                    waiting.append(future)
+                    continue
+                yield answer
 
 
 def own_sources() -> str:

@@ -19,6 +19,8 @@ from snapjump.executor import dask as module
 from snapjump.executor.dask import DaskExecutor
 from snapjump.files.sealed import read_sealed
 
+pytestmark = pytest.mark.processes
+
 SPECIFICATION = small(192, 16)
 
 

@@ -23,6 +23,8 @@ from snapjump.tracking.parts import mlflow_store
 from snapjump.tracking.parts.tracked import record_folder, write_children
 from snapjump.tracking.server import Server
 
+pytestmark = pytest.mark.processes
+
 DEADLINE_S = 1.5
 
 

@@ -7,11 +7,14 @@ import shutil
 import time
 from pathlib import Path
 
+import pytest
 from command_line import begun
 from forward_models import about, network
 from small_datasets import OVERRIDES, small, smooth_dataset
 
 from snapjump.learning.checkpoint import write_checkpoint
+
+pytestmark = pytest.mark.processes
 
 OFF = ("tracking=off", "figures=false")
 RBF = ("surrogate=rbf", "surrogate.neighbours=5", "seed=0,1")

@@ -17,6 +17,8 @@ from forward_models import RBF
 from records import database_in, runs_in
 from small_datasets import small, smooth_dataset
 
+pytestmark = pytest.mark.processes
+
 SCENE = ("sim=cantilever", "figures=false")
 SECRET = "s3cret"
 WITH_SECRET = f"http://alice:{SECRET}@127.0.0.1:9"

@@ -7,6 +7,8 @@ import pytest
 from command_line import begun, interrupted
 from records import database_in, runs_in
 
+pytestmark = pytest.mark.processes
+
 SCENE = ("sim=cantilever",)
 
 

@@ -8,6 +8,8 @@ import time
 import pytest
 from command_line import RUN, begun, result_in
 
+pytestmark = pytest.mark.processes
+
 LONG = ("accuracy=reference", "tracking=off", "figures=false")
 
 

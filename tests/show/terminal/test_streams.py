@@ -66,6 +66,8 @@ def test_a_run_ends_well_whoever_listens(tmp_path, redirected):
 EAGER = f"""
 import runpy, sys
 from snapjump.show.terminal.progress import ProgressBar
+
+pytestmark = pytest.mark.processes
 ProgressBar.__init__.__defaults__ = (None, 0.0, True)
 sys.argv[0] = {str(RUN)!r}
 runpy.run_path(sys.argv[0], run_name="__main__")
