@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from snapjump.files.result_folder import ResultFolder
-from snapjump.run.tasks.base import NOT_FINITE, OK, Outcome, Progress, Task, stretch
+from snapjump.run.tasks.base import ERROR, NOT_FINITE, OK, Outcome, Progress, Task, stretch
 from snapjump.run.tasks.complete import check_complete, warn_of_unusual
 from snapjump.show.plots import figures
 from snapjump.show.terminal.scene_report import scene_report
@@ -32,7 +32,10 @@ class Simulate(Task):
             if each.unknown and summary.get(each.name) != summary.get(each.name):  # NaN
                 summary[each.name] = None
         outcome = Outcome(result.status, result.message, summary)
-        not_finite = folder.write_arrays("trajectory", result.arrays)
+        try:
+            not_finite = folder.write_arrays("trajectory", result.arrays)
+        except OSError as error:  # the numbers may find room where the arrays do not
+            return Outcome(ERROR, f"{error.strerror}: the trajectory is not kept", summary)
         if not_finite and outcome.status == OK:
             outcome.status = NOT_FINITE
             outcome.message = "the trajectory is not finite in " + ", ".join(not_finite)

@@ -1,5 +1,6 @@
 """``python run.py``: help page, bad input in one line, what a run leaves and what it imports."""
 
+import errno
 import json
 import subprocess
 import sys
@@ -167,6 +168,18 @@ def test_a_robot_that_does_not_jump_is_no_failure(command, tmp_path):
     _, result = result_in(tmp_path)
     assert result["status"] == "no_jump" and result["liftoff_time_s"] is None
     assert "no_jump" in done.stdout
+
+
+def test_a_disk_that_is_full_keeps_the_numbers(command, tmp_path, monkeypatch):
+    def full(*given, **named):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(np, "savez_compressed", full)
+    done = command(*JUMP, "tracking=off", code=1)
+    _, result = result_in(tmp_path)
+    assert result["status"] == "error" and result["x_bar"] == pytest.approx(5.38, abs=0.05)
+    assert result["message"] == "No space left on device: the trajectory is not kept"
+    assert "apex" in done.stdout and "Traceback" not in done.stderr
 
 
 def test_an_error_that_is_not_known_is_no_failure(command, tmp_path):
