@@ -14,6 +14,8 @@ from snapjump.checks import ParameterError
 from snapjump.dataset.read import open_dataset
 from snapjump.executor.dask import Dask, DaskExecutor
 
+pytestmark = pytest.mark.processes
+
 SPECIFICATION = small(192, 16)
 
 

@@ -15,6 +15,8 @@ import pytest
 from command_line import free_port
 from records import database_in, runs_in
 
+pytestmark = pytest.mark.processes
+
 LAGS = ("0.02", "0.05", "0.1", "0.15")
 JUMP = ("sim=jump", "accuracy=draft", "figures=false")
 SWEEP = ("-m", *JUMP, "design.delta_alpha=" + ",".join(LAGS))

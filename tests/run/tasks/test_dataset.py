@@ -68,6 +68,7 @@ def check_record(folder: Path, sha256: str) -> None:
     assert {"dataset.png", "status.png"} <= files
 
 
+@pytest.mark.processes
 def test_parts_of_a_sweep_share_a_folder(process, tmp_path):
     sweep = ("-m", *OVERRIDES, *PLAN, "figures=false", "tracking=off", "dataset.path=shared")
     process(

@@ -96,6 +96,7 @@ def check_record(folder: Path, result: dict[str, Any]) -> None:
     assert {"forward_model.safetensors", "curves.csv", "training.png"} <= files
 
 
+@pytest.mark.processes
 def test_a_killed_training_goes_on(command, dataset, tmp_path):
     long = (*SMALL, f"dataset.path={dataset}", "training.epochs=100", "training.patience=100")
     off = ("tracking=off", "figures=false")

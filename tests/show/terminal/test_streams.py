@@ -13,6 +13,8 @@ from small_datasets import OVERRIDES
 
 from snapjump.show.terminal.streams import Unfailing, unfailing_streams
 
+pytestmark = pytest.mark.processes
+
 SCENE = ("sim=cantilever", "tracking=off", "figures=false")
 
 
@@ -66,8 +68,6 @@ def test_a_run_ends_well_whoever_listens(tmp_path, redirected):
 EAGER = f"""
 import runpy, sys
 from snapjump.show.terminal.progress import ProgressBar
-
-pytestmark = pytest.mark.processes
 ProgressBar.__init__.__defaults__ = (None, 0.0, True)
 sys.argv[0] = {str(RUN)!r}
 runpy.run_path(sys.argv[0], run_name="__main__")
