@@ -7,7 +7,7 @@ import sys
 
 import numpy as np
 import pytest
-from command_line import ROOT, RUN, begun, interrupted, result_in
+from command_line import ROOT, RUN, result_in
 
 HEAVY = {"mlflow", "torch", "pytorch_lightning", "pandas", "matplotlib.pyplot"}
 JUMP = ("sim=jump", "contact=logbarrier", "accuracy=draft", "figures=false")
@@ -130,6 +130,7 @@ def test_what_a_run_leaves(command, tmp_path):
         assert word in done.stdout
 
 
+@pytest.mark.processes
 def test_two_runs_never_share_a_folder(tmp_path):
     arguments = [sys.executable, str(RUN), *JUMP, "tracking=off"]
     both = [subprocess.Popen(arguments, cwd=tmp_path) for _ in range(2)]
@@ -188,10 +189,3 @@ def test_an_error_that_is_not_known_is_no_failure(command, tmp_path):
     assert result["status"] == "ok" and result["x_bar"] > 1.0
     assert result["error_estimate_percent"] is None and result["within_tier"] is None
     assert "not known here" in done.stdout
-
-
-def test_ctrl_c_leaves_a_clean_marked_run(tmp_path):
-    # The configuration is written just before the work begins.
-    run = ("accuracy=reference", "tracking=off")
-    interrupted(begun(tmp_path, *run, until="outputs/*/*/config.yaml"))
-    assert result_in(tmp_path)[1]["status"] == "interrupted"

@@ -85,6 +85,7 @@ def test_a_folder_that_another_process_writes_to_is_refused(refusal, tmp_path):
     assert not [file for file in tmp_path.rglob("*") if file.is_file() and file.name != ".lock"]
 
 
+@pytest.mark.processes
 def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(tmp_path):
     # Enough designs that it does not end by itself.
     many = ("plan=latin_hypercube", "plan.count=20000", "dataset.shard_size=16")

@@ -84,6 +84,7 @@ def test_no_finite_samples_no_figures(jump, tmp_path):
         assert figures(result, tmp_path) == []
 
 
+@pytest.mark.compiles
 @pytest.mark.parametrize("scene", ["bounce", "slide"])
 def test_one_node_is_drawn_against_time(scene, tmp_path):
     result = simulate(with_tier("draft", sim=scene))
