@@ -1,7 +1,7 @@
 """Values between the steps of a march, of figures that are known at every step: at a moment, at a
 fall through zero, at a peak."""
 
-from typing import Any
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,13 +14,24 @@ def falls(values: Array) -> NDArray[np.int64]:
     return np.flatnonzero((values[:-1] > 0.0) & (values[1:] <= 0.0))
 
 
-def cubic(times: Array, values: Array, k: int) -> Any:
+def cubic(times: Array, values: Array, k: int) -> Callable[[float], float]:
     """Between steps k and k + 1 the cubic through the four nearest, of the time since step k; at
-    either end the parabola through three."""
-    from scipy.interpolate import BarycentricInterpolator
-
+    either end the parabola through three. Newton's form, by plain numbers: its bits depend neither
+    on the processor nor, as those of scipy's interpolators may, on chance."""
     near = slice(max(0, k - 1), k + 3)
-    return BarycentricInterpolator(times[near] - times[k], values[near])
+    nodes, differences = (times[near] - times[k]).tolist(), values[near].tolist()
+    for order in range(1, len(nodes)):
+        for i in range(len(nodes) - 1, order - 1, -1):
+            rise = differences[i] - differences[i - 1]
+            differences[i] = rise / (nodes[i] - nodes[i - order])
+
+    def value(moment: float) -> float:
+        found: float = 0.0
+        for node, difference in zip(nodes[::-1], differences[::-1], strict=True):
+            found = difference + (moment - node) * found
+        return found
+
+    return value
 
 
 def crossing(times: Array, values: Array, which: int = 0) -> float:

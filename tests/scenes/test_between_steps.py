@@ -41,3 +41,10 @@ def test_the_largest_peak_may_lie_beside_another_step_than_the_largest():
     assert np.argmax(values) == 3 and values[3] < 1.004
     assert peak(times, values) == pytest.approx(1.0 + 0.002 * (1.5 + 2.0 * np.pi), abs=3e-3)
     assert peak(times, values) > 1.01
+
+
+def test_the_same_bits_every_time():
+    """scipy's interpolator takes its nodes in an order by chance."""
+    times = np.array([0.0, 0.1, 0.23, 0.31])
+    found = {at(times, np.sin(7.0 * times), 0.17) for _ in range(50)}
+    assert len(found) == 1
