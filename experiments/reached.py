@@ -13,7 +13,7 @@ import numpy as np
 from snapjump.batch import simulate_designs
 from snapjump.composition import with_tier
 from snapjump.inverse.physics import PhysicsOptions
-from snapjump.learning.forward_model import open_forward_model
+from snapjump.learning.forward_model import ForwardModel, open_forward_model
 from snapjump.plan.base import stretched
 from snapjump.targets.answer import answer
 from snapjump.targets.design import problem_of
@@ -45,16 +45,16 @@ def main() -> None:
     print(json.dumps({**told, "edges": told_of(forward, hidden)}, indent=2))
 
 
-def told_of(forward: object, hidden: np.ndarray) -> dict[str, float]:
+def told_of(forward: ForwardModel, hidden: np.ndarray) -> dict[str, float]:
     """How many targets of hidden designs (N, 4) were not reached, and what the search cost."""
     base, method = with_tier("standard"), PhysicsOptions()
     targets = simulate_designs(base, hidden).apexes
-    warm_up(base, forward, method)  # type: ignore[arg-type]
+    warm_up(base, forward, method)
     found = []
     for k, (target, design) in enumerate(zip(targets, hidden, strict=True)):
         environment = replace(base.environment, mass_bar=float(design[2]), mu=float(design[3]))
         robot = replace(base, environment=environment)
-        found.append(answer(problem_of(robot, target, forward, forward, k), method))  # type: ignore[arg-type]
+        found.append(answer(problem_of(robot, target, forward, forward, k), method))
     misses = [one.solutions[0].miss_bar(one.problem.target) for one in found]
     return {
         "targets": len(found),

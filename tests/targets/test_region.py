@@ -38,34 +38,11 @@ def test_its_area_and_its_boundary_which_belongs_to_it():
     assert found.outline().area == pytest.approx(area, rel=1e-9)
 
 
-def test_the_nearest_apex_and_its_design():
-    found = region()
-    # Above: straight down. To the right: at a right angle to the line through the origin.
-    controls, apex = found.nearest(np.array([5.0, HIGH + 3.0]))
-    np.testing.assert_allclose(apex, [5.0, HIGH], atol=1e-9)
-    np.testing.assert_allclose(controls, [5.0 / HIGH / SLOPE, 0.3], atol=1e-9)
-    along = np.array([RIGHT, 1.0]) / np.hypot(RIGHT, 1.0)
-    edge = 14.0 * along
-    controls, apex = found.nearest(edge + 2.0 * np.array([along[1], -along[0]]))
-    np.testing.assert_allclose(apex, edge, atol=1e-9)
-    np.testing.assert_allclose(controls, [0.19, edge[1] / HEIGHT], atol=1e-9)
-
-
 def test_a_folded_map_is_counted_once():
     """Its area is that of the half beyond the fold."""
     half = 0.5 * 40.0 * 0.09**2 * (HIGH**2 - LOW**2)
     found = region(81, MadeUpModel(folded)).outline()
     assert found.area == pytest.approx(half, rel=1e-3)
-
-
-def test_a_map_onto_a_line():
-    def line(designs: np.ndarray) -> np.ndarray:
-        return np.stack([0.0 * designs[:, 1], HEIGHT * designs[:, 1]], axis=1)
-
-    found = region(5, MadeUpModel(line))
-    controls, apex = found.nearest(np.array([3.0, 12.0]))
-    np.testing.assert_allclose(apex, [0.0, 12.0], atol=1e-9)
-    assert controls[1] == pytest.approx(0.2)
 
 
 def test_an_apex_that_is_missing_leaves_a_hole_at_the_edge():
