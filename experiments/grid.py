@@ -5,7 +5,6 @@ object with its time, memory and what became of the jumps.
 the same folder it continues there, and its time is then that of the rest.
 """
 
-import os
 import resource
 import subprocess
 import sys
@@ -15,6 +14,7 @@ from typing import Any
 
 from experiments.command import measured
 from snapjump.dataset.read import open_dataset
+from snapjump.files.cores import own_cores
 
 RELEASED_SECONDS = 26.0  # of one core for a jump of the released program, at its least
 RUN = Path(__file__).resolve().parents[1] / "run.py"
@@ -29,7 +29,7 @@ def report(*overrides: str, tier: str = "standard", path: str = "") -> dict[str,
     subprocess.run(command, check=True, cwd=RUN.parent)
     wall_seconds = time.perf_counter() - begun
     dataset = open_dataset(folder)
-    cores = len(os.sched_getaffinity(0))
+    cores = len(own_cores())
     rate = dataset.rows / wall_seconds / cores
     return {
         "tier": tier,

@@ -13,9 +13,9 @@ import numpy as np
 from experiments.claims.judge import JUDGED, SECOND, TRUTH, drawn, judged
 from experiments.claims.robots import KINDS
 from experiments.command import measured
-from snapjump.backend.lanes import available_cores
 from snapjump.checks import check_integer
 from snapjump.files.atomic import write_text
+from snapjump.files.cores import own_cores
 from snapjump.run.tasks.publish import replaced
 from snapjump.show.terminal.block import markdown_table
 
@@ -23,7 +23,7 @@ BLOCK = "claims"
 
 
 def report(
-    robots: int = 300, seed: int = 1, threads: int = available_cores(), table: str = ""
+    robots: int = 300, seed: int = 1, threads: int = len(own_cores()), table: str = ""
 ) -> dict[str, Any]:
     """Rows by kind of robots and tier; ``table``: a Markdown file with the block to replace."""
     check_integer("--robots", robots, 1, 100_000)

@@ -15,11 +15,11 @@ from experiments.grid import RELEASED_SECONDS
 from experiments.scaling.measure import measure
 from experiments.scaling.split import split
 from experiments.scaling.table import page
-from snapjump.backend.lanes import available_cores
 from snapjump.batch import variants
 from snapjump.checks import check_integer
 from snapjump.composition import with_tier
 from snapjump.files.atomic import write_text
+from snapjump.files.cores import own_cores
 from snapjump.scenes.jump_start import jump_model
 from snapjump.statics.threshold_curve import ThresholdCurve
 
@@ -31,7 +31,7 @@ def report(
     tier: str = "standard",
     designs: int = 256,
     repeats: int = 5,
-    threads: int = available_cores(),
+    threads: int = len(own_cores()),
     table: str = "",
 ) -> dict[str, Any]:
     """All figures; ``table``: a Markdown file to write as well."""

@@ -1,16 +1,8 @@
 """``backend=lanes``: robots side by side in the lanes of SIMD instructions, in several threads."""
 
-import os
-
 from snapjump.backend.base import MOST_THREADS, WIDTHS, BackendOptions
 from snapjump.declare.fields import choice, integer
-
-
-def available_cores() -> int:
-    """The cores that this process may use."""
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
+from snapjump.files.cores import own_cores
 
 
 class LanesBackend(BackendOptions):
@@ -22,4 +14,4 @@ class LanesBackend(BackendOptions):
 
     @property
     def thread_count(self) -> int:
-        return available_cores() if self.threads is None else self.threads
+        return len(own_cores()) if self.threads is None else self.threads

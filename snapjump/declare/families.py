@@ -7,6 +7,7 @@ that module's ``of_numbers`` makes.
 """
 
 from collections.abc import Mapping
+from functools import lru_cache
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -31,10 +32,15 @@ def numbers_alone(family: str) -> bool:
 
 def files_in(family: str) -> dict[str, Path]:
     """The file of every member that is loaded: its module, or its numbers."""
+    return dict(_listed(family, tuple(import_module(f"snapjump.{family}").__path__)))
+
+
+@lru_cache
+def _listed(family: str, folders: tuple[str, ...]) -> dict[str, Path]:
     patterns = ("*.yaml", "*.py") if numbers_alone(family) else ("*.py",)
     found = {
         path.stem: path
-        for folder in import_module(f"snapjump.{family}").__path__
+        for folder in folders
         for pattern in patterns
         for path in sorted(Path(folder).glob(pattern))
     }

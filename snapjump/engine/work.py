@@ -4,7 +4,9 @@ In Python a part is an array of it, lanes last. In kernels the whole is one valu
 (:mod:`snapjump.engine.view`), and a part an array of numbers: doubles, lanes or duals.
 """
 
+import math
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -88,14 +90,8 @@ class Memory(NamedTuple):
             return getattr(self, WINDOWS[name])[HALF_BANDWIDTH:-HALF_BANDWIDTH]
         if name not in FIELDS:
             raise AttributeError(name)
-        begin = 0
-        for field, shape in FIELDS.items():
-            extents = extents_of(shape, self.sizes)
-            count = int(np.prod(extents, dtype=int))
-            if field == name:
-                break
-            begin += count
-        return self.block[begin : begin + count].reshape(*extents, self.block.shape[1])
+        begin, end, extents = places_of(self.sizes)[name]
+        return self.block[begin:end].reshape(*extents, self.block.shape[1])
 
 
 def extents_of(shape: Shape, sizes: Any) -> list[Any]:
@@ -103,9 +99,21 @@ def extents_of(shape: Shape, sizes: Any) -> list[Any]:
     return [getattr(sizes, extent) if isinstance(extent, str) else extent for extent in shape]
 
 
+@lru_cache
+def places_of(sizes: Sizes) -> dict[str, tuple[int, int, list[int]]]:
+    """Where each part begins and ends in the block, and its extents."""
+    places, begin = {}, 0
+    for name, shape in FIELDS.items():
+        extents = extents_of(shape, sizes)
+        end = begin + math.prod(extents)
+        places[name] = begin, end, extents
+        begin = end
+    return places
+
+
 def count_of(fields: dict[str, Shape], sizes: Sizes) -> int:
     """Numbers of so many parts together."""
-    return int(sum(np.prod(extents_of(shape, sizes), dtype=int) for shape in fields.values()))
+    return sum(math.prod(extents_of(shape, sizes)) for shape in fields.values())
 
 
 def sizes_of(

@@ -1,11 +1,11 @@
 """The contract of an executor: does pieces of work, here or elsewhere, and hands back answers."""
 
-import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, Self
 
 from snapjump.declare.fields import Part, required
 from snapjump.declare.scenes import Progress
+from snapjump.files.cores import own_cores
 
 Job = Mapping[str, Any]  # plain JSON, since it may travel
 Answer = dict[str, Any]  # likewise
@@ -28,7 +28,7 @@ class Executor:
     @property
     def cores(self) -> int:
         """Processor cores that work at once."""
-        return len(os.sched_getaffinity(0))
+        return len(own_cores())
 
     @property
     def at_once(self) -> int:

@@ -1,7 +1,6 @@
 """``executor=dask``: jobs on the workers of a dask.distributed scheduler, wherever these are."""
 
 import logging
-import os
 import platform
 import re
 import signal
@@ -18,6 +17,7 @@ from snapjump.deadline import within
 from snapjump.declare.fields import integer, number
 from snapjump.declare.scenes import Progress
 from snapjump.executor.base import Answer, Executor, ExecutorOptions, Job, Work
+from snapjump.files.cores import own_cores
 from snapjump.files.notice import notice
 from snapjump.files.sources import combined_hash, package_files
 
@@ -133,7 +133,7 @@ class DaskExecutor(Executor):
     def cores(self) -> int:
         """Cores of the workers that are there now, each machine's counted once."""
         machines: dict[str, set[int]] = {}
-        for machine, cores in self._client.run(own_cores).values():
+        for machine, cores in self._client.run(cores_here).values():
             machines.setdefault(machine, set()).update(cores)
         return max(1, sum(len(cores) for cores in machines.values()))
 
@@ -145,7 +145,7 @@ class DaskExecutor(Executor):
     def threads(self) -> int | None:
         if self.scheduler is not None:
             return None
-        return max(1, len(os.sched_getaffinity(0)) // self.workers)
+        return max(1, len(own_cores()) // self.workers)
 
     def answers(self, work: Work, jobs: Sequence[Job], progress: Progress) -> Iterator[Answer]:
         from distributed import CancelledError, wait
@@ -189,9 +189,9 @@ def dask_setup(worker: Any) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
-def own_cores() -> tuple[str, list[int]]:
+def cores_here() -> tuple[str, list[int]]:
     """The machine and the cores of the process that this runs in."""
-    return platform.node(), sorted(os.sched_getaffinity(0))
+    return platform.node(), own_cores()
 
 
 class Dask(ExecutorOptions):

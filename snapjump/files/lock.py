@@ -1,10 +1,11 @@
 """A lock between processes that ends with the process that holds it."""
 
-import fcntl
 import os
 from contextlib import suppress
 from pathlib import Path
 from typing import IO
+
+from snapjump.files.flock import lock_file
 
 
 class FileLock:
@@ -13,7 +14,7 @@ class FileLock:
 
     def __init__(self, path: Path, shared: bool = False):
         self.path = path
-        self._kind = fcntl.LOCK_SH if shared else fcntl.LOCK_EX
+        self._shared = shared
         self._file: IO[str] | None = None
 
     def acquire(self, wait: bool = True) -> bool:
@@ -22,7 +23,7 @@ class FileLock:
         while True:
             file = open(self.path, "a+")  # a network's file system lets only readers share
             try:
-                fcntl.flock(file, self._kind if wait else self._kind | fcntl.LOCK_NB)
+                lock_file(file, self._shared, wait)
             except BaseException as error:
                 file.close()
                 if isinstance(error, BlockingIOError):

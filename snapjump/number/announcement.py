@@ -1,32 +1,38 @@
-"""Telling the user when kernels are compiled: once after installation, and it takes a while."""
+"""Telling the user which kernels are being compiled, how far that is, and about how long it takes.
 
-import threading
-from typing import Any
+Once for a choice of modules: they are kept on disk. What takes less than a second is not told.
+"""
+
+from typing import NamedTuple
 
 from snapjump.files.notice import notice
-from snapjump.number.once import one_process_compiles
-
-TYPICAL_SECONDS = 15
-PATIENCE_SECONDS = 2.0  # longer than loading a compiled kernel from disk takes
 
 
-def load(kernel: Any, *args: Any, typical_seconds: int = TYPICAL_SECONDS) -> None:
-    """Call a numba function, announcing on stderr that it is being compiled if that takes time.
+class Stage(NamedTuple):
+    """A program that takes long to compile: what it does, and typical seconds of a core."""
 
-    Of several processes that need it one compiles, and the others wait for that.
-    Meant for a first call that does no work, so that compilation is not timed as simulation.
-    """
-    before = len(kernel.signatures)
+    does: str
+    seconds: int
 
-    def announce() -> None:
-        if len(kernel.signatures) == before:
-            notice(f"compiling kernels, once, about {typical_seconds} s ...")
 
-    timer = threading.Timer(PATIENCE_SECONDS, announce)
-    timer.daemon = True
-    timer.start()
-    try:
-        with one_process_compiles(kernel, *args):
-            kernel(*args)
-    finally:
-        timer.cancel()
+# In the order in which a jump needs them.
+STAGES = {
+    "equilibrate": Stage("equilibria of the arch", 4),
+    "find_starts": Stage("starts", 4),
+    "march": Stage("time loop", 8),
+}
+OTHERS = {
+    "differentiate_starts": Stage("derivatives of starts", 15),
+    "cuda": Stage("programs of the card", 30),
+}
+
+
+def announce(program: str, waiting: bool = False) -> None:
+    """Say that a program is going to be compiled, or that another process is at it."""
+    stage = STAGES.get(program) or OTHERS.get(program)
+    if stage is None:
+        return
+    place = list(STAGES).index(program) + 1 if program in STAGES else None
+    number = f"{place} of {len(STAGES)}, " if place else ""
+    how = "by another process" if waiting else f"about {stage.seconds} s"
+    notice(f"compiling kernels, once for these modules: {number}{stage.does}, {how} ...")

@@ -19,6 +19,7 @@ from numba.core.caching import CompileResultCacheImpl, FunctionCache, NullCache
 from snapjump.files import sources
 from snapjump.files.kept_hashes import cache_root
 from snapjump.files.notice import notice
+from snapjump.number.announcement import announce
 from snapjump.number.old_kernels import remove_old, use
 
 KERNEL_PACKAGES = (
@@ -102,15 +103,27 @@ class KernelCache(FunctionCache):
         def get_disambiguator(self) -> str:
             return ""  # a module has no two of one name
 
-    def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """The program for a signature; None if there is none that can be read."""
+    def holds(self, sig: Any, target_context: Any) -> bool:
+        """Whether there is a program for a signature."""
         try:
-            return super().load_overload(sig, target_context)
+            key = self._index_key(sig, target_context.codegen())
+            return key in self._cache_file._load_index()
+        except Exception:  # half a file
+            return False
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """The program for a signature; None if there is none that can be read, which is told,
+        since it is compiled next."""
+        found = None
+        try:
+            found = super().load_overload(sig, target_context)
         except Exception:
             # Half a file, after the machine went down: its index would stay in the way.
             with suppress(OSError):
                 self.flush()
-            return None
+        if found is None:
+            announce(self._py_func.__name__)
+        return found
 
     def save_overload(self, sig: Any, data: Any) -> None:
         """Keep a program, or tell why that cannot be: the disk is full, or may not be written."""

@@ -1,6 +1,5 @@
 """Removing compiled kernels that nobody has used for long: each edit of a kernel leaves some."""
 
-import fcntl
 import os
 import re
 import shutil
@@ -8,6 +7,8 @@ import time
 from contextlib import suppress
 from pathlib import Path
 from typing import IO
+
+from snapjump.files.flock import lock_file
 
 NAME = re.compile("kernels-[0-9a-f]{16}")
 OLD_S = 30 * 24 * 3600.0
@@ -24,7 +25,7 @@ def use(folder: Path) -> None:
         os.utime(folder)
         if folder not in _held:
             _held[folder] = open(folder / LOCK, "a")
-            fcntl.flock(_held[folder], fcntl.LOCK_SH)  # waits for who is removing it
+            lock_file(_held[folder], shared=True)  # waits for who is removing it
 
 
 def remove_old(folder: Path) -> None:
@@ -42,5 +43,5 @@ def _is_old(folder: Path) -> bool:
 
 def _remove_unused(folder: Path) -> None:
     with open(folder / LOCK, "a") as file:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        lock_file(file, wait=False)
         shutil.rmtree(folder, ignore_errors=True)

@@ -17,7 +17,7 @@ from snapjump.engine.recorder.none import NoRecorder
 from snapjump.engine.step import Method
 from snapjump.engine.work import Sizes, make_memory, sizes_of
 from snapjump.frame.base import NO_MESH
-from snapjump.number.announcement import load
+from snapjump.number.once import load
 from snapjump.scenes.crew import Worker, run_crew
 from snapjump.units import Scales
 

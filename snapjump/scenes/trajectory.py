@@ -4,19 +4,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.discretization.base import ROTARY_INERTIA
-from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clamp.constant_rate import time_turned
-from snapjump.engine.energies import elastic_energies
 from snapjump.engine.model import Model, numbers_of
-from snapjump.engine.points import (
-    Touch,
-    friction_force,
-    normal_force,
-    point_at,
-    point_count,
-    share_of,
-)
+from snapjump.engine.points import point_count
+from snapjump.engine.read_out import CORNERS, Readings, read_states
 from snapjump.engine.recorder.trajectory import TrajectoryRecorder
 from snapjump.frame.base import Mesh
 from snapjump.scenes.ground_impulse import impulse_arrays
@@ -47,40 +39,47 @@ def trajectory_arrays(march: March, recorder: TrajectoryRecorder) -> dict[str, A
     stride = model.discretization.node_dofs()
     nodes, speeds = states[:, dofs:], velocities[:, dofs:]
     begun = time_turned(model.clamp) if model.clamp.rate else 0.0
-    angles = [model.clamp.angles(t) for t in times]
+    readings = read(march, times, states, velocities)
     arrays = {
         "time_s": (times + begun) * scales.time_s,
         "node_x_m": nodes[:, 0::stride] * scales.length_m,
         "node_y_m": nodes[:, 1::stride] * scales.length_m,
         "node_vx_m_s": speeds[:, 0::stride] * scales.velocity_m_s,
         "node_vy_m_s": speeds[:, 1::stride] * scales.velocity_m_s,
-        "clamp_left_rad": np.array([float(a.left) for a in angles]),
-        "clamp_right_rad": np.array([float(a.right) for a in angles]),
+        "clamp_left_rad": readings.angles[:, 0].copy(),
+        "clamp_right_rad": readings.angles[:, 1].copy(),
     }
     if dofs:
-        arrays |= frame_arrays(march, states, velocities)
+        arrays |= frame_arrays(march, states, velocities, readings)
     if model.contact.exists():
-        arrays |= contact_arrays(march, states, velocities)
+        arrays |= contact_arrays(march, states, readings)
         arrays |= impulse_arrays(march, times, states, velocities)
-    arrays |= energy_arrays(march, times, states, velocities, works)
+    arrays |= energy_arrays(march, states, velocities, works, readings)
     return arrays
 
 
-def frame_arrays(march: March, states: Array, velocities: Array) -> dict[str, Array]:
+def read(march: March, times: Array, states: Array, velocities: Array) -> Readings:
+    """What is read off states and velocities (S, D) at times (S) of a march's first robot."""
+    model, masses, mesh = march.models[0], march.masses, march.mesh
+    points = point_count(model, masses, mesh)
+    shapes = ((), (), (2,), (4,), (CORNERS, 2), (points,), (points,), (points,))
+    readings = Readings(*(np.zeros((len(times), *shape)) for shape in shapes))
+    read_states(model, numbers_of(model), masses, mesh, times, states, velocities, readings)
+    return readings
+
+
+def frame_arrays(
+    march: March, states: Array, velocities: Array, readings: Readings
+) -> dict[str, Array]:
     """Pose of the frame, its corners, and the centre of mass of frame and beam."""
-    model, mesh, masses = march.models[0], march.mesh, march.masses
     scales = march.scales
-    rows = list(zip(states, velocities, strict=True))
-    boxes = [model.frame.box(mesh, q, v) for q, v in rows]
-    angle = np.unwrap([np.arctan2(float(b.sine), float(b.cosine)) for b in boxes])
-    x, y, vx, vy = centre_of_mass(model, masses, mesh, states.T, velocities.T)
-    corners = np.array(
-        [[model.frame.corner_point(mesh, k, q, v)[:2] for k in range(4)] for q, v in rows]
-    )
+    x, y, vx, vy = centre_of_mass(march.models[0], march.masses, march.mesh, states.T, velocities.T)
+    frame_x, frame_y, sine, cosine = readings.pose.T
+    corners = readings.corners
     return {
-        "frame_x_m": np.array([b.x for b in boxes]) * scales.length_m,
-        "frame_y_m": np.array([b.y for b in boxes]) * scales.length_m,
-        "frame_angle_rad": angle,
+        "frame_x_m": frame_x * scales.length_m,
+        "frame_y_m": frame_y * scales.length_m,
+        "frame_angle_rad": np.unwrap(np.arctan2(sine, cosine)),
         "corner_x_m": corners[:, :, 0] * scales.length_m,
         "corner_y_m": corners[:, :, 1] * scales.length_m,
         "com_x_m": x * scales.length_m,
@@ -90,7 +89,7 @@ def frame_arrays(march: March, states: Array, velocities: Array) -> dict[str, Ar
     }
 
 
-def contact_arrays(march: March, states: Array, velocities: Array) -> dict[str, Array]:
+def contact_arrays(march: March, states: Array, readings: Readings) -> dict[str, Array]:
     """Gaps, normal forces and friction (along +x) at the beam's nodes and at the frame's corners.
 
     They are of the samples' instants: what they add up to is no impulse.
@@ -98,19 +97,9 @@ def contact_arrays(march: March, states: Array, velocities: Array) -> dict[str, 
     Slave nodes have no forces; a node of an elastic frame counts to the nearest corner. The forces
     of a constraint are none of the state, and are left out.
     """
-    model, mesh, masses = march.models[0], march.mesh, march.masses
-    scales, frame, nodes = march.scales, model.frame, len(masses)
-    gaps = np.empty((len(states), point_count(model, masses, mesh)))
-    normal, friction = np.zeros_like(gaps), np.zeros_like(gaps)
-    still = Motion(0.0, 0.0, 0.0, 0.0)
-    for row, (state, velocity) in enumerate(zip(states, velocities, strict=True)):
-        for k in range(gaps.shape[1]):
-            point = point_at(model, masses, mesh, k, state, velocity)
-            gaps[row, k] = point.gap
-            if point.gap < model.contact.reach():
-                touch = Touch(point, point, 0.0, share_of(model, masses, mesh, k))
-                normal[row, k] = touch.share * normal_force(model, still, touch)
-                friction[row, k] = -touch.share * friction_force(model, still, touch)
+    model, mesh = march.models[0], march.mesh
+    scales, frame, nodes = march.scales, model.frame, len(march.masses)
+    gaps = readings.gap
     belongs = np.zeros((gaps.shape[1] - nodes, 0))
     arrays = {"node_gap_m": gaps[:, :nodes] * scales.length_m}
     if frame.dofs(mesh):
@@ -119,7 +108,7 @@ def contact_arrays(march: March, states: Array, velocities: Array) -> dict[str, 
         arrays["corner_gap_m"] = np.column_stack(lowest) * scales.length_m
     if model.contact.is_constraint():
         return arrays
-    for name, forces in (("normal", normal), ("friction", friction)):
+    for name, forces in (("normal", readings.normal), ("friction", readings.friction)):
         arrays[f"node_{name}_N"] = forces[:, :nodes] * scales.force_N
         if frame.dofs(mesh):
             arrays[f"corner_{name}_N"] = forces[:, nodes:] @ belongs * scales.force_N
@@ -131,25 +120,13 @@ def nearest_corners(model: Model, mesh: Mesh, state: Array) -> NDArray[np.bool_]
     frame = model.frame
     points = range(frame.contact_points(mesh))
     places = np.array([frame.contact_point(mesh, k, state, state)[:2] for k in points])
-    corners = np.array([frame.corner_point(mesh, k, state, state)[:2] for k in range(4)])
+    corners = np.array([frame.corner_point(mesh, k, state, state)[:2] for k in range(CORNERS)])
     distances = np.linalg.norm(places[:, None] - corners, axis=2)
-    return np.argmin(distances, axis=1)[:, None] == np.arange(4)
-
-
-def stored_contact_energy(march: March, state: Array) -> float:
-    """Energy in the barrier (EI/L)."""
-    model, mesh, masses = march.models[0], march.mesh, march.masses
-    total = 0.0
-    for k in range(point_count(model, masses, mesh)):
-        gap = float(point_at(model, masses, mesh, k, state, state).gap)
-        share = share_of(model, masses, mesh, k)
-        if share > 0.0 and gap < model.contact.reach():
-            total += share * model.contact.energy(gap)
-    return total
+    return np.argmin(distances, axis=1)[:, None] == np.arange(CORNERS)
 
 
 def energy_arrays(
-    march: March, times: Array, states: Array, velocities: Array, works: Array
+    march: March, states: Array, velocities: Array, works: Array, readings: Readings
 ) -> dict[str, Array]:
     """The ledger: stored energies, works and losses since the beginning, in J.
 
@@ -169,12 +146,7 @@ def energy_arrays(
     if dofs:
         along, across = model.frame.moments(mesh, states.T)
         potential = potential + fall * across - tug * along
-    elastic = np.zeros(len(times))
-    if model.discretization.has_elements():
-        elastic_energies(model, numbers_of(model), mesh, times, states, elastic)
-    contact = np.zeros(len(times))
-    if model.contact.exists():
-        contact = np.array([stored_contact_energy(march, q) for q in states])
+    elastic, contact = readings.elastic, readings.contact
     stored = elastic + kinetic + potential + contact
     friction, damping, clamps, impacts = works.T
     numerical = stored[0] + clamps - friction - damping - impacts - stored

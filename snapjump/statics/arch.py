@@ -58,7 +58,8 @@ class StaticArch:
     """The beam in a fixed frame. Raises ArithmeticError where Newton's method fails.
 
     ``negative_pivots`` and ``accuracy`` (L) are those of the equilibrium that was solved for last;
-    ``rounding`` (EI/L^2) is what rounding may leave of any residual.
+    ``rounding`` (EI/L^2) is what rounding may leave of any residual. ``state``, ``gradient`` and
+    ``band`` are the memory of what was solved for or evaluated last.
     """
 
     def __init__(self, robot: Robot, discretization: Any, epsilon: float):
@@ -74,6 +75,9 @@ class StaticArch:
         self.negative_pivots, self.accuracy = 0, 0.0
         model = self._model(0.0, 0.0)
         self.memory = make_memory(sizes_of(model, len(self.masses)))
+        self.state: Array = self.memory.state[:, 0]
+        self.gradient: Array = self.memory.residual[self.free, 0]
+        self.band: Array = self.memory.band[self.free, :, 0]
 
     def _model(self, left: float, right: float) -> Model:
         return Model(self.rod, self.frame, ConstantRate(left, 10.0, 1.0, left - right))
@@ -91,7 +95,7 @@ class StaticArch:
         self, state: Array, left: float, right: float, iterate: bool
     ) -> tuple[float, float, bool]:
         model = self._model(left, right)
-        self.memory.state[:, 0] = state
+        self.state[:] = state
         return equilibrate(model, numbers_of(model), self.masses, self.memory, iterate)
 
     def solve_equilibrium(self, state: Array, left: float, right: float) -> Array:
@@ -100,7 +104,7 @@ class StaticArch:
         if failed:
             raise ArithmeticError(f"no equilibrium found at clamp angles {left:g}, {right:g} rad")
         self.negative_pivots, self.accuracy = int(negative), float(accuracy)
-        return self.memory.state[:, 0].copy()
+        return self.state.copy()
 
     def flat(self, delta_alpha: float = 0.0, upward: bool = True) -> Array:
         """The equilibrium between a flat left clamp and a right one at -delta_alpha (rad)."""
@@ -131,11 +135,11 @@ class StaticArch:
     def residual(self, state: Array, left: float, right: float) -> Array:
         """Gradient of the energy with respect to the free coordinates."""
         self._run(state, left, right, False)
-        return self.memory.residual[self.free, 0].copy()
+        return self.gradient.copy()
 
     def tangent_band(self) -> Array:
         """Tangent (lower band, (free, 6)) of the last state that was solved for or evaluated."""
-        return np.ascontiguousarray(self.memory.band[self.free, :, 0])
+        return np.ascontiguousarray(self.band)
 
     def stability(self) -> tuple[float, float, int]:
         """Smallest eigenvalue of the last tangent, what rounding makes of it, and the number of

@@ -71,7 +71,7 @@ class Branch:
         direction /= math.sqrt(dot(direction, direction))
         if dot(direction, towards) < 0.0:
             direction = -direction
-        state = self.arch.memory.state[:, 0].copy()
+        state = self.arch.state.copy()
         return Point(state, left, *self.arch.stability(), direction)
 
     def point(self, state: Array, left: float, towards: Array | None = None) -> Point:

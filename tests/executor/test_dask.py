@@ -13,6 +13,7 @@ from small_datasets import BACKEND, OVERRIDES, generated, small
 from snapjump.checks import ParameterError
 from snapjump.dataset.read import open_dataset
 from snapjump.executor.dask import Dask, DaskExecutor
+from snapjump.files.cores import own_cores
 
 pytestmark = pytest.mark.processes
 
@@ -100,6 +101,6 @@ def test_without_the_package_it_says_what_to_install(monkeypatch):
 
 
 def test_workers_here_share_the_cores():
-    cores = len(os.sched_getaffinity(0))
+    cores = len(own_cores())
     assert DaskExecutor(None, 1).threads == cores
     assert DaskExecutor(None, 10 * cores).threads == 1

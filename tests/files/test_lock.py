@@ -1,5 +1,6 @@
 """Locks between processes."""
 
+import os
 import subprocess
 import sys
 import threading
@@ -59,3 +60,25 @@ def test_a_shared_lock_is_shared_with_others_that_share_it(tmp_path):
     assert alone.acquire(wait=False)
     assert not first.acquire(wait=False)
     alone.release()
+
+
+WITHOUT = """
+import sys
+sys.modules["fcntl"] = None  # as on Windows
+import os
+del os.sched_getaffinity
+from pathlib import Path
+from snapjump.files.lock import FileLock
+with FileLock(Path(sys.argv[1])) as lock:
+    assert FileLock(Path(sys.argv[1])).acquire(wait=False)
+import snapjump
+from snapjump.executor.local import Local
+from snapjump.number import once, old_kernels
+print(Local().executor().cores, snapjump.simulate_jump(accuracy="draft").status)
+"""
+
+
+def test_a_system_without_posix_locks_works_without(tmp_path):
+    command = [sys.executable, "-c", WITHOUT, str(tmp_path / "x.lock")]
+    run = subprocess.run(command, capture_output=True, text=True)
+    assert run.stdout.split() == [str(os.cpu_count()), "ok"], run.stderr

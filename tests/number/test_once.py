@@ -3,10 +3,12 @@
 import os
 import subprocess
 import sys
-import time
 
 import pytest
 
+from snapjump.engine import march
+from snapjump.engine.differentiate_start import differentiate_starts
+from snapjump.engine.equilibrate import equilibrate
 from snapjump.number import announcement, once
 from snapjump.number.once import one_process_compiles
 from snapjump.statics.resting_gap import resting_gap
@@ -15,7 +17,7 @@ COMPILE = """
 import sys
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.statics.resting_gap import resting_gap
-from snapjump.number.announcement import load
+from snapjump.number.once import load
 print("ready", flush=True)
 sys.stdin.read()
 load(resting_gap, LogBarrier.Law(1.0, 1.0, 1.0), 1.0, 1.0)
@@ -45,26 +47,33 @@ def test_the_lock_is_free_after_a_failure(tmp_path, monkeypatch):
     assert len(list((tmp_path / "compiling").iterdir())) == 1
 
 
-class Kernel:
-    """Takes its time, before or after it has been compiled."""
-
-    def __init__(self, seconds, compiled_at_once=False):
-        self.seconds, self.compiled_at_once = seconds, compiled_at_once
-        self.signatures, self.calls = [], []
-
-    def __call__(self, *args):
-        self.calls.append(args)
-        if self.compiled_at_once:
-            self.signatures.append(args)
-        time.sleep(self.seconds)
+def test_what_takes_long_is_announced_with_its_place(capsys):
+    announcement.announce("find_starts")
+    told = capsys.readouterr().err
+    assert told.startswith("compiling kernels") and "2 of 3, starts, about" in told
+    announcement.announce("find_starts", waiting=True)
+    assert "by another process" in capsys.readouterr().err
+    announcement.announce("resting_gap")
+    assert capsys.readouterr().err == ""
 
 
-def test_only_a_long_compilation_is_announced(monkeypatch, capsys):
-    monkeypatch.setattr(announcement, "PATIENCE_SECONDS", 0.05)
-    slow = Kernel(0.3)
-    announcement.load(slow, 1, 2)
-    assert "compiling kernels, once" in capsys.readouterr().err
-    assert slow.calls == [(1, 2)]
-    for silent in (Kernel(0.0), Kernel(0.3, compiled_at_once=True)):
-        announcement.load(silent, 1)
-        assert capsys.readouterr().err == ""
+def test_the_announced_programs_are_there():
+    programs = (equilibrate, march.find_starts, march.march, differentiate_starts)
+    told = {*announcement.STAGES, *announcement.OTHERS}
+    assert told - {"cuda"} == {program.__name__ for program in programs}
+
+
+def test_whether_a_call_would_compile(tmp_path):
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
+    code = """
+from snapjump.contact.logbarrier import LogBarrier
+from snapjump.number.once import would_compile
+from snapjump.statics.resting_gap import resting_gap
+arguments = LogBarrier.Law(1.0, 1.0, 1.0), 1.0, 1.0
+print(would_compile(resting_gap, arguments))
+resting_gap(*arguments)
+print(would_compile(resting_gap, arguments))
+"""
+    command = [sys.executable, "-c", code]
+    runs = [subprocess.run(command, env=environment, capture_output=True, text=True) for _ in "12"]
+    assert [run.stdout.split() for run in runs] == [["True", "False"], ["False", "False"]]

@@ -11,9 +11,7 @@ from snapjump.engine.cuda.availability import simulated
 from snapjump.engine.cuda.kernels import clear
 from snapjump.engine.cuda.plan import GIB, Plan
 from snapjump.engine.cuda.rounding import rounded_as_written
-from snapjump.number.announcement import load
-
-COMPILING_S = 30  # a program for the card, with NVIDIA's compiler
+from snapjump.number.announcement import announce
 
 
 class Program:
@@ -87,7 +85,10 @@ class Card:
 
     def compile(self, kernel: Any, *arguments: Any) -> None:
         """Call a kernel that has nothing to do, telling the user if it is compiled first."""
-        load(Program(kernel, self.plan), *arguments, typical_seconds=COMPILING_S)
+        program = Program(kernel, self.plan)
+        if not program.signatures:
+            announce("cuda")
+        program(*arguments)
         cuda.synchronize()
 
     def run(self, kernel: Any, *arguments: Any) -> None:

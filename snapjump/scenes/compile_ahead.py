@@ -1,0 +1,79 @@
+"""A jump's time loop compiled by a second process, while this one compiles its statics."""
+
+import pickle
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+
+import numpy as np
+
+from snapjump.composition import Simulation
+from snapjump.engine.march import march
+from snapjump.engine.recorder.trajectory import make_recorder
+from snapjump.engine.termination.flight import FlightTermination
+from snapjump.files.cores import own_cores
+from snapjump.number.once import load, would_compile
+from snapjump.scenes.jump_start import composed_model
+from snapjump.scenes.runner import March
+from snapjump.scenes.trajectory import read
+
+HEIGHT_BAR, LIMIT_S = 0.1, 1e-3  # of a robot whose numbers do not matter
+PROGRAM = "import sys; sys.path[:] = {path!r}; from {module} import main; main()"
+
+
+@contextmanager
+def time_loop_compiled_ahead(simulation: Simulation) -> Iterator[None]:
+    """Have a recorded jump's time loop compiled meanwhile, where it is not on disk and there is a
+    second core. Whoever needs it waits for that process, which ends with the block."""
+    process = None
+    if len(own_cores()) > 1 and sys.executable:
+        loop = bare_march(simulation)
+        # A law that is defined in a notebook cannot travel; then it is compiled here, later.
+        with suppress(pickle.PicklingError, AttributeError, TypeError, OSError):
+            if would_compile(march, (*loop.arguments(loop.crew[0]), 0)):
+                process = begun(pickle.dumps(simulation))
+    try:
+        yield
+    finally:
+        if process is not None:
+            process.terminate()
+            process.wait()
+
+
+def begun(simulation: bytes) -> "subprocess.Popen[bytes]":
+    """A process that compiles the time loop of a pickled simulation."""
+    code = PROGRAM.format(path=sys.path, module=__name__)
+    process = subprocess.Popen(
+        [sys.executable, "-c", code],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    assert process.stdin is not None
+    with suppress(BrokenPipeError), process.stdin:
+        process.stdin.write(simulation)
+    return process
+
+
+def main() -> None:
+    """What the second process does: about half of the work."""
+    loop = bare_march(pickle.load(sys.stdin.buffer))
+    load(march, *loop.arguments(loop.crew[0]), 0)
+    read(loop, np.zeros(1), loop.states, loop.states)
+
+
+def bare_march(simulation: Simulation) -> March:
+    """A recorded march of the types of a simulation's jump, whose numbers mean nothing."""
+    model = composed_model(simulation, 0.0, HEIGHT_BAR, LIMIT_S)
+    masses, mesh = simulation.discretization.masses(), simulation.frame.mesh(model.frame)
+    size = model.frame.dofs(mesh) + model.discretization.node_dofs() * len(masses)
+    return March(
+        models=[model],
+        masses=masses,
+        states=np.zeros((1, size)),
+        simulation=simulation,
+        termination=FlightTermination(),
+        recorder=make_recorder(size, 1.0, 1.0),
+        mesh=mesh,
+    )

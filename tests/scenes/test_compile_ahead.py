@@ -1,0 +1,39 @@
+"""A second process compiles a jump's time loop; without one, the first does it all."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+pytestmark = pytest.mark.processes
+
+JUMP = """
+import os, pickle, sys
+from snapjump import simulate_jump
+from snapjump.engine.march import march
+from snapjump.scenes import compile_ahead
+{change}
+jump = simulate_jump(accuracy="draft", discretization={{"elements": 40}})
+found = jump.x_bar, sum(march.stats.cache_hits.values()), sum(march.stats.cache_misses.values())
+print(*found)
+"""
+CHANGES = {
+    "two cores": "",
+    "one core": "os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})",
+    "it dies": "compile_ahead.PROGRAM = 'import sys; sys.exit(1)'",
+    "it cannot travel": "compile_ahead.pickle.dumps = lambda thing: open('/nowhere')",
+}
+
+
+def test_outcomes_are_the_same_whoever_compiles(tmp_path):
+    found = {}
+    for name, change in CHANGES.items():
+        environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path / name)}
+        command = [sys.executable, "-c", JUMP.format(change=change)]
+        run = subprocess.run(command, env=environment, capture_output=True, text=True)
+        assert run.returncode == 0, run.stderr
+        found[name] = run.stdout.split()
+    assert len({x for x, *_ in found.values()}) == 1
+    # On one core the time loop is compiled here, on two it is fetched from disk.
+    assert [found[name][1:] for name in CHANGES] == [["1", "0"], *3 * [["0", "1"]]]
