@@ -14,8 +14,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from experiments.command import measured
 from snapjump.tiers import TIERS
+
+from .command import measured
 
 HERE = Path(__file__).parents[1]
 FIGURES = ("ms_per_jump_core", "newton_iterations", "us_per_newton_iteration")

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from experiments.compositions import Groups, changed
+from .compositions import Groups, changed
 
 PAPER, REFERENCE = "paper", "reference"
 ENDS = (PAPER, REFERENCE)

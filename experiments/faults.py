@@ -19,11 +19,12 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from experiments.command import measured
-from experiments.grid import RUN
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.shard import read_entry
 from snapjump.files.sealed import read_sealed, sha256_of
+
+from .command import measured
+from .grid import RUN
 
 # Of all shards, how many the killed runs may make at most: there is always something left to kill.
 SHARE_BEFORE_KILLS = 0.6

@@ -16,9 +16,6 @@ from typing import Any
 
 import numpy as np
 
-from experiments.command import measured
-from experiments.designs import BASELINE, HIGH, LOW, spread_designs
-from experiments.gpu_traffic import measure
 from snapjump.backend.cuda import CudaBackend
 from snapjump.backend.lanes import LanesBackend
 from snapjump.batch import prepare_designs, variant
@@ -32,6 +29,10 @@ from snapjump.scenes.flight import flight
 from snapjump.scenes.march_outputs import side_by_side
 from snapjump.scenes.runner import MOST_ITERATIONS, March
 from snapjump.statics.threshold_curve import ThresholdCurve
+
+from .command import measured
+from .designs import BASELINE, HIGH, LOW, spread_designs
+from .gpu_traffic import measure
 
 WARP = 32
 COMPRESSIONS = (LOW[1], HIGH[1])

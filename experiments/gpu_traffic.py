@@ -11,8 +11,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from experiments.command import measured
-from experiments.designs import BASELINE
 from snapjump.batch import variant
 from snapjump.composition import Simulation, with_tier
 from snapjump.engine import clock as c
@@ -22,6 +20,9 @@ from snapjump.engine.view import PlainWork
 from snapjump.engine.work import FIELDS, WINDOWS, Memory
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
+
+from .command import measured
+from .designs import BASELINE
 
 CACHES = {"l1": 128, "l1_and_l2": 350}
 

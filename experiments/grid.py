@@ -12,9 +12,10 @@ import time
 from pathlib import Path
 from typing import Any
 
-from experiments.command import measured
 from snapjump.dataset.read import open_dataset
 from snapjump.files.cores import own_cores
+
+from .command import measured
 
 RELEASED_SECONDS = 26.0  # of one core for a jump of the released program, at its least
 RUN = Path(__file__).resolve().parents[1] / "run.py"

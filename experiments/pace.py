@@ -5,9 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import composed
 from snapjump.batch import simulate_designs
 from snapjump.run.studies.base import Row, column
+
+from .compositions import composed
 
 
 def pace_rows(inputs: Mapping[str, Any]) -> list[Row]:

@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 
-from experiments.command import measured
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.discretization.geometrically_exact import GeometricallyExact
@@ -22,6 +21,8 @@ from snapjump.statics.arch import StaticArch
 from snapjump.statics.critical import find_snap
 from snapjump.statics.rounding import LostToRoundingError
 from snapjump.statics.threshold import computed_threshold
+
+from .command import measured
 
 NOISE = 1e-15
 MESHES = (DiscreteElasticRod, Corotational, GeometricallyExact)

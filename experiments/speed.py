@@ -12,13 +12,14 @@ from typing import Any
 
 import numpy as np
 
-from experiments.command import measured
-from experiments.designs import spread_designs
 from snapjump.batch import Batch, simulate_batch, variants
 from snapjump.composition import Simulation, with_tier
 from snapjump.scenes.jump_outputs import ENDED
 from snapjump.simulation import simulate
 from snapjump.tiers import TIERS
+
+from .command import measured
+from .designs import spread_designs
 
 LANES = 8
 NODES = (56, 112, 224, 448)

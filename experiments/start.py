@@ -8,11 +8,12 @@ are saved.
 from dataclasses import replace
 from typing import Any
 
-from experiments.command import measured
-from experiments.designs import spread_designs
-from experiments.errors import relative_errors
 from snapjump.batch import simulate_batch, variants
 from snapjump.composition import with_tier
+
+from .command import measured
+from .designs import spread_designs
+from .errors import relative_errors
 
 SHARES = (0.0, 0.4, 0.7, 0.8, 0.85, 0.88)
 DESIGNS = 16

@@ -7,13 +7,14 @@ both; mesh and steps are finer than any tier's, so that what moves is the model'
 from dataclasses import replace
 from typing import Any
 
-from experiments.command import measured
-from experiments.designs import spread_designs
-from experiments.errors import error_figures, relative_errors
 from snapjump.batch import simulate_batch, variants
 from snapjump.checks import check_integer
 from snapjump.composition import Simulation, with_tier
 from snapjump.tiers import TIERS
+
+from .command import measured
+from .designs import spread_designs
+from .errors import error_figures, relative_errors
 
 WIDE, NARROW = (
     float(TIERS[name].numbers["friction.velocity_threshold_m_s"]) for name in ("standard", "paper")

@@ -9,8 +9,8 @@ import subprocess
 import sys
 import tempfile
 
-from experiments.command import measured
-from experiments.grid import RUN
+from .command import measured
+from .grid import RUN
 
 JUMP = ("sim=jump", "accuracy=draft", "figures=false")
 

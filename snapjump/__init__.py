@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from snapjump.robot.robot import Robot as Robot
     from snapjump.simulation import simulate_jump as simulate_jump
 
+__version__ = "0.1.0"
 _HOMES = {
     "Design": "snapjump.robot.design",
     "Environment": "snapjump.robot.environment",

@@ -3,13 +3,14 @@
 from collections.abc import Mapping
 from typing import Any
 
-from experiments.compositions import composed
 from snapjump.run.studies.base import Row
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch
 from snapjump.statics.critical import Snap, find_snap, start_point
 from snapjump.statics.landmarks import symmetric_fold
 from snapjump.statics.paths import leaning_path, symmetric_path
+
+from ..compositions import composed
 
 NEAR = 0.93  # of the critical angle, from where on steps along a branch are fine
 HALF_WAY = 0.5  # of the critical angle, for the shape of a leaning arch

@@ -3,11 +3,12 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from experiments.arches import exact
-from experiments.compositions import composed
-from experiments.designs import AXES
 from snapjump.run.studies.base import Row
 from snapjump.statics.critical import find_snap
+
+from ..compositions import composed
+from ..designs import AXES
+from . import exact
 
 
 def critical_rows(inputs: Mapping[str, Any]) -> list[Row]:

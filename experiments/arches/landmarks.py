@@ -4,13 +4,14 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from experiments.arches import exact
-from experiments.order import fitted_order
 from snapjump.composition import Simulation
 from snapjump.run.studies.base import Row
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.critical import find_snap
 from snapjump.statics.landmarks import find_landmarks
+
+from ..order import fitted_order
+from . import exact
 
 MISMATCH_RAD = 0.1  # for which there are exact numbers of a beam that stretches
 STRETCHES, RIGID = "stretches", "does not stretch"

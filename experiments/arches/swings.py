@@ -4,8 +4,9 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from experiments.compositions import Groups, changed, composed, groups_at
 from snapjump.composition import Simulation
+
+from ..compositions import Groups, changed, composed, groups_at
 
 RATE_RAD_S = 20.0  # the paper's
 SETTINGS = ("standard", "paper", "undamped", "reference", "undamped reference")

@@ -10,14 +10,15 @@ from typing import Any
 
 import numpy as np
 
-from experiments.claims.judge import JUDGED, SECOND, TRUTH, drawn, judged
-from experiments.claims.robots import KINDS
-from experiments.command import measured
 from snapjump.checks import check_integer
 from snapjump.files.atomic import write_text
 from snapjump.files.cores import own_cores
 from snapjump.run.tasks.publish import replaced
 from snapjump.show.terminal.block import markdown_table
+
+from ..command import measured
+from .judge import JUDGED, SECOND, TRUTH, drawn, judged
+from .robots import KINDS
 
 BLOCK = "claims"
 

@@ -11,8 +11,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from experiments.claims.robots import KINDS, Values
-from experiments.errors import relative_errors
 from snapjump.arrays import Array
 from snapjump.batch import Batch, simulate_batch
 from snapjump.checks import ParameterError
@@ -21,6 +19,9 @@ from snapjump.declare.inputs import with_inputs
 from snapjump.declare.members import make_member
 from snapjump.scenes.jump_start import jump_model
 from snapjump.tiers import TIERS
+
+from ..errors import relative_errors
+from .robots import KINDS, Values
 
 JUDGED = ("draft", "standard", "reference")
 DRAWN_AT = "standard"

@@ -8,11 +8,12 @@ from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 
-from experiments.designs import AXES, spread_designs
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import Input, inputs_of, value_at, with_inputs
 from snapjump.scenes.jump_start import mount_height_bar
+
+from ..designs import AXES, spread_designs
 
 Values = dict[str, float]  # by path
 Draws = Iterator[Values | None]  # without end; None where no robot can be made of them

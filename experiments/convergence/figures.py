@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from experiments.convergence.ladders import Ladder
-from experiments.convergence.verdict import Verdict
-from experiments.styles import label_decades
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import axes_at, picture
+
+from ..styles import label_decades
+from .ladders import Ladder
+from .verdict import Verdict
 
 COLUMNS = 3
 PANEL = (4.3, 4.2)  # inches

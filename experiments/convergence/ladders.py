@@ -6,11 +6,12 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from experiments.compositions import Groups, changed, composed, has_field
 from snapjump.checks import ParameterError
 from snapjump.declare.members import make_member, member_names
 from snapjump.run.studies.base import Row
 from snapjump.scenes.observed import observe_jump
+
+from ..compositions import Groups, changed, composed, has_field
 
 OBSERVABLES = ("snap_time_s", "peak_force_N", "liftoff_speed_m_s", "x_bar", "y_bar")
 COSTS = ("steps", "newton_iterations", "kernel_seconds")

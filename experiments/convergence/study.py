@@ -4,12 +4,13 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from experiments.compositions import composed, groups_of
-from experiments.convergence.figures import draw_ladders
-from experiments.convergence.ladders import OBSERVABLES, Ladder, ladders, observed_row
-from experiments.convergence.verdict import Verdict, judged
 from snapjump.run.studies.base import Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.run.studies.study import Study
+
+from ..compositions import composed, groups_of
+from .figures import draw_ladders
+from .ladders import OBSERVABLES, Ladder, ladders, observed_row
+from .verdict import Verdict, judged
 
 LEVELS = (6, 9)  # quick, full
 FEWEST_LEVELS, MOST_LEVELS = 3, 10

@@ -5,11 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from experiments.convergence.ladders import Ladder
-from experiments.errors import scale_of_x
-from experiments.order import Limit, fitted_order, richardson
 from snapjump.arrays import Array
 from snapjump.run.studies.base import Done, Row
+
+from ..errors import scale_of_x
+from ..order import Limit, fitted_order, richardson
+from .ladders import Ladder
 
 # Errors this close to the reference's own uncertainty say nothing about an order.
 CLEAR = 3.0

@@ -5,13 +5,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from experiments.designs import BASELINE
 from snapjump.batch import simulate_designs, variant
 from snapjump.composition import Simulation
 from snapjump.run.studies.base import Row
 from snapjump.targets.answer import answer
 from snapjump.targets.design import problem_of
 from snapjump.targets.warm_up import warm_up
+
+from ..designs import BASELINE
 
 LIFT_OFF = ("liftoff_x_bar", "liftoff_y_bar", "liftoff_vx_m_s")
 

@@ -8,9 +8,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.stats.qmc import Sobol
 
-from experiments.compositions import composed
-from experiments.designs import COLUMNS
-from experiments.inverse_benchmark.methods import LENGTH_MM, SOLVED_MM, TIERS
 from snapjump.arrays import Array
 from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation
@@ -24,6 +21,10 @@ from snapjump.targets.design import problem_of
 from snapjump.targets.designed import point
 from snapjump.targets.simulator import JumpSimulator
 from snapjump.targets.warm_up import warm_up
+
+from ..compositions import composed
+from ..designs import COLUMNS
+from .methods import LENGTH_MM, SOLVED_MM, TIERS
 
 # Designs about one that missed its target, and the share of the controls' ranges they lie within.
 AROUND, WITHIN = 64, 2.0e-3

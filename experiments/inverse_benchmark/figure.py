@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from experiments.inverse_benchmark.methods import PAPER, TIERS
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import picture
+
+from .methods import PAPER, TIERS
 
 COLOURS = (palette.QUIET, *palette.SERIES)
 LIMITS_MM = (3e-4, 60.0)

@@ -7,8 +7,6 @@ from typing import Any
 import numpy as np
 import shapely
 
-from experiments.compositions import composed
-from experiments.inverse_benchmark.compute import make_problem, opened
 from snapjump.arrays import Array
 from snapjump.composition import Simulation
 from snapjump.inverse.physics import PhysicsOptions
@@ -17,6 +15,9 @@ from snapjump.run.studies.base import Row
 from snapjump.targets.answer import answer
 from snapjump.targets.region import AchievableRegion
 from snapjump.targets.simulator import JumpSimulator
+
+from ..compositions import composed
+from .compute import make_problem, opened
 
 POINTS = 49  # of the simulated grid of controls, per control; mismatches of both signs
 MARGIN = 0.1  # of the region's extent, that targets may lie beyond it

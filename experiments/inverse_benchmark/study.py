@@ -5,14 +5,15 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from experiments.compositions import composed, groups_of
-from experiments.inverse_benchmark.figure import draw_benchmark
-from experiments.inverse_benchmark.methods import METHODS, PAPER
-from experiments.inverse_benchmark.table import readme_block, solved, summary_row, unsolved
 from snapjump.checks import ParameterError, check_integer
 from snapjump.declare.members import make_member, member_group
 from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.run.studies.study import Study
+
+from ..compositions import composed, groups_of
+from .figure import draw_benchmark
+from .methods import METHODS, PAPER
+from .table import readme_block, solved, summary_row, unsolved
 
 # Problems and environments of a cell, which are lost together if it is stopped.
 BLOCK, REGIONS = 10, 2
@@ -49,8 +50,8 @@ class InverseBenchmark(Study):
         return cells + block_cells("region: environments", shared, task["environments"], REGIONS)
 
     def compute(self, cell: Cell) -> list[Row]:
-        from experiments.inverse_benchmark.compute import solve_block
-        from experiments.inverse_benchmark.region import region_rows
+        from .compute import solve_block
+        from .region import region_rows
 
         return solve_block(cell.inputs) if "method" in cell.inputs else region_rows(cell.inputs)
 

@@ -4,9 +4,10 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from experiments.inverse_benchmark.methods import PAPER, SOLVED_MM, TIERS
 from snapjump.run.studies.base import Row, column
 from snapjump.show.terminal.block import markdown_table
+
+from .methods import PAPER, SOLVED_MM, TIERS
 
 
 def summary_row(method: str, rows: Sequence[Row]) -> Row:

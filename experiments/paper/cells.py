@@ -8,8 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import composed
-from experiments.paper.settings import BASELINE, NAMES
 from snapjump.batch import Batch, simulate_designs, variant
 from snapjump.composition import Simulation
 from snapjump.declare.members import member_class
@@ -19,6 +17,9 @@ from snapjump.run.studies.base import Row, column
 from snapjump.scenes import strike
 from snapjump.simulation import simulate
 from snapjump.statics.critical import find_snap
+
+from ..compositions import composed
+from .settings import BASELINE, NAMES
 
 # Results depend on neither: eight lanes are a tier's own program, and a second thread halves time.
 LANES, THREADS = 8, 2

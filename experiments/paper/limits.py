@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import yaml
 
-from experiments.paper.base import Row, verdict
+from .base import Row, verdict
 
 
 class Limit(NamedTuple):

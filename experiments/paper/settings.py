@@ -1,7 +1,7 @@
 """The paper's baseline robot, the ranges about it, and the tiers that it is simulated at."""
 
-from experiments.designs import AXES, BASELINE
-from experiments.designs import COLUMNS as NAMES
+from ..designs import AXES, BASELINE
+from ..designs import COLUMNS as NAMES
 
 __all__ = ["BASELINE", "LABELS", "NAMES", "PLAIN", "RANGES", "SYMBOLS", "TIERS"]
 SYMBOLS = {axis.column: axis.short for axis in AXES}

@@ -6,21 +6,6 @@ from dataclasses import replace
 from datetime import datetime
 from typing import Any
 
-from experiments.compositions import composed, described, groups_of
-from experiments.paper.asymmetry.part import Asymmetry
-from experiments.paper.base import VERDICTS, Part, Statement, statement_rows
-from experiments.paper.bifurcation.part import Bifurcation
-from experiments.paper.causes.part import Causes
-from experiments.paper.designs.part import Designs
-from experiments.paper.forward_model.part import ForwardModels
-from experiments.paper.imperfections.part import Imperfections
-from experiments.paper.influences.part import Influences
-from experiments.paper.limits import limit_rows
-from experiments.paper.regions.part import Regions
-from experiments.paper.released_energy.part import ReleasedEnergy
-from experiments.paper.snaps.part import Snaps
-from experiments.paper.trajectories.part import Trajectories
-from experiments.paper.words import Words
 from snapjump.checks import ParameterError, check_choice
 from snapjump.composition import with_tier
 from snapjump.dataset.specification import first_difference
@@ -31,6 +16,22 @@ from snapjump.run.studies.study import Study
 from snapjump.run.tasks.base import SIMULATION
 from snapjump.show.terminal.block import markdown_table
 from snapjump.tiers import TIERS
+
+from ..compositions import composed, described, groups_of
+from .asymmetry.part import Asymmetry
+from .base import VERDICTS, Part, Statement, statement_rows
+from .bifurcation.part import Bifurcation
+from .causes.part import Causes
+from .designs.part import Designs
+from .forward_model.part import ForwardModels
+from .imperfections.part import Imperfections
+from .influences.part import Influences
+from .limits import limit_rows
+from .regions.part import Regions
+from .released_energy.part import ReleasedEnergy
+from .snaps.part import Snaps
+from .trajectories.part import Trajectories
+from .words import Words
 
 # In the order of the report; a new one is a folder, with its words.md, and a name here.
 PARTS: dict[str, type[Part]] = {

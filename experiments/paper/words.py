@@ -6,8 +6,9 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from experiments.paper.base import Statement, paragraphs, prose
 from snapjump.run.studies.base import Figure, Row, Section, Table
+
+from .base import Statement, paragraphs, prose
 
 
 class Words:

@@ -13,7 +13,7 @@ import sys
 from collections.abc import Mapping
 from importlib import import_module
 
-from experiments.processors.hashes import HASHES
+from .hashes import HASHES
 
 AVX512 = "X86_V4 AVX512F AVX512CD AVX512_SKX AVX512_CLX AVX512_CNL AVX512_ICL AVX512_SPR"
 # Variables of a child process that runs as that processor would.

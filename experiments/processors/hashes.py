@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from experiments.designs import spread_designs
 from snapjump.batch import simulate_designs
 from snapjump.batch.prepare import prepare_designs
 from snapjump.batch.simulate import marches
@@ -21,6 +20,8 @@ from snapjump.statics.arch import StaticArch
 from snapjump.statics.critical import find_snap
 from snapjump.statics.threshold import symmetric_threshold
 from snapjump.statics.threshold_curve import ThresholdCurve
+
+from ..designs import spread_designs
 
 DRAFTS = 64
 LANES = 8

@@ -12,9 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from experiments.designs import COLUMNS, Design
-from experiments.errors import scale_of_x
 from snapjump.arrays import Array
+
+from ..designs import COLUMNS, Design
+from ..errors import scale_of_x
 
 ROWS = Path(__file__).resolve().parents[1] / "data" / "released_rows.csv"
 

@@ -5,8 +5,9 @@ from typing import Any
 
 import yaml
 
-from experiments.compositions import Groups, changed, described
 from snapjump.composition import with_tier
+
+from ..compositions import Groups, changed, described
 
 FILE = Path(__file__).resolve().parents[2] / "conf" / "experiment" / "released.yaml"
 

@@ -8,16 +8,17 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import changed, composed
-from experiments.designs import COLUMNS, LABELS
-from experiments.released import data
-from experiments.released.settings import WITHOUT, converged, released
 from snapjump.batch import simulate_batch, variants
 from snapjump.checks import check_integer
 from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.run.studies.study import Study
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import picture
+
+from ..compositions import changed, composed
+from ..designs import COLUMNS, LABELS
+from . import data
+from .settings import WITHOUT, converged, released
 
 ALL, CONVERGED = "released settings", "converged"
 ALL_OF_THEM = "all quirks on, same rows"

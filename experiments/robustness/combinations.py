@@ -5,9 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from experiments.robustness.fields import one_of
 from snapjump.declare.members import member_class, member_names, members_with
 from snapjump.sim.base import NO_GROUND, WITHOUT_GROUND
+
+from .fields import one_of
 
 Make = Callable[[np.random.Generator], dict[str, Any]]
 

@@ -5,11 +5,12 @@ from pathlib import Path
 
 import numpy as np
 
-from experiments.designs import LABELS
-from experiments.styles import label_decades
 from snapjump.run.studies.base import Row
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import picture
+
+from ..designs import LABELS
+from ..styles import label_decades
 
 PLANES = (("delta_alpha_rad", "epsilon"), ("mass_bar", "mu"))
 COLOURS = {"ok": palette.SKY, "no_jump": palette.CLAMP}

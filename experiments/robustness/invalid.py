@@ -6,12 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from experiments.robustness.combinations import COMBINATIONS
-from experiments.robustness.fields import NOT_FINITE, Field, all_fields, one_of, outside, wrong_type
 from snapjump.checks import ParameterError
 from snapjump.declare.families import FAMILIES
 from snapjump.run.studies.base import REFUSED, Row
 from snapjump.simulation import PLAIN, build
+
+from .combinations import COMBINATIONS
+from .fields import NOT_FINITE, Field, all_fields, one_of, outside, wrong_type
 
 ACCEPTED, CRASHED, UNCLEAR = "accepted", "crashed", "unclear"
 LONGEST_LINE = 400

@@ -6,16 +6,17 @@ from typing import Any
 
 import numpy as np
 
-from experiments.designs import COLUMNS
-from experiments.robustness.figures import draw_designs
-from experiments.robustness.invalid import configuration_row, invalid_configurations
-from experiments.stability.jumps import by_status, jump_rows
-from experiments.stability.rules import RULES, broken
-from experiments.tradeoff.tiers import base_at
 from snapjump.run.studies.base import REFUSED, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.run.studies.study import Study
 from snapjump.scenes.jump_outputs import ENDED
 from snapjump.tiers import TIERS
+
+from ..designs import COLUMNS
+from ..stability.jumps import by_status, jump_rows
+from ..stability.rules import RULES, broken
+from ..tradeoff.tiers import base_at
+from .figures import draw_designs
+from .invalid import configuration_row, invalid_configurations
 
 TIER = "draft"
 # delta_alpha (rad), epsilon, m_bar, mu: the paper's ranges made twice as wide about their middle,

@@ -9,12 +9,6 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from experiments.command import measured
-from experiments.designs import HIGH, LOW, spread_designs
-from experiments.grid import RELEASED_SECONDS
-from experiments.scaling.measure import measure
-from experiments.scaling.split import split
-from experiments.scaling.table import page
 from snapjump.batch import variants
 from snapjump.checks import check_integer
 from snapjump.composition import with_tier
@@ -22,6 +16,13 @@ from snapjump.files.atomic import write_text
 from snapjump.files.cores import own_cores
 from snapjump.scenes.jump_start import jump_model
 from snapjump.statics.threshold_curve import ThresholdCurve
+
+from ..command import measured
+from ..designs import HIGH, LOW, spread_designs
+from ..grid import RELEASED_SECONDS
+from .measure import measure
+from .split import split
+from .table import page
 
 WIDTHS = (1, 4, 8, 16)
 WIDTH = 8

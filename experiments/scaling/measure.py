@@ -8,11 +8,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from experiments.designs import spread_designs
 from snapjump.batch import Batch, simulate_designs
 from snapjump.composition import Simulation
 from snapjump.scenes.jump_outputs import ENDED
 from snapjump.statics.threshold_curve import ThresholdCurve
+
+from ..designs import spread_designs
 
 Setting = tuple[int, int]  # lanes, threads
 

@@ -7,16 +7,17 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import changed, composed
-from experiments.designs import spread_designs
-from experiments.errors import relative_errors
-from experiments.scenes.jumps import Both, contact, end, frame, start, timed
-from experiments.tradeoff.tiers import base_at
 from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.run.studies.study import Study
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import picture
 from snapjump.sim.base import WITHOUT_GROUND
+
+from ..compositions import changed, composed
+from ..designs import spread_designs
+from ..errors import relative_errors
+from ..tradeoff.tiers import base_at
+from .jumps import Both, contact, end, frame, start, timed
 
 TIER = "standard"
 DESIGNS = (16, 64)  # quick, full

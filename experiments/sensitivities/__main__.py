@@ -14,16 +14,17 @@ from typing import Any
 
 import numpy as np
 
-from experiments.command import measured
-from experiments.designs import spread_designs
-from experiments.errors import relative_errors
-from experiments.sensitivities.agreement import frozen_errors, plain_errors
 from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation, with_tier
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.friction.implicit import ImplicitFriction
 from snapjump.statics.threshold_curve import ThresholdCurve
 from snapjump.stepping.adaptive import AdaptiveStep
+
+from ..command import measured
+from ..designs import spread_designs
+from ..errors import relative_errors
+from .agreement import frozen_errors, plain_errors
 
 CORRECTIONS = (1, 2, 3, 6)
 RESOLVED_M_S = 1e-2

@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from experiments.sensitivities import frozen_steps as frozen
 from snapjump.batch import model_derivatives, prepare_designs, simulate_designs
 from snapjump.batch.derivatives import place, threshold_slopes
 from snapjump.batch.prepare import thresholds
@@ -21,6 +20,8 @@ from snapjump.scenes.runner import March
 from snapjump.scenes.sensitivities import record_sensitivities
 from snapjump.statics.threshold import Threshold
 from snapjump.statics.threshold_curve import ThresholdCurve
+
+from . import frozen_steps as frozen
 
 # Of the differences: rounding spoils the small one, a kink of the map within reach the large one.
 STEPS = (1e-5, 3e-6)

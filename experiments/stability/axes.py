@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from experiments.compositions import Groups, changed
-from experiments.designs import BASELINE, Design
 from snapjump.declare.members import members_with
+
+from ..compositions import Groups, changed
+from ..designs import BASELINE, Design
 
 INTEGRATORS = (
     "tr_bdf2", "sdirk2", "esdirk3", "bdf2", "newmark", "generalized_alpha", "implicit_euler",

@@ -5,12 +5,13 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import Groups, changed
-from experiments.errors import percentile
-from experiments.tradeoff.tiers import tier_groups
 from snapjump.arrays import Array
 from snapjump.run.studies.base import Row
 from snapjump.scenes.jump_outputs import ENDED
+
+from ..compositions import Groups, changed
+from ..errors import percentile
+from ..tradeoff.tiers import tier_groups
 
 TIERS = ("draft", "standard")
 FIXED_STEPS = (1e-6, 3e-6, 1e-5, 3e-5, 1e-4)

@@ -6,12 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from experiments.stability.axes import Map
-from experiments.stability.calibration import compared
-from experiments.stability.jumps import by_status
 from snapjump.run.studies.base import Row
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import axes_at, picture
+
+from .axes import Map
+from .calibration import compared
+from .jumps import by_status
 
 # By status: the colour of a cell, and what stands in it.
 STATUSES = {

@@ -5,13 +5,14 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from experiments.compositions import composed
 from snapjump.batch import simulate_batch, variant
 from snapjump.batch.alike import OF_ONE_KIND, SAME
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.run.studies.base import REFUSED, Row
 from snapjump.scenes.jump_start import jump_model
+
+from ..compositions import composed
 
 LANES = 8
 KEPT = (

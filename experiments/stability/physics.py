@@ -5,9 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from experiments.stability.jumps import by_status
 from snapjump.run.studies.base import REFUSED, Row
 from snapjump.scenes.jump_outputs import ENDED
+
+from .jumps import by_status
 
 Rows = Sequence[Row]
 Maps = Mapping[str, Rows]

@@ -5,12 +5,13 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import Any
 
-from experiments.errors import scale_of_x
 from snapjump.checks import is_finite_number
 from snapjump.declare.members import make_member
 from snapjump.robot.robot import Robot
 from snapjump.run.studies.base import REFUSED, Row
 from snapjump.scenes.jump_outputs import ENDED
+
+from ..errors import scale_of_x
 
 Key = tuple[Any, Any, int]  # across, up, design
 LONGEST_S = 120.0  # of a batch

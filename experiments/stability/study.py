@@ -4,19 +4,20 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from experiments.compositions import Groups, changed
-from experiments.designs import spread_designs
-from experiments.stability.axes import DESIGNS, INTEGRATORS, Map, maps
-from experiments.stability.calibration import TIGHT, level_row, levels, overall
-from experiments.stability.figures import draw_calibration, draw_map
-from experiments.stability.jumps import by_status, jump_rows
-from experiments.stability.physics import Check, checks
-from experiments.stability.rules import RULES, broken, with_truth
-from experiments.tradeoff.tiers import base_at, tier_groups
 from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.run.studies.study import Study
 from snapjump.scenes.jump_outputs import ENDED
 from snapjump.tiers import TIERS
+
+from ..compositions import Groups, changed
+from ..designs import spread_designs
+from ..tradeoff.tiers import base_at, tier_groups
+from .axes import DESIGNS, INTEGRATORS, Map, maps
+from .calibration import TIGHT, level_row, levels, overall
+from .figures import draw_calibration, draw_map
+from .jumps import by_status, jump_rows
+from .physics import Check, checks
+from .rules import RULES, broken, with_truth
 
 TIER = "draft"
 MOST_ITERATIONS = 2e5  # of a jump of the maps

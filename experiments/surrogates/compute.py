@@ -7,8 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import composed
-from experiments.surrogates.floor import floor_rows
 from snapjump.arrays import Array
 from snapjump.dataset.read import Dataset, open_dataset
 from snapjump.declare.members import make_member
@@ -20,6 +18,9 @@ from snapjump.learning.timing import microseconds
 from snapjump.learning.training import Training
 from snapjump.plan.parts.axes import Axis
 from snapjump.run.studies.base import Row
+
+from ..compositions import composed
+from .floor import floor_rows
 
 TRAINED, PLACE, FLOOR = "trained", "place", "floor"
 BINS = 5

@@ -6,10 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from experiments.designs import AXES
 from snapjump.run.studies.base import Row
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import picture
+
+from ..designs import AXES
 
 COLOURS = {
     "mlp": palette.FORCE,

@@ -10,13 +10,14 @@ from itertools import combinations_with_replacement
 import numpy as np
 from scipy.stats.qmc import Sobol
 
-from experiments.designs import COLUMNS
 from snapjump.arrays import Array
 from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation
 from snapjump.plan.base import Range
 from snapjump.run.studies.base import Row
 from snapjump.statics.threshold_curve import ThresholdCurve
+
+from ..designs import COLUMNS
 
 INTERVALS = 14  # of the paper's grid along each input
 JUMPS, FEWEST = 128, 60  # in a cell; a cubic of four variables has 35 coefficients

@@ -5,12 +5,13 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import changed
 from snapjump.dataset.specification import specify
 from snapjump.dataset.whole import whole_dataset
 from snapjump.declare.members import make_member
 from snapjump.learning.training import Training
 from snapjump.run.studies.base import Row
+
+from ..compositions import changed
 
 EVERY = 5  # which of the test set's jumps are told
 

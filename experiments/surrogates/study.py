@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from experiments.surrogates.figures import draw_curves, draw_places
-from experiments.surrogates.table import findings, floor_summary, readme_block, summary
 from snapjump.checks import ParameterError
 from snapjump.declare.members import make_member, member_class, member_group, member_names
 from snapjump.plan.parts.axes import default_axes
 from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.run.studies.study import Study
+
+from .figures import draw_curves, draw_places
+from .table import findings, floor_summary, readme_block, summary
 
 # Jumps to learn from, (quick, full); beside them as many as there are.
 SIZES = ((500, 2000, 8000), (500, 1000, 2000, 4000, 8000, 16000))
@@ -90,7 +91,7 @@ class CompareSurrogates(Study):
         return cells
 
     def compute(self, cell: Cell) -> list[Row]:
-        from experiments.surrogates.compute import floor_of, trained_rows
+        from .compute import floor_of, trained_rows
 
         return trained_rows(cell.inputs) if "surrogate" in cell.inputs else floor_of(cell.inputs)
 

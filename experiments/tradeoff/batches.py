@@ -8,10 +8,11 @@ import statistics
 from collections.abc import Mapping
 from typing import Any
 
-from experiments.compositions import composed
-from experiments.designs import COLUMNS, baseline_sweep, spread_designs
 from snapjump.batch import simulate_batch, variants
 from snapjump.run.studies.base import Cell, Row
+
+from ..compositions import composed
+from ..designs import COLUMNS, baseline_sweep, spread_designs
 
 LANES = 8
 REPEATS = 3

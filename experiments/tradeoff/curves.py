@@ -9,9 +9,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from experiments.compositions import Groups, changed
-from experiments.tradeoff.batches import LANES
 from snapjump.declare.members import member_class, member_names
+
+from ..compositions import Groups, changed
+from .batches import LANES
 
 STANDARD_ELEMENTS, STANDARD_TOLERANCE, STANDARD_STICK_SHARE = 120, 1e-6, 8.0
 TOLERANCE_POWER, STICK_POWER = 3.0, 1.25

@@ -7,9 +7,10 @@ from itertools import cycle
 from pathlib import Path
 from typing import Any
 
-from experiments.tradeoff.points import Point, pareto
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import axes_at, picture
+
+from .points import Point, pareto
 
 COSTS = {"ms": "ms a jump (median, one core)", "newton_iterations": "Newton iterations a jump"}
 ERRORS_P95 = {

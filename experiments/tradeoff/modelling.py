@@ -6,12 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import Groups, changed, has_field
-from experiments.errors import error_figures, relative_errors
-from experiments.tradeoff.points import Point, split
 from snapjump.run.studies.base import OK, Done
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import picture
+
+from ..compositions import Groups, changed, has_field
+from ..errors import error_figures, relative_errors
+from .points import Point, split
 
 # Family, key, symbol, and its values: factors of the configured one, or values in a unit.
 NUMBERS = (

@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from experiments.errors import error_figures, relative_errors, roughness
 from snapjump.run.studies.base import OK, Done
 from snapjump.scenes.jump_outputs import ENDED
+
+from ..errors import error_figures, relative_errors, roughness
 
 NO = math.nan
 # An error of y (%) above which a jump that ended well is no answer, though nothing said so.

@@ -6,19 +6,20 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import changed, composed, groups_of
-from experiments.designs import SWEEP
-from experiments.errors import percentile, relative_errors
-from experiments.tradeoff.batches import batch_cell, jump_rows
-from experiments.tradeoff.curves import Curve, curves
-from experiments.tradeoff.figures import ERRORS_MEDIAN, ERRORS_P95, Compared, draw_precision
-from experiments.tradeoff.modelling import draw_modelling, models, shifts, tier_errors
-from experiments.tradeoff.points import Point, cheapest, make_point, pareto, split
-from experiments.tradeoff.tiers import BLOCK, beyond, finest, tier_block, tier_groups, tier_rows
 from snapjump.checks import ParameterError
 from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Figure, Row, Table
 from snapjump.run.studies.study import Study
 from snapjump.tiers import TIERS
+
+from ..compositions import changed, composed, groups_of
+from ..designs import SWEEP
+from ..errors import percentile, relative_errors
+from .batches import batch_cell, jump_rows
+from .curves import Curve, curves
+from .figures import ERRORS_MEDIAN, ERRORS_P95, Compared, draw_precision
+from .modelling import draw_modelling, models, shifts, tier_errors
+from .points import Point, cheapest, make_point, pareto, split
+from .tiers import BLOCK, beyond, finest, tier_block, tier_groups, tier_rows
 
 WANTED_PERCENT = (3.0, 0.5, 0.05)
 LIMIT, CHECK = "limit", "limit by another method"

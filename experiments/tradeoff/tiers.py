@@ -3,14 +3,15 @@
 from collections.abc import Mapping
 from typing import Any
 
-from experiments.compositions import Groups, changed, composed, described, groups_of
-from experiments.designs import COLUMNS
-from experiments.errors import relative_errors
-from experiments.tradeoff.points import Point, split
 from snapjump.composition import with_tier
 from snapjump.run.studies.base import OK, Done
 from snapjump.show.terminal.block import markdown_table
 from snapjump.tiers import TIERS
+
+from ..compositions import Groups, changed, composed, described, groups_of
+from ..designs import COLUMNS
+from ..errors import relative_errors
+from .points import Point, split
 
 # Error of x and y (%, 95th percentile) and roughness (L) that a tier promises.
 PROMISES = {

@@ -17,6 +17,7 @@ PACKAGE = Path(__file__).resolve().parents[1]
 # .yaml.
 PLUGINS: list[Path] = []
 SUFFIXES = (".py", ".yaml")
+BESIDE = ("conf", "experiments")  # lie beside the package in a clone
 _seen: dict[Path, str] = {}
 
 
@@ -33,12 +34,13 @@ class Source(NamedTuple):
 
 
 def package_files() -> list[Source]:
-    """The package's Python, and its tableaux."""
-    return [
+    """The package's Python, and its tableaux; not what only a wheel has within the package."""
+    found = [
         Source(path.relative_to(PACKAGE).as_posix(), path)
         for folder, _, names in os.walk(PACKAGE)
         for path in (Path(folder, name) for name in names if name.endswith(SUFFIXES))
     ]
+    return [source for source in found if source.part not in BESIDE]
 
 
 def plugin_files() -> list[Source]:

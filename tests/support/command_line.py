@@ -28,7 +28,7 @@ def here(folder: Path, *arguments: str, code: int = 0) -> Done:
     out, err = StringIO(), StringIO()
     with as_a_program(folder, *arguments), redirect_stdout(out), redirect_stderr(err):
         try:
-            ended: Any = main(ROOT / "conf")
+            ended: Any = main()
         except SystemExit as stop:
             ended = stop.code
     assert ended == code, out.getvalue() + err.getvalue()

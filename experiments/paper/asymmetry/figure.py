@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.settings import RANGES
-from experiments.trends import saturating
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import panels
+
+from ...trends import saturating
+from ..settings import RANGES
 
 COLOURS = (palette.BEAM, palette.CENTRE, palette.FORCE)
 LINES: tuple[Any, ...] = ("-", (0, (7, 1.2)), (0, (2.5, 0.9)))

@@ -8,15 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from experiments.arches.swings import snap_groups, snap_of
-from experiments.paper.asymmetry.figure import draw_asymmetry
-from experiments.paper.base import Found, Part, listed, span, weakest
-from experiments.paper.limits import LIMITS, judged
-from experiments.paper.settings import RANGES
-from experiments.paper.words import Words
-from experiments.trends import Saturation, saturation_of
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.scenes.swing import follow, outcome
+
+from ...arches.swings import snap_groups, snap_of
+from ...trends import Saturation, saturation_of
+from ..base import Found, Part, listed, span, weakest
+from ..limits import LIMITS, judged
+from ..settings import RANGES
+from ..words import Words
+from .figure import draw_asymmetry
 
 WORDS = Words(__file__)
 EPSILONS = (0.1, 0.2, 0.3)

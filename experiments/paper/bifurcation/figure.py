@@ -6,12 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from experiments.arches import exact
-from experiments.arches import landmarks as exact_arch
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.branches import stable_runs
 from snapjump.show.plots.saving import panels, picture
+
+from ...arches import exact
+from ...arches import landmarks as exact_arch
 
 STABLE = {"color": palette.BEAM, "lw": 2.4, "ls": "-", "zorder": 3}
 UNSTABLE = {"color": palette.FORCE, "lw": 1.7, "ls": (0, (4, 2))}

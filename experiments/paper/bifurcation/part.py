@@ -6,9 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from experiments.arches import exact
-from experiments.arches.branches import branch_rows, shape_rows
-from experiments.arches.landmarks import (
+from snapjump.run.studies.base import Cell, Done, Row, column
+from snapjump.scenes.swing import follow, outcome
+
+from ...arches import exact
+from ...arches.branches import branch_rows, shape_rows
+from ...arches.landmarks import (
     LADDER,
     MISMATCH_RAD,
     NAMES,
@@ -20,15 +23,13 @@ from experiments.arches.landmarks import (
     orders,
     overall,
 )
-from experiments.arches.landmarks import largest_difference as off
-from experiments.arches.swings import PAPER_ELEMENTS, snap_groups, snap_of
-from experiments.compositions import changed, composed, groups_at
-from experiments.paper.base import Found, Part, Statement, listed, span, weakest
-from experiments.paper.bifurcation.figure import draw_angles, draw_branches, draw_loop
-from experiments.paper.limits import LIMITS, judged
-from experiments.paper.words import Words
-from snapjump.run.studies.base import Cell, Done, Row, column
-from snapjump.scenes.swing import follow, outcome
+from ...arches.landmarks import largest_difference as off
+from ...arches.swings import PAPER_ELEMENTS, snap_groups, snap_of
+from ...compositions import changed, composed, groups_at
+from ..base import Found, Part, Statement, listed, span, weakest
+from ..limits import LIMITS, judged
+from ..words import Words
+from .figure import draw_angles, draw_branches, draw_loop
 
 WORDS = Words(__file__)
 SHOWN = 0.2  # epsilon of the shapes, the paper's baseline

@@ -4,9 +4,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from experiments.errors import Shift
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import picture
+
+from ...errors import Shift
 
 WIDTH, ROW, MARGIN = 13.0, 0.5, 1.75  # inches
 SMALLEST, LARGEST = 3e-3, 60.0  # percent that is drawn

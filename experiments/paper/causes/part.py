@@ -6,10 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import Groups, changed, composed, groups_at
-from experiments.designs import spread_designs
-from experiments.errors import Shift, shift
-from experiments.exchanges import (
+from snapjump.batch import variants as robots
+from snapjump.run.studies.base import Cell, Done, Row, column
+from snapjump.scenes.jump_march import jump_march
+from snapjump.scenes.jump_start import jump_model
+
+from ...compositions import Groups, changed, composed, groups_at
+from ...designs import spread_designs
+from ...errors import Shift, shift
+from ...exchanges import (
     ELASTIC,
     ELEMENTS,
     ENDS,
@@ -23,17 +28,13 @@ from experiments.exchanges import (
     program,
     variants,
 )
-from experiments.paper.base import Found, Part, failed, incomplete, weakest
-from experiments.paper.causes import words
-from experiments.paper.causes.figure import draw_causes
-from experiments.paper.causes.words import WORDS
-from experiments.paper.cells import LANES, jump_rows
-from experiments.paper.limits import judged
-from experiments.paper.settings import BASELINE
-from snapjump.batch import variants as robots
-from snapjump.run.studies.base import Cell, Done, Row, column
-from snapjump.scenes.jump_march import jump_march
-from snapjump.scenes.jump_start import jump_model
+from ..base import Found, Part, failed, incomplete, weakest
+from ..cells import LANES, jump_rows
+from ..limits import judged
+from ..settings import BASELINE
+from . import words
+from .figure import draw_causes
+from .words import WORDS
 
 DESIGNS, MANY, LONG = 32, 256, 64
 STEPS_S = (1e-5, 3e-6, 1e-6, 3e-7)  # the paper's, and ever finer; the last is the limit

@@ -4,11 +4,12 @@ of failures or of slow convergence, depends on the numbers, too much for the par
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from experiments.errors import Shift
-from experiments.exchanges import FRAME, PAPER, REFERENCE, START
-from experiments.paper.base import Statement, span
-from experiments.paper.words import Words
 from snapjump.run.studies.base import Row
+
+from ...errors import Shift
+from ...exchanges import FRAME, PAPER, REFERENCE, START
+from ..base import Statement, span
+from ..words import Words
 
 WORDS = Words(__file__)
 Moved = Mapping[tuple[str, str], Shift]

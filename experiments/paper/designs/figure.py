@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from experiments.inverse_benchmark.methods import PAPER
-from experiments.paper.settings import TIERS
 from snapjump.robot.robot import Robot
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.robot_drawing import draw_ground
 from snapjump.show.plots.saving import panels
+
+from ...inverse_benchmark.methods import PAPER
+from ..settings import TIERS
 
 COLOURS = (palette.BEAM, palette.FORCE, palette.CENTRE, palette.PLUM, palette.CLAMP,
            palette.VIOLET, palette.SKY, palette.QUIET)  # fmt: skip

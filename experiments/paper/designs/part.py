@@ -6,17 +6,18 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import composed, groups_at, simulation_at
-from experiments.inverse_benchmark.cases import Case, case_rows
-from experiments.inverse_benchmark.methods import LENGTH_MM, PAPER
-from experiments.paper.base import Found, Part, Statement, weakest
-from experiments.paper.cells import shipped_forward, shipped_inputs
-from experiments.paper.designs.figure import draw_flights, draw_misses
-from experiments.paper.limits import judged
-from experiments.paper.settings import BASELINE, TIERS
-from experiments.paper.words import Words
 from snapjump.declare.members import member_class
 from snapjump.run.studies.base import Cell, Done, Row, column
+
+from ...compositions import composed, groups_at, simulation_at
+from ...inverse_benchmark.cases import Case, case_rows
+from ...inverse_benchmark.methods import LENGTH_MM, PAPER
+from ..base import Found, Part, Statement, weakest
+from ..cells import shipped_forward, shipped_inputs
+from ..limits import judged
+from ..settings import BASELINE, TIERS
+from ..words import Words
+from .figure import draw_flights, draw_misses
 
 WORDS = Words(__file__)
 MASS_BAR, MU = BASELINE[2:]

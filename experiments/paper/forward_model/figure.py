@@ -6,10 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.limits import LIMITS
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import panels
+
+from ..limits import LIMITS
 
 COLOURS = (palette.QUIET, palette.BEAM, palette.FORCE, palette.CENTRE, palette.CLAMP)
 LINES = ("-", "-", "-", "--", ":")

@@ -8,22 +8,23 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from experiments.compositions import groups_at
-from experiments.designs import spread_designs
-from experiments.inverse_benchmark.methods import PAPER
-from experiments.inverse_benchmark.study import stretches
-from experiments.inverse_benchmark.table import summary_row
-from experiments.pace import pace_row, pace_rows
-from experiments.paper.base import Found, Part, Statement, weakest
-from experiments.paper.cells import shipped_inputs
-from experiments.paper.forward_model.figure import draw_forward_model
-from experiments.paper.limits import judged
-from experiments.paper.words import Words
-from experiments.surrogates.from_nothing import dataset_rows, forward_rows, trained
 from snapjump.declare.members import make_member, member_class, member_group
 from snapjump.learning.training import Training
 from snapjump.run.studies.base import Cell, Done, Row
 from snapjump.tiers import TIERS
+
+from ...compositions import groups_at
+from ...designs import spread_designs
+from ...inverse_benchmark.methods import PAPER
+from ...inverse_benchmark.study import stretches
+from ...inverse_benchmark.table import summary_row
+from ...pace import pace_row, pace_rows
+from ...surrogates.from_nothing import dataset_rows, forward_rows, trained
+from ..base import Found, Part, Statement, weakest
+from ..cells import shipped_inputs
+from ..limits import judged
+from ..words import Words
+from .figure import draw_forward_model
 
 WORDS = Words(__file__)
 # The paper: its dataset, on an i9-12900H, which has 20 threads; how much slower its searches
@@ -74,8 +75,9 @@ SHOWN = ("method", "problems", "mean_mm_standard", "std_mm_standard", "p95_mm_st
 def inverse_rows(inputs: Mapping[str, Any]) -> list[Row]:
     """A row for each target (:func:`experiments.inverse_benchmark.compute.solve_block`), by the
     forward model that comes with the library or by the one trained here."""
-    from experiments.inverse_benchmark.compute import solve_block
     from snapjump.targets.request import checkpoint_path
+
+    from ...inverse_benchmark.compute import solve_block
 
     shipped = inputs["surrogate"] is None
     file = checkpoint_path(None) if shipped else Path(trained(inputs)[0].file)

@@ -6,10 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.settings import PLAIN
-from experiments.styles import SERIES, boxes, legend_above
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import panels
+
+from ...styles import SERIES, boxes, legend_above
+from ..settings import PLAIN
 
 ERRORS, LINES = (13.0, 6.2), (14.0, 7.4)
 PALE: Any = (0, (3, 2))

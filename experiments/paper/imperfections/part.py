@@ -7,18 +7,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from experiments.compositions import composed, groups_at
-from experiments.designs import spread_designs
-from experiments.paper.base import Found, Part, Statement, weakest
-from experiments.paper.cells import apexes_of, jumps
-from experiments.paper.imperfections import figure
-from experiments.paper.limits import LIMITS, judged
-from experiments.paper.settings import BASELINE, NAMES, PLAIN, TIERS
-from experiments.paper.words import Words
 from snapjump.robot.robot import Robot
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.targets.manufacturing import ErrorCurves, alone_off
 from snapjump.targets.simulator import RESOLVED_STICK_ZONE, JumpSimulator, differentiable
+
+from ...compositions import composed, groups_at
+from ...designs import spread_designs
+from ..base import Found, Part, Statement, weakest
+from ..cells import apexes_of, jumps
+from ..limits import LIMITS, judged
+from ..settings import BASELINE, NAMES, PLAIN, TIERS
+from ..words import Words
+from . import figure
 
 Array = NDArray[np.float64]
 WORDS = Words(__file__)

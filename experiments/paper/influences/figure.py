@@ -4,11 +4,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from experiments.paper.settings import BASELINE, LABELS, NAMES, RANGES
-from experiments.styles import boxes, draw_tiers
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import panels
+
+from ...styles import boxes, draw_tiers
+from ..settings import BASELINE, LABELS, NAMES, RANGES
 
 Sweep = Mapping[str, Sequence[Row]]
 ALL, HEIGHTS, FRICTION = (14.0, 7.0), (14.0, 5.0), (13.0, 5.0)

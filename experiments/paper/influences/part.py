@@ -11,10 +11,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from experiments.arches.critical import critical_rows
-from experiments.compositions import changed, composed, groups_at
-from experiments.paper.base import Found, Part, Statement, percent, span, verdict, weakest
-from experiments.paper.cells import (
+from snapjump.batch import simulate_batch, variant
+from snapjump.composition import Simulation
+from snapjump.run.studies.base import Cell, Done, Row, column
+from snapjump.scenes import strike
+
+from ...arches.critical import critical_rows
+from ...compositions import changed, composed, groups_at
+from ...trends import Plateau, counter_step, plateau, power, relative_range
+from ..base import Found, Part, Statement, percent, span, verdict, weakest
+from ..cells import (
     LANES,
     LOADING_S,
     THREADS,
@@ -27,15 +33,10 @@ from experiments.paper.cells import (
     sliding_row,
     varied,
 )
-from experiments.paper.influences import figure, words
-from experiments.paper.influences.words import WORDS, limit_of_level, percents
-from experiments.paper.limits import LIMITS, judged
-from experiments.paper.settings import BASELINE, RANGES, TIERS
-from experiments.trends import Plateau, counter_step, plateau, power, relative_range
-from snapjump.batch import simulate_batch, variant
-from snapjump.composition import Simulation
-from snapjump.run.studies.base import Cell, Done, Row, column
-from snapjump.scenes import strike
+from ..limits import LIMITS, judged
+from ..settings import BASELINE, RANGES, TIERS
+from . import figure, words
+from .words import WORDS, limit_of_level, percents
 
 Array = NDArray[np.float64]
 Sweeps = Mapping[str, Sequence[Row]]  # by tier

@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.base import LIMITED, Statement, percent, span
-from experiments.paper.limits import LIMITS
-from experiments.paper.words import Words
 from snapjump.run.studies.base import Row, column
+
+from ..base import LIMITED, Statement, percent, span
+from ..limits import LIMITS
+from ..words import Words
 
 WORDS = Words(__file__)
 ABOUT = LIMITS["influences.below_h1"].within

@@ -6,10 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from experiments.styles import SERIES, boxes, legend_above
 from snapjump.show.plots import palette
 from snapjump.show.plots.achievable import compound
 from snapjump.show.plots.saving import panels
+
+from ...styles import SERIES, boxes, legend_above
 
 TITLE = "Achievable regions of simulated robots (filled) and by the forward model (dashed)"
 REGIONS, SETTINGS = (15.0, 6.4), (15.0, 5.2)

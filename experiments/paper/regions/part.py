@@ -7,17 +7,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from experiments.compositions import groups_at
-from experiments.paper.base import Found, Part, Statement, span, weakest
-from experiments.paper.cells import apexes_of, jumps, shipped_forward, shipped_inputs
-from experiments.paper.limits import LIMITS, judged
-from experiments.paper.regions import figure
-from experiments.paper.settings import BASELINE, NAMES, RANGES
-from experiments.paper.words import Words
-from experiments.trends import power
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.targets.region import SimulatedRegion as Region
 from snapjump.targets.region import filled_outline
+
+from ...compositions import groups_at
+from ...trends import power
+from ..base import Found, Part, Statement, span, weakest
+from ..cells import apexes_of, jumps, shipped_forward, shipped_inputs
+from ..limits import LIMITS, judged
+from ..settings import BASELINE, NAMES, RANGES
+from ..words import Words
+from . import figure
 
 Array = NDArray[np.float64]
 Environment = tuple[float, float]  # m_bar, mu

@@ -6,14 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from experiments.arches import exact
-from experiments.arches.critical import exact_points, within
-from experiments.paper.settings import LABELS
-from experiments.styles import DASHES, DOTS, boxes
-from experiments.trends import straight_line
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import panels
+
+from ...arches import exact
+from ...arches.critical import exact_points, within
+from ...styles import DASHES, DOTS, boxes
+from ...trends import straight_line
+from ..settings import LABELS
 
 Curves = Mapping[float, Sequence[Row]]  # by mismatch
 ENERGY, HEIGHTS = (12.5, 4.8), (12.5, 8.4)

@@ -7,17 +7,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from experiments.arches import exact
-from experiments.arches.critical import critical_rows, largest_difference, within
-from experiments.compositions import Groups, changed, composed, groups_at
-from experiments.paper.base import Found, Part, Statement, weakest
-from experiments.paper.limits import judged
-from experiments.paper.released_energy import figure
-from experiments.paper.settings import RANGES
-from experiments.paper.words import Words
-from experiments.trends import Line, straight_line
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.tiers import TIERS
+
+from ...arches import exact
+from ...arches.critical import critical_rows, largest_difference, within
+from ...compositions import Groups, changed, composed, groups_at
+from ...trends import Line, straight_line
+from ..base import Found, Part, Statement, weakest
+from ..limits import judged
+from ..settings import RANGES
+from ..words import Words
+from . import figure
 
 Array = NDArray[np.float64]
 WORDS = Words(__file__)

@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from experiments.arches.swings import RATE_RAD_S
-from experiments.paper.limits import LIMITS
-from experiments.styles import boxes
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import panels
 from snapjump.show.plots.shapes import draw_shapes, number, tints
+
+from ...arches.swings import RATE_RAD_S
+from ...styles import boxes
+from ..limits import LIMITS
 
 SNAPS, TINY = (12.0, 9.6), (10.0, 5.6)
 LINES = {

@@ -7,14 +7,15 @@ from typing import Any
 
 import numpy as np
 
-from experiments.arches.exact_snap import agreement, compared, exact_snaps, largest_percent
-from experiments.arches.swings import RATE_RAD_S, SETTINGS, snap_groups, snap_of
-from experiments.paper.base import Found, Part, Statement, weakest
-from experiments.paper.limits import LIMITS, judged
-from experiments.paper.snaps import figure
-from experiments.paper.words import Words
 from snapjump.run.studies.base import Cell, Done, Row, column
 from snapjump.scenes.swing import Swing, crossing, follow, outcome, sinking
+
+from ...arches.exact_snap import agreement, compared, exact_snaps, largest_percent
+from ...arches.swings import RATE_RAD_S, SETTINGS, snap_groups, snap_of
+from ..base import Found, Part, Statement, weakest
+from ..limits import LIMITS, judged
+from ..words import Words
+from . import figure
 
 WORDS = Words(__file__)
 EPSILON, MISMATCH = 0.1, 0.1  # the paper's; the mismatch in rad

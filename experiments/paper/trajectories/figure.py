@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from experiments.paper.settings import LABELS
-from experiments.styles import DASHES, SERIES, boxes, draw_tiers, legend_above
 from snapjump.run.studies.base import Row, column
 from snapjump.show.plots import palette
 from snapjump.show.plots.saving import panels
+
+from ...styles import DASHES, SERIES, boxes, draw_tiers, legend_above
+from ..settings import LABELS
 
 FLIGHTS, ANGLES = (13.0, 6.4), (13.0, 5.2)
 

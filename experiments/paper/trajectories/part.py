@@ -7,16 +7,17 @@ from typing import Any
 
 import numpy as np
 
-from experiments.compositions import groups_at
-from experiments.designs import spread_designs
-from experiments.paper.base import LIMITED, Found, Part, Statement, failed, unfinished, weakest
-from experiments.paper.cells import apart, jumps, path, varied
-from experiments.paper.limits import LIMITS, judged
-from experiments.paper.settings import BASELINE, RANGES, TIERS
-from experiments.paper.trajectories import figure
-from experiments.paper.words import Words
-from experiments.trends import counter_step
 from snapjump.run.studies.base import Cell, Done, Row, column
+
+from ...compositions import groups_at
+from ...designs import spread_designs
+from ...trends import counter_step
+from ..base import LIMITED, Found, Part, Statement, failed, unfinished, weakest
+from ..cells import apart, jumps, path, varied
+from ..limits import LIMITS, judged
+from ..settings import BASELINE, RANGES, TIERS
+from ..words import Words
+from . import figure
 
 WORDS = Words(__file__)
 FAMILIES: dict[str, tuple[float, ...]] = {

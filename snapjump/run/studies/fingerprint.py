@@ -3,17 +3,18 @@
 import ast
 import json
 from collections.abc import Iterable, Mapping
-from importlib.util import find_spec
+from importlib.util import resolve_name
 from pathlib import Path
 from typing import Any
 
 from snapjump.files.json_file import finite
+from snapjump.files.layout import EXPERIMENTS, in_a_clone
 from snapjump.files.provenance import source_hash
 from snapjump.files.sources import Source, combined_hash
 
 # What is shown, where, and of which quality says nothing about what is computed.
 NOT_PHYSICS = ("tracking", "publish", "figures")
-PACKAGE = "experiments"
+INIT = "__init__.py"
 DIGITS = 16
 
 
@@ -26,32 +27,32 @@ def fingerprint(config: Mapping[str, Any], roots: Iterable[str]) -> str:
 
 
 def sources(roots: Iterable[str]) -> list[Source]:
-    """The modules and everything of the experiments that these import, by their modules' names."""
+    """The modules and everything of the experiments that these import, named as in a clone."""
     found: dict[str, Path] = {}
-    waiting = list(roots)
+    waiting = list(map(in_a_clone, roots))
     while waiting:
         module = waiting.pop()
-        origin = _origin(module)
-        if module in found or origin is None:
+        file = _file(module)
+        if module in found or file is None:
             continue
-        found[module] = origin
-        waiting += [name for name in _imports(origin) if name.split(".")[0] == PACKAGE]
+        found[module] = file
+        package = module if file.name == INIT else module.rpartition(".")[0]
+        waiting += _imports(file, package)
     return [Source(module, found[module]) for module in sorted(found)]
 
 
-def _imports(file: Path) -> Iterable[str]:
+def _imports(file: Path, package: str) -> Iterable[str]:
+    """What a module of a package imports of the experiments: relatively, as they all do."""
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
-            yield node.module
+        if isinstance(node, ast.ImportFrom) and node.level:
+            module = resolve_name("." * node.level + (node.module or ""), package)
+            yield module
             # ``from package import module`` as well as ``from module import name``.
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+            yield from (f"{module}.{alias.name}" for alias in node.names)
 
 
-def _origin(module: str) -> Path | None:
-    try:
-        spec = find_spec(module)
-    except ModuleNotFoundError:
-        return None
-    return Path(spec.origin) if spec is not None and spec.origin else None
+def _file(module: str) -> Path | None:
+    """Of a module or package of the experiments; None for what is a name within one."""
+    place = EXPERIMENTS.joinpath(*module.split(".")[1:])
+    files = (place.with_suffix(".py"), place / INIT)
+    return next((file for file in files if file.is_file()), None)

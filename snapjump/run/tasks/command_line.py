@@ -1,4 +1,4 @@
-"""``python run.py ...``: the help page, Hydra, errors in one line, and the exit code."""
+"""The command: the help page, Hydra, errors in one line, and the exit code."""
 
 import os
 import sys
@@ -6,9 +6,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from snapjump import __version__
 from snapjump.checks import ParameterError
 from snapjump.declare.former_options import check_arguments
 from snapjump.declare.plugins import load_all, load_installed
+from snapjump.files.layout import CONF
 from snapjump.run.tasks.base import EXIT_BAD_INPUT, EXIT_ERROR, EXIT_INTERRUPTED
 from snapjump.run.tasks.interrupts import heeded
 from snapjump.show.terminal.streams import unfailing_streams
@@ -31,12 +33,12 @@ WITH_VALUE: dict[str, tuple[str, ...]] = {
 _exit_codes: list[int] = []
 
 
-def main(conf: Path) -> int:
-    """Do what ``sys.argv`` says with the configurations in ``conf``; returns the exit code."""
+def main() -> int:
+    """Do what ``sys.argv`` says; returns the exit code."""
     with unfailing_streams():
         try:
             with heeded():
-                return _main(conf)
+                return _main()
         except ParameterError as error:
             print(error, file=sys.stderr)
             return EXIT_BAD_INPUT
@@ -48,22 +50,25 @@ def main(conf: Path) -> int:
             return EXIT_INTERRUPTED
 
 
-def _main(conf: Path) -> int:
+def _main() -> int:
     arguments = sys.argv[1:]
     if {"-h", "--help"} & set(arguments):
         from snapjump.show.terminal.help_page import help_page
 
-        print(help_page(conf, [Path(folder) for folder in named_plugins(arguments)]))
+        print(help_page(CONF, [Path(folder) for folder in named_plugins(arguments)]))
+        return 0
+    if "--version" in arguments:
+        print(f"snapjump {__version__}")
         return 0
     if any(argument.startswith("record=") for argument in arguments):
         from snapjump.run.tasks.record import record
 
-        return record(conf, arguments)
+        return record(arguments)
     arguments = flags_first(arguments)
     sys.argv[1:] = arguments
     check_arguments(arguments)
     load_all(named_plugins(arguments))
-    return _run_hydra(conf)
+    return _run_hydra()
 
 
 def flags_first(arguments: Sequence[str]) -> list[str]:
@@ -106,7 +111,7 @@ def named_plugins(arguments: Sequence[str]) -> list[str]:
     return found
 
 
-def _run_hydra(conf: Path) -> int:
+def _run_hydra() -> int:
     import hydra
     from hydra.errors import HydraException
     from omegaconf.errors import OmegaConfBaseException
@@ -122,7 +127,7 @@ def _run_hydra(conf: Path) -> int:
     _exit_codes.clear()
     load_installed()
     search_plugins()
-    run = hydra.main(version_base="1.3", config_path=str(conf), config_name="config")(_job)
+    run = hydra.main(version_base="1.3", config_path=str(CONF), config_name="config")(_job)
     try:
         run()
     except Exception as error:

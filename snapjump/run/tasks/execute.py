@@ -10,7 +10,9 @@ from typing import Any
 from snapjump.checks import ParameterError, check_choice, check_integer
 from snapjump.declare.families import FAMILIES
 from snapjump.files.atomic import write_text
+from snapjump.files.extras import MissingExtraError, extras_named
 from snapjump.files.json_file import finite
+from snapjump.files.layout import PROGRAM
 from snapjump.files.provenance import now, provenance
 from snapjump.files.result_folder import TRACEBACK, ResultFolder
 from snapjump.run.tasks.base import (
@@ -46,7 +48,7 @@ def execute(
     task, outside, noticed = None, {}, []
     try:
         check_run(config)
-        with heeded() as noticed:
+        with extras_named(), heeded() as noticed:
             found = find_task(config["task"]["name"])
             check_read(found, config, overrides)
             found.prepare(config)
@@ -57,6 +59,8 @@ def execute(
             outcome = task.run(folder, stopping(bar, noticed))
     except ParameterError as error:
         return Outcome(BAD_INPUT, str(error)), task
+    except MissingExtraError as error:
+        return Outcome(BAD_INPUT, str(error)), None
     except KeyboardInterrupt:
         outcome = Outcome(INTERRUPTED, reason(noticed))
     except Exception as error:
@@ -119,7 +123,7 @@ def write_outcome(
 
 def command(overrides: Sequence[str]) -> str:
     """The command that repeats a job."""
-    return shlex.join(["python", "run.py", *overrides])
+    return shlex.join([*PROGRAM.split(), *overrides])
 
 
 def check_read(task: Task, config: Mapping[str, Any], overrides: Sequence[str]) -> None:

@@ -17,6 +17,7 @@ from omegaconf.errors import OmegaConfBaseException
 from snapjump.checks import ParameterError
 from snapjump.declare.members import make_member
 from snapjump.declare.plugins import load_all
+from snapjump.files.layout import PROGRAM
 from snapjump.files.provenance import now, source_hash
 from snapjump.files.result_folder import ResultFolder
 from snapjump.run.tasks import base
@@ -82,7 +83,7 @@ def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[s
         place = record_folder(tracker, folder, folder.path.name, None)
     except (TrackingError, OSError, KeyboardInterrupt) as error:
         interrupted = isinstance(error, KeyboardInterrupt)
-        again = shlex.join(["python", "run.py", f"record={os.path.relpath(folder.path)}"])
+        again = shlex.join([*PROGRAM.split(), f"record={os.path.relpath(folder.path)}"])
         print(f"not recorded: {str(error) or 'interrupted'}; {again} does it", file=sys.stderr)
         code = code or (base.EXIT_INTERRUPTED if interrupted else base.EXIT_UNTRACKED)
     if task is not None:

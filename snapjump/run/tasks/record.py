@@ -9,6 +9,7 @@ from typing import Any
 from snapjump.checks import ParameterError
 from snapjump.declare.members import make_member
 from snapjump.files.json_file import read_json
+from snapjump.files.layout import CONF
 from snapjump.files.result_folder import ResultFolder
 from snapjump.run.tasks.base import EXIT_OK, EXIT_UNTRACKED
 from snapjump.run.tasks.tracking import chosen
@@ -19,7 +20,7 @@ KEY = "record="
 OF_THE_RUN = "a run's folder, alone or with tracking=... and tracking.<key>=..."
 
 
-def record(conf: Path, arguments: Sequence[str]) -> int:
+def record(arguments: Sequence[str]) -> int:
     """Record a run from its files, where it was to be recorded or where the command says.
     Returns the exit code. Raises ParameterError."""
     path = next(text.removeprefix(KEY) for text in arguments if text.startswith(KEY))
@@ -30,7 +31,7 @@ def record(conf: Path, arguments: Sequence[str]) -> int:
     config = folder.config()
     if config is None or folder.result() is None or folder.provenance() is None:
         raise ParameterError("record", path, "the folder of a run that has ended")
-    group = _composed(conf, others) if others else chosen(config.get("tracking"), others)
+    group = _composed(others) if others else chosen(config.get("tracking"), others)
     tracker = make_member("tracking", group)
     tracker.check()
     parent = (read_json(folder.path / MARK) or {}).get("parent_id")
@@ -43,10 +44,10 @@ def record(conf: Path, arguments: Sequence[str]) -> int:
     return EXIT_OK
 
 
-def _composed(conf: Path, overrides: Sequence[str]) -> Any:
+def _composed(overrides: Sequence[str]) -> Any:
     """The group ``tracking`` as the command line says."""
     from hydra import compose, initialize_config_dir
     from omegaconf import OmegaConf
 
-    with initialize_config_dir(str(conf), version_base="1.3"):
+    with initialize_config_dir(str(CONF), version_base="1.3"):
         return OmegaConf.to_container(compose("config", overrides=list(overrides)).tracking)

@@ -6,6 +6,7 @@ Studies live in ``experiments`` (:mod:`snapjump.run.studies`); all else is the s
 from importlib import import_module
 
 from snapjump.checks import check_choice
+from snapjump.files.layout import STUDIES, importable
 from snapjump.run.tasks.base import Task
 
 TASKS = {
@@ -24,14 +25,13 @@ TASKS = {
     "scenes": "experiments.scenes.study:Scenes",
     "released": "experiments.released.study:Released",
 }
-STUDIES = "experiments."
 
 
 def find_task(name: str) -> Task:
     """A new instance of the task; its module is imported only now."""
     check_choice("task.name", name, tuple(TASKS))
     module, cls = TASKS[name].split(":")
-    task: Task = getattr(import_module(module), cls)()
+    task: Task = getattr(import_module(importable(module)), cls)()
     return task
 
 

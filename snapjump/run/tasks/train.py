@@ -12,6 +12,7 @@ from snapjump.dataset.read import open_dataset
 from snapjump.dataset.specification import specify
 from snapjump.declare.members import make_member
 from snapjump.files.atomic import write_bytes
+from snapjump.files.layout import PROGRAM
 from snapjump.files.result_folder import ResultFolder, physics
 from snapjump.files.sealed import file_sha256
 from snapjump.learning.data import JumpData
@@ -133,4 +134,4 @@ def command_of_dataset() -> str:
     kept = [
         text for text in given if text.lstrip("+").split("=")[0].split(".")[0] not in OF_TRAINING
     ]
-    return " ".join(["python run.py task=dataset", *kept])
+    return " ".join([f"{PROGRAM} task=dataset", *kept])

@@ -1,4 +1,4 @@
-"""The page that ``python run.py --help`` prints, made from the files in ``conf`` alone."""
+"""The page that ``--help`` prints, made from the files in ``conf`` alone."""
 
 import re
 from collections.abc import Sequence
@@ -6,6 +6,7 @@ from pathlib import Path
 
 import yaml
 
+from snapjump.files.layout import PROGRAM
 from snapjump.files.sources import PACKAGE
 
 # Runge-Kutta methods, whose configurations belong to the library.
@@ -32,16 +33,18 @@ GROUPS = {
     "experiment": "whole compositions, added with +experiment=<name>",
 }
 
-INTRODUCTION = """\
+INTRODUCTION = f"""\
 Snapjump simulates a robot that jumps by the snap-through of a beam.
 
-  python run.py [group=member ...] [key=value ...]
+  {PROGRAM} [group=member ...] [key=value ...]
 
 Examples
-  python run.py                                            one jump: numbers, figures, film
-  python run.py accuracy=draft design.delta_alpha=0.05     another design, faster
-  python run.py -m design.epsilon=0.1,0.2,0.3 hydra/launcher=joblib
-                                                           a sweep, several at a time"""
+  {PROGRAM}
+      one jump: numbers, figures, film
+  {PROGRAM} accuracy=draft design.delta_alpha=0.05
+      another design, faster
+  {PROGRAM} -m design.epsilon=0.1,0.2,0.3 hydra/launcher=joblib
+      a sweep, several at a time"""
 
 FLAGS = """\
 Flags
