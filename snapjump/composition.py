@@ -1,7 +1,7 @@
 """A simulation as its parts: one option object of each family, checked against each other."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import asdict, dataclass, fields
 from typing import Any
 
 from snapjump.backend.base import BackendOptions
@@ -11,7 +11,7 @@ from snapjump.damping.base import DampingOptions
 from snapjump.declare.families import FAMILIES
 from snapjump.declare.fields import Need, Part, construct
 from snapjump.declare.inputs import inputs_of
-from snapjump.declare.members import make_member, members_with
+from snapjump.declare.members import make_member, member_group, members_with
 from snapjump.declare.scenes import SceneOptions
 from snapjump.discretization.base import DiscretizationOptions
 from snapjump.frame.base import FrameOptions
@@ -92,6 +92,13 @@ class Simulation:
     def parts(self) -> tuple[Part, ...]:
         """One of each family."""
         return tuple(getattr(self, family) for family in FAMILIES)
+
+    @property
+    def configuration(self) -> dict[str, Any]:
+        """The nested groups that :func:`snapjump.simulation.build` makes it of, in full."""
+        plain = {group: asdict(getattr(self, group)) for group in PLAIN}
+        members = {part.group: member_group(part) for part in self.parts}
+        return {"accuracy": {"name": self.accuracy}, **plain, **members}
 
     def _check(self, part: Part, need: Need) -> None:
         """Raises ParameterError where another part lacks what one needs."""

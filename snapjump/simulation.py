@@ -11,7 +11,7 @@ from snapjump.declare.families import FAMILIES
 from snapjump.declare.former_options import with_present_options
 from snapjump.declare.inputs import unusual
 from snapjump.declare.scenes import Progress
-from snapjump.results import Result
+from snapjump.results import JumpResult, Result
 from snapjump.robot.design import Design
 from snapjump.robot.environment import Environment
 from snapjump.robot.robot import Robot
@@ -62,7 +62,7 @@ def simulate_jump(
     environment: Environment | None = None,
     accuracy: str = "standard",
     **parts: Any,
-) -> Result:
+) -> JumpResult:
     """Simulate one jump at an accuracy tier.
 
     ``parts`` replace the tier's modules (``integrator=...``, ``contact="penalty"``, see
@@ -77,4 +77,7 @@ def simulate_jump(
     )
     for line in unusual(simulation):
         warnings.warn(line, stacklevel=2)
-    return simulate(simulation)
+    result = simulate(simulation)
+    if not isinstance(result, JumpResult):
+        raise ParameterError("sim", simulation.sim.name, "jump; simulate() has the other scenes")
+    return result

@@ -1,8 +1,8 @@
 """Outputs of a batch of jumps: arrays with one row a jump."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -12,30 +12,43 @@ from snapjump.batch.sensitivities import Sensitivities, Slopes, apex_sensitiviti
 from snapjump.composition import Simulation
 from snapjump.engine import outcome as c
 from snapjump.engine.load.gravity import Gravity
+from snapjump.files.extras import extras_named
 from snapjump.scenes.flight_check import checked_status
 from snapjump.scenes.jump_outputs import JumpOutputs
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.march_outputs import side_by_side
 from snapjump.units import Scales
+from snapjump.views.base import Shown
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
-@dataclass(frozen=True)
-class Batch(JumpOutputs):
+@dataclass(frozen=True, repr=False)
+class Batch(Shown, JumpOutputs):
     """Outputs of R jumps, arrays (R): :class:`snapjump.scenes.jump_outputs.JumpOutputs` has them.
 
     Counts of designs that are refused are 0, all else of them is NaN. The time in kernels, of all
     together, has starts and idle lanes in it. lane_passes: iterations that all lanes together had
-    time for. sensitivities: of the apex, or None where none were asked for.
+    time for. sensitivities: of the apex, or None where none were asked for. designs: the inputs
+    that were given, each (R), by the names of their columns.
     """
 
     lane_passes: int
     ready: Prepared
     sensitivities: Sensitivities | None = None
+    designs: dict[str, Array] = field(default_factory=dict)
 
     @property
     def refusals(self) -> dict[int, str]:
         """Why a design was refused, key, value and range in one line, by the number of its row."""
         return self.ready.refusals
+
+    def to_frame(self) -> "pd.DataFrame":
+        """Inputs and outputs as a table, a row a jump."""
+        with extras_named():
+            import pandas as pd
+        return pd.DataFrame({**self.designs, **self.columns()})
 
     @cached_property
     def scales(self) -> Any:
@@ -56,7 +69,9 @@ class Marched(NamedTuple):
     slopes: Slopes | None
 
 
-def batch_of(base: Simulation, ready: Prepared, marched: Marched) -> Batch:
+def batch_of(
+    base: Simulation, ready: Prepared, marched: Marched, designs: dict[str, Array]
+) -> Batch:
     """The batch of R designs, of which M were marched."""
     # Where no design has a model, any gives the kinds of numbers that are not known.
     models = ready.models or [jump_model(Simulation())]
@@ -72,4 +87,5 @@ def batch_of(base: Simulation, ready: Prepared, marched: Marched) -> Batch:
             outcome, Gravity(*(n[:, None] for n in model.load)), slopes
         )
     passes = marched.lane_passes
-    return Batch(base, model, outcome, marched.kernel_seconds, passes, ready, sensitivities)
+    seconds = marched.kernel_seconds
+    return Batch(base, model, outcome, seconds, passes, ready, sensitivities, designs)

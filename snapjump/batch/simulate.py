@@ -16,7 +16,14 @@ from snapjump.batch.progress import BatchProgress
 from snapjump.batch.sensitivities import Slopes
 from snapjump.checks import ParameterError, check_integer, check_number
 from snapjump.composition import Simulation
-from snapjump.declare.inputs import DEFAULT_INPUTS, check_inputs, inputs_of
+from snapjump.declare.inputs import (
+    DEFAULT_INPUTS,
+    check_inputs,
+    column_names,
+    input_at,
+    inputs_of,
+    value_at,
+)
 from snapjump.declare.scenes import Progress
 from snapjump.declare.tables import rows_of
 from snapjump.engine import outcome as c
@@ -120,7 +127,10 @@ def simulate_batch(
     models = [jump_model(simulation) for simulation in simulations]
     ready = Prepared(list(simulations), models, np.arange(count), np.full(count, RUNNING))
     marched = march_all(ready, lanes, threads, most_iterations, progress)
-    return batch_of(simulations[0], ready, marched)
+    given = {p: np.array([value_at(s, p) for s in simulations], float) for p in DEFAULT_INPUTS}
+    names = column_names([input_at(simulations[0], path) for path in given])
+    designs = dict(zip(names, given.values(), strict=True))
+    return batch_of(simulations[0], ready, marched, designs)
 
 
 def check_width(lanes: int, threads: int) -> None:
@@ -176,4 +186,5 @@ def simulate_designs(
     if sensitivities:
         numbers = model_derivatives(base, table[ready.chosen], curve, inputs)
     marched = march_all(ready, width, crew, MOST_ITERATIONS, progress, numbers)
-    return batch_of(base, ready, marched)
+    names = column_names([known[path] for path in inputs])
+    return batch_of(base, ready, marched, dict(zip(names, table.T, strict=True)))

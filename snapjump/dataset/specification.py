@@ -6,10 +6,10 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from snapjump.checks import ParameterError
-from snapjump.composition import PLAIN, Simulation
+from snapjump.composition import Simulation
 from snapjump.dataset.options import DatasetOptions
 from snapjump.declare.inputs import with_inputs
-from snapjump.declare.members import make_member, member_group
+from snapjump.declare.members import make_member
 from snapjump.files.provenance import BEYOND_DATASETS, source_hash
 from snapjump.files.sealed import sha256_of
 from snapjump.plan.base import Plan, PlanOptions
@@ -74,12 +74,10 @@ def specify(
     plan = options.plan(tuple(axis.range for axis in axes))
     if given.sensitivities:
         check_differentiable(simulation, [axis.path for axis in axes], "plan.inputs")
-    whole = {group: asdict(getattr(simulation, group)) for group in PLAIN} | {
-        part.group: member_group(part) for part in simulation.parts if part.group != "backend"
-    }
     configuration = {
         group: {key: v for key, v in values.items() if f"{group}.{key}" not in middles}
-        for group, values in whole.items()
+        for group, values in simulation.configuration.items()
+        if group != "backend"
     }
     plain = {
         "format": FORMAT,
@@ -87,7 +85,7 @@ def specify(
         "inputs": [asdict(axis) for axis in axes],
         "shard_size": given.shard_size,
         "sensitivities": given.sensitivities,
-        "configuration": {"accuracy": {"name": simulation.accuracy}, **configuration},
+        "configuration": configuration,
         "processor": simulation.backend.processor,
         "source_sha256": source_hash(BEYOND_DATASETS),
     }

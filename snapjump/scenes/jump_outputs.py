@@ -11,6 +11,7 @@ from snapjump.declare.outputs import FLAG, WORD, output
 from snapjump.engine import outcome as c
 from snapjump.engine.clamp.constant_rate import time_turned
 from snapjump.error_estimate import ErrorEstimate, error_estimate
+from snapjump.results import JumpResult
 from snapjump.scenes.flight import Flight, flight, world
 from snapjump.scenes.march_outputs import GroundOutputs, RecordedOutputs, RunOutputs
 
@@ -145,10 +146,14 @@ class JumpOutputs(GroundOutputs):
 class JumpRun(JumpOutputs, RunOutputs):
     """One jump of which only the end is known."""
 
+    kind = JumpResult
+
 
 @dataclass(frozen=True)
 class RecordedJump(JumpOutputs, RecordedOutputs):
     """One jump with its trajectory."""
+
+    kind = JumpResult
 
     @cached_property
     def estimate(self) -> ErrorEstimate:

@@ -4,7 +4,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,6 +43,7 @@ def side_by_side(models: Sequence[Model], chosen: Any = (0,), rows: int = 1) -> 
 class RunOutputs(Outputs):
     """Outputs of every single simulation. ``begun``: when, by ``time.perf_counter``."""
 
+    kind: ClassVar[type[Result]] = Result
     simulation: Simulation
     begun: float
 
@@ -64,7 +65,7 @@ class RunOutputs(Outputs):
     def result(self, arrays: dict[str, NDArray[Any]]) -> Result:
         """The simulation's result, with its trajectory or other arrays."""
         (figures,) = self.rows()
-        return Result(figures["status"], self.message, figures, arrays, self.simulation)
+        return self.kind(figures["status"], self.message, figures, arrays, self.simulation)
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,7 @@ def figures(
     """
     folder.mkdir(parents=True, exist_ok=True)
     written: list[pathlib.Path] = []
-    pictures = _pictures(result, film)
+    pictures = pictures_of(result, film)
     for name, draw in pictures:
         if progress is not None:
             progress(len(written) / len(pictures), f"drawing {name}")
@@ -39,8 +39,8 @@ def figures(
 Draw = Callable[[pathlib.Path], Any]
 
 
-def _pictures(result: Any, film: bool) -> list[tuple[str, Draw]]:
-    """The names of the files to write, and what draws them."""
+def pictures_of(result: Any, film: bool) -> list[tuple[str, Draw]]:
+    """The names of the files of a result, and what draws them; the first is the picture of it."""
     from snapjump.show.plots.branches import branches_picture
     from snapjump.show.plots.energy import energy_picture
     from snapjump.show.plots.film import draw_film

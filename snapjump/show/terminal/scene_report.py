@@ -72,7 +72,7 @@ def accuracy_line(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
         return f"{title}: numerical error not known here" + (f" ({because})" if because else "")
     if changed or not summary.get("within_tier"):
         return f"{title}: numerical error estimated at {estimate:.2g} %"
-    return f"{title}: {accuracy['known_error']}"
+    return f"{title}: {accuracy.get('known_error', TIERS[name].known_error)}"
 
 
 def _warning(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:

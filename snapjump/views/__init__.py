@@ -1,0 +1,1 @@
+"""What results show of themselves: the contract, and a picture in memory."""
