@@ -12,7 +12,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-from snapjump.dataset.read import open_dataset
+from snapjump.dataset.read import load_dataset
 from snapjump.files.cores import own_cores
 
 from .command import measured
@@ -29,7 +29,7 @@ def report(*overrides: str, tier: str = "standard", path: str = "") -> dict[str,
     begun = time.perf_counter()
     subprocess.run(command, check=True, cwd=RUN.parent)
     wall_seconds = time.perf_counter() - begun
-    dataset = open_dataset(folder)
+    dataset = load_dataset(folder)
     cores = len(own_cores())
     rate = dataset.rows / wall_seconds / cores
     return {

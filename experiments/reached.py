@@ -13,11 +13,11 @@ import numpy as np
 from snapjump.batch import simulate_designs
 from snapjump.composition import with_tier
 from snapjump.inverse.physics import PhysicsOptions
-from snapjump.learning.forward_model import ForwardModel, open_forward_model
+from snapjump.learning import STANDARD
+from snapjump.learning.forward_model import ForwardModel, forward_model
 from snapjump.plan.base import stretched
 from snapjump.targets.answer import answer
 from snapjump.targets.design import problem_of
-from snapjump.targets.request import SHIPPED
 from snapjump.targets.warm_up import warm_up
 
 NEAR = 0.01  # of a range
@@ -32,7 +32,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     given = parser.parse_args()
     random = np.random.default_rng(given.seed)
-    forward = open_forward_model(SHIPPED)
+    forward = forward_model(STANDARD)
     near = NEAR * random.random((given.corners, 4))
     corners = np.where(random.random((given.corners, 4)) < 0.5, near, 1.0 - near)
     edges = random.random((given.edges, 4))

@@ -19,6 +19,7 @@ from snapjump.friction.base import FrictionOptions
 from snapjump.integrator.base import IntegratorOptions
 from snapjump.robot.design import Design
 from snapjump.robot.environment import Environment
+from snapjump.robot.other_units import in_own_units
 from snapjump.robot.robot import Robot
 from snapjump.stepping.base import SteppingOptions
 from snapjump.tiers import TIERS
@@ -66,6 +67,8 @@ class Simulation:
         for group, kind in PLAIN.items():
             part = getattr(self, group)
             if isinstance(part, Mapping):
+                given = {f"{group}.{key}" for key in part}
+                part = in_own_units({group: part}, given, self.robot)[group]
                 object.__setattr__(self, group, construct(group, kind, part))
             elif not isinstance(part, kind):
                 allowed = f"a {kind.__name__}, or a mapping of its fields"

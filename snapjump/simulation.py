@@ -57,16 +57,18 @@ def simulate(simulation: Simulation, progress: Progress | None = None) -> Result
 
 
 def simulate_jump(
-    robot: Robot | None = None,
-    design: Design | None = None,
-    environment: Environment | None = None,
+    robot: Robot | Mapping[str, Any] | None = None,
+    design: Design | Mapping[str, Any] | None = None,
+    environment: Environment | Mapping[str, Any] | None = None,
     accuracy: str = "standard",
     **parts: Any,
 ) -> JumpResult:
     """Simulate one jump at an accuracy tier.
 
     ``parts`` replace the tier's modules (``integrator=...``, ``contact="penalty"``, see
-    :class:`snapjump.composition.Simulation`). Raises ParameterError for values out of range.
+    :class:`snapjump.composition.Simulation`). Groups of numbers do as well, in their own units or
+    those of the workbench: ``design={"delta_alpha_deg": 5}``, ``environment={"mass_g": 4}``.
+    Raises ParameterError for values out of range.
     """
     simulation = with_tier(
         accuracy,

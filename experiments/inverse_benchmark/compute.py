@@ -13,7 +13,7 @@ from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation
 from snapjump.declare.members import make_member
 from snapjump.inverse.base import CONTROLS, Problem, Solution
-from snapjump.learning.forward_model import ForwardModel, open_forward_model
+from snapjump.learning.forward_model import ForwardModel, forward_model
 from snapjump.plan.base import Range, stretched
 from snapjump.run.studies.base import Row
 from snapjump.targets.answer import answer
@@ -29,7 +29,7 @@ from .methods import LENGTH_MM, SOLVED_MM, TIERS
 # Designs about one that missed its target, and the share of the controls' ranges they lie within.
 AROUND, WITHIN = 64, 2.0e-3
 
-opened = cache(open_forward_model)
+opened = cache(forward_model)
 
 
 class Problems(NamedTuple):

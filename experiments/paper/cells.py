@@ -131,10 +131,10 @@ def each(look: Callable[[Simulation], Row], key: str) -> Callable[[Mapping[str, 
 @cache
 def shipped_forward() -> Any:
     """The forward model."""
-    from snapjump.learning.forward_model import open_forward_model
-    from snapjump.targets.request import SHIPPED
+    from snapjump.learning import STANDARD
+    from snapjump.learning.forward_model import forward_model
 
-    return open_forward_model(SHIPPED)
+    return forward_model(STANDARD)
 
 
 def shipped_inputs(groups: Mapping[str, Any]) -> dict[str, str]:
@@ -142,7 +142,7 @@ def shipped_inputs(groups: Mapping[str, Any]) -> dict[str, str]:
 
     Raises ParameterError if it was trained with another physical model than the groups'.
     """
-    from snapjump.targets.request import SHIPPED
+    from snapjump.learning import STANDARD
 
     shipped_forward().check_model(composed(groups))
-    return {"checkpoint_sha256": hashlib.sha256(SHIPPED.read_bytes()).hexdigest()}
+    return {"checkpoint_sha256": hashlib.sha256(STANDARD.read_bytes()).hexdigest()}

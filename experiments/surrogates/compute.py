@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from snapjump.arrays import Array
-from snapjump.dataset.read import Dataset, open_dataset
+from snapjump.dataset.read import Dataset, load_dataset
 from snapjump.declare.members import make_member
 from snapjump.learning.data import JumpData
 from snapjump.learning.forward_model import ForwardModel
@@ -26,7 +26,7 @@ TRAINED, PLACE, FLOOR = "trained", "place", "floor"
 BINS = 5
 SHARES = (0.5, 0.1, 0.01)
 
-opened = cache(open_dataset)
+opened = cache(load_dataset)
 
 
 def trained_rows(inputs: Mapping[str, Any]) -> list[Row]:

@@ -164,12 +164,12 @@ def check_datasets(datasets: Mapping[str, Any]) -> None:
 
 def opened(key: str, path: Any) -> Any:
     """A dataset. Raises ParameterError that names the key."""
-    from snapjump.dataset.read import open_dataset
+    from snapjump.dataset.read import load_dataset
 
     if not isinstance(path, str):
         raise ParameterError(f"task.{key}", path, "null, or the folder of a dataset")
     try:
-        return open_dataset(path)
+        return load_dataset(path)
     except ParameterError as error:
         raise ParameterError(f"task.{key}", path, error.allowed) from None
 

@@ -15,7 +15,7 @@ from snapjump.batch.prepare import Prepared, prepare_designs
 from snapjump.batch.progress import BatchProgress
 from snapjump.batch.sensitivities import Slopes
 from snapjump.checks import ParameterError, check_integer, check_number
-from snapjump.composition import Simulation
+from snapjump.composition import Simulation, with_tier
 from snapjump.declare.inputs import (
     DEFAULT_INPUTS,
     check_inputs,
@@ -141,7 +141,7 @@ def check_width(lanes: int, threads: int) -> None:
 
 
 def simulate_designs(
-    base: Simulation,
+    base: Simulation | str,
     designs: Any,
     *,
     inputs: Sequence[str] = DEFAULT_INPUTS,
@@ -153,7 +153,8 @@ def simulate_designs(
 ) -> Batch:
     """Simulate designs (R, I), whose columns are ``inputs``, by their paths.
 
-    By default these are delta_alpha (rad), epsilon, mass_bar, mu; all else is as in ``base``. An
+    By default these are delta_alpha (rad), epsilon, mass_bar, mu; all else is as in ``base``, a
+    simulation or the name of an accuracy tier. An
     array has its columns in this order; those of a DataFrame are found by their names.
     ``threads`` (default: one a core) with ``lanes`` jumps in each; both default to what ``base``
     says if its backend is ``lanes``, and mean nothing with ``backend=cuda``.
@@ -166,6 +167,7 @@ def simulate_designs(
     jump, a number of lanes or threads out of range, a curve of another robot or mesh, or a module
     that sensitivities do not know.
     """
+    base = with_tier(base) if isinstance(base, str) else base
     check_inputs(base, inputs)
     known = inputs_of(base)
     table = rows_of(designs, [known[path] for path in inputs], known.values())

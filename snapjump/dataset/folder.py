@@ -2,11 +2,12 @@
 
     dataset.json               the specification: everything that determines the numbers
     shards/shard-00000.parquet rows of a stretch of the plan
-    shards/shard-00000.json    its entry: checksums of file and content, statuses
+    shards/_shard-00000.json   its entry: checksums of file and content, statuses
     manifest.json              the contents of all entries, and the hash of the dataset
 
 A shard counts once its entry lies beside it, and an entry is written after its shard: whatever is
-interrupted, there is an entry only of a shard that is whole.
+interrupted, there is an entry only of a shard that is whole. Readers of Parquet take ``shards`` for
+one table: they pass over files whose name begins with an underscore.
 """
 
 from collections.abc import Mapping
@@ -38,7 +39,9 @@ class DatasetFolder:
 
     def entry(self, number: int) -> Path:
         """The entry of a finished shard: checksums and statuses."""
-        return self.path / SHARDS / f"shard-{number:05d}.json"
+        path = self.path / SHARDS / f"_shard-{number:05d}.json"
+        former = path.with_name(path.name[1:])
+        return former if former.exists() and not path.exists() else path
 
     def claim(self, part: int, parts: int) -> list[FileLock]:
         """Locks of one who generates the whole, or one of several parts.

@@ -74,7 +74,7 @@ def checked_columns(columns: Sequence[str] | None, there: Collection[str]) -> li
     return chosen
 
 
-def open_dataset(path: str | Path) -> Dataset:
+def load_dataset(path: str | Path) -> Dataset:
     """A dataset whose every shard is as it was written.
 
     Raises ParameterError, which names what is missing or damaged: running its generation again

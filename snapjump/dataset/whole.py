@@ -5,7 +5,7 @@ from typing import Any
 
 from snapjump.dataset.folder import DatasetFolder, default_path
 from snapjump.dataset.generate import Generation, generate
-from snapjump.dataset.read import Dataset, open_dataset
+from snapjump.dataset.read import Dataset, load_dataset
 from snapjump.dataset.specification import Specification
 from snapjump.executor.local import LocalExecutor
 
@@ -23,4 +23,4 @@ def whole_dataset(
     finally:
         for lock in locks:
             lock.release()
-    return open_dataset(folder.path), went
+    return load_dataset(folder.path), went

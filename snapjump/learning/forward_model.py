@@ -16,6 +16,7 @@ from snapjump.composition import Simulation
 from snapjump.dataset.specification import first_difference
 from snapjump.declare.inputs import PARTS
 from snapjump.declare.tables import rows_of
+from snapjump.learning import STANDARD
 from snapjump.learning.checkpoint import read_checkpoint
 from snapjump.learning.threads import torch_threads
 from snapjump.plan.parts.axes import Range, recorded_axes
@@ -124,13 +125,14 @@ def _joined(chunks: list[Tensor]) -> Array:
     return torch.cat(chunks).numpy().astype(float)
 
 
-def open_forward_model(path: str | Path) -> ForwardModel:
-    """The forward model of a checkpoint. Raises ParameterError for a file that is none."""
+def forward_model(checkpoint: str | Path = "standard") -> ForwardModel:
+    """The forward model of a checkpoint: ``standard``, which comes along, or a file that task=train
+    left. Raises ParameterError for what is none."""
 
     def refused(reason: str) -> ParameterError:
-        return ParameterError("checkpoint", str(path), f"a forward model: {reason}")
+        return ParameterError("checkpoint", str(checkpoint), f"a forward model: {reason}")
 
-    network, about = read_checkpoint(path)
+    network, about = read_checkpoint(STANDARD if checkpoint == STANDARD.stem else checkpoint)
     with of_ours(refused):
         model = ForwardModel(network, about)
         dataset = about["dataset"]

@@ -7,6 +7,12 @@ from snapjump.declare.fields import Part, number
 from snapjump.robot.robot import SMALLEST, Robot
 
 
+def mass_bar(mass_kg: float, robot: Robot) -> float:
+    """A mass as m g L^2/EI."""
+    square = robot.length_m * robot.length_m
+    return mass_kg * (robot.gravity_m_s2 * square / robot.bending_stiffness_N_m2)
+
+
 class Environment(Part):
     """Friction coefficient mu, the robot's whole mass as m_bar = m g L^2 / EI, and the slope of the
     ground, positive where it rises towards +x."""
@@ -47,8 +53,7 @@ class Environment(Part):
             why = "without gravity a jump has no apex, and m_bar = m g L^2/EI defines no mass"
             allowed = f"at least {SMALLEST:g}, since {why}"
             raise ParameterError("robot.gravity_m_s2", robot.gravity_m_s2, allowed)
-        square = robot.length_m * robot.length_m
-        per_mass = robot.gravity_m_s2 * square / robot.bending_stiffness_N_m2
+        per_mass = mass_bar(1.0, robot)
         lightest = robot.beam_mass_kg * per_mass
         if self.mass_bar <= lightest:
             allowed = f"above {lightest:.6g}, the mass of the beam alone"

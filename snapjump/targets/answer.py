@@ -7,10 +7,11 @@ import numpy as np
 
 from snapjump.arrays import Array
 from snapjump.inverse.base import REACH_BAR, InverseOptions, Problem, Solution
+from snapjump.robot.design import Design
 from snapjump.targets.mirror import with_mirror
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Answer:
     """``solutions``: the best first, which is simulated; ``problem``: that with the bounds within
     which it was found.
@@ -27,6 +28,30 @@ class Answer:
     searched: Array
     seconds: float
     simulations: int
+
+    @property
+    def best(self) -> Solution:
+        """The solution whose simulated apex is the nearest."""
+        return self.solutions[0]
+
+    @property
+    def design(self) -> Design:
+        """Its design, for :func:`snapjump.simulate_jump`."""
+        delta_alpha, epsilon = self.best.controls.tolist()
+        return Design(epsilon=epsilon, delta_alpha=delta_alpha)
+
+    @property
+    def miss_bar(self) -> float:
+        """Distance of its apex from the target, in L."""
+        return self.best.miss_bar(self.problem.target)
+
+    def __repr__(self) -> str:
+        reached = {True: "reached", False: "unreachable", None: "not reached"}[self.reachable]
+        (x, y), (apex_x, apex_y) = self.problem.target.tolist(), self.best.apex.tolist()
+        design = f"epsilon {self.design.epsilon:.6g}, delta_alpha {self.design.delta_alpha:.6g} rad"
+        came = f"apex {apex_x:.4g}, {apex_y:.4g} L, {self.miss_bar:.2g} L off"
+        cost = f"{self.simulations} simulations, {self.seconds:.2g} s"
+        return f"<target {x:g}, {y:g} L {reached}: {design}; {came}; {cost}>"
 
 
 def answer(problem: Problem, method: InverseOptions) -> Answer:

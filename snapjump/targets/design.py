@@ -1,7 +1,8 @@
 """Inverse design from Python: the library's front door to what ``task=inverse`` does."""
 
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -32,9 +33,9 @@ def problem_of(
     return Problem(target, mass_bar, mu, low, high, forward, simulator, seed, symmetric)
 
 
-def design_for(
+def inverse_design(
     target: Sequence[float],
-    environment: Environment | None = None,
+    environment: Environment | Mapping[str, Any] | None = None,
     accuracy: str = "standard",
     method: InverseOptions | None = None,
     checkpoint: str | None = None,

@@ -60,6 +60,7 @@ class Designed:
             "mu": problem.mu,
             "mass_bar": problem.mass_bar,
             **controls("", self.chosen),
+            "mount_height_bar": self.jump.summary.get("mount_height_bar"),
             **point("predicted", self.predicted),
             **point("simulated", self.simulated),
             "error_bar": missed,

@@ -6,17 +6,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from snapjump import learning
 from snapjump.arrays import Array
 from snapjump.checks import ParameterError, check_text, is_finite_number
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS, value_at
 from snapjump.inverse.base import InverseOptions
+from snapjump.learning import STANDARD
 
 if TYPE_CHECKING:
     from snapjump.learning.forward_model import ForwardModel
 
-SHIPPED = Path(learning.__file__).parent / "trained" / "standard.safetensors"
 FARTHEST_BAR = 1.0e6
 
 
@@ -33,7 +32,7 @@ def checked_target(value: Any) -> Array:
 def checkpoint_path(value: Any) -> Path:
     """The file of a forward model, null: the one that comes along. Raises ParameterError."""
     if value is None:
-        return SHIPPED
+        return STANDARD
     check_text("checkpoint", value, "null, or a file that task=train left")
     return Path(value)
 
@@ -41,9 +40,9 @@ def checkpoint_path(value: Any) -> Path:
 def trained_forward(path: Path) -> "ForwardModel":
     """The forward model of a checkpoint. Raises ParameterError for one that has other inputs than
     the two controls and the two of the environment."""
-    from snapjump.learning.forward_model import open_forward_model
+    from snapjump.learning.forward_model import forward_model
 
-    model = open_forward_model(path)
+    model = forward_model(path)
     paths = tuple(axis.path for axis in model.axes)
     if paths != DEFAULT_INPUTS:
         allowed = (

@@ -13,7 +13,7 @@ from snapjump.checks import ParameterError
 from snapjump.dataset.columns import columns_of, content_sha256, schema
 from snapjump.dataset.folder import DatasetFolder, default_path
 from snapjump.dataset.manifest import write_manifest
-from snapjump.dataset.read import open_dataset
+from snapjump.dataset.read import load_dataset
 from snapjump.dataset.shard import read_entry, write_shard
 from snapjump.files.sealed import read_sealed, write_sealed
 
@@ -99,7 +99,7 @@ def test_a_shard_that_is_truncated_gone_or_of_another_place_is_named(tmp_path):
         assert entry is None
         assert reason.startswith(f"shard-00001.parquet has {kept} bytes instead of")
         with pytest.raises(ParameterError, match=r"shard-00001\.parquet has"):
-            open_dataset(tmp_path)
+            load_dataset(tmp_path)
     folder.shard(0).unlink()
     assert whole(folder, 0) == (None, "shard-00000.parquet is missing")
     folder.entry(1).write_bytes(folder.entry(2).read_bytes())
@@ -135,13 +135,13 @@ def test_equal_datasets_have_equal_manifests_and_files_need_not(tmp_path):
     write_manifest(other, SPECIFICATION)
     a, b = (tmp_path / name for name in ("a", "b"))
     assert (a / "manifest.json").read_bytes() == (b / "manifest.json").read_bytes()
-    assert open_dataset(a).sha256 == open_dataset(b).sha256
+    assert load_dataset(a).sha256 == load_dataset(b).sha256
     rows["x_bar"] = rows["x_bar"] + 1e-12
     write_shard(other, SPECIFICATION, 1, rows)
     with pytest.raises(ParameterError, match="shard 1 is another"):
-        open_dataset(b)
+        load_dataset(b)
     write_manifest(other, SPECIFICATION)
-    assert open_dataset(a).sha256 != open_dataset(b).sha256
+    assert load_dataset(a).sha256 != load_dataset(b).sha256
 
 
 def test_a_folder_of_another_dataset_is_refused_with_the_first_difference(tmp_path):

@@ -5,7 +5,7 @@ from refusals import refused
 from small_datasets import made_up, small
 
 from snapjump.checks import ParameterError
-from snapjump.dataset.read import open_dataset
+from snapjump.dataset.read import load_dataset
 from snapjump.dataset.shard import read_entry
 from snapjump.files.sealed import read_sealed, write_sealed
 
@@ -26,9 +26,9 @@ def test_an_entry_that_somebody_sealed_is_damaged(tmp_path, change):
     folder = made_up(tmp_path, SPECIFICATION)
     entry = read_sealed(folder.entry(1)) if "statuses" in change else {}
     write_sealed(folder.entry(1), {**entry, **change})
-    assert read_entry(folder, 1, SPECIFICATION.sha256) == (None, "shard-00001.json is damaged")
+    assert read_entry(folder, 1, SPECIFICATION.sha256) == (None, "_shard-00001.json is damaged")
     with refused("dataset.path"):
-        open_dataset(tmp_path)
+        load_dataset(tmp_path)
 
 
 def without(key):
@@ -54,7 +54,7 @@ def test_a_manifest_that_somebody_sealed_is_refused(tmp_path, change):
     change(manifest)
     write_sealed(folder.manifest, manifest)
     with refused("dataset.path") as caught:
-        open_dataset(tmp_path)
+        load_dataset(tmp_path)
     assert "\n" not in str(caught.value)
 
 

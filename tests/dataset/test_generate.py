@@ -10,7 +10,7 @@ from snapjump.batch import simulate_designs
 from snapjump.checks import ParameterError
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.generate import GenerationError
-from snapjump.dataset.read import open_dataset
+from snapjump.dataset.read import load_dataset
 from snapjump.dataset.simulate import curve_over
 from snapjump.dataset.statistics import gather
 from snapjump.dataset.work import job_of, make_shard
@@ -33,7 +33,7 @@ def same(path: Path, whole: Path) -> bool:
 
 
 def test_rows_are_those_of_the_batch_of_designs(undisturbed):
-    frame = open_dataset(undisturbed).frame()
+    frame = load_dataset(undisturbed).frame()
     designs = SPECIFICATION.plan.designs(0, 24)
     assert (frame[[axis.column for axis in SPECIFICATION.axes]].to_numpy() == designs).all()
     assert frame["index"].tolist() == list(range(24))
@@ -56,7 +56,7 @@ def test_rows_are_those_of_the_batch_of_designs(undisturbed):
 def test_derivatives_of_every_apex(tmp_path, undisturbed):
     asked = small(6, 3, friction=WIDE_STICK, sensitivities=True)
     generated(tmp_path / "asked", asked)
-    frame = open_dataset(tmp_path / "asked").frame()
+    frame = load_dataset(tmp_path / "asked").frame()
     columns = [name for name in frame if name.startswith("d") and "_d_" in name]
     assert len(columns) == 8
     jumped = frame["status"] == "ok"
@@ -67,7 +67,7 @@ def test_derivatives_of_every_apex(tmp_path, undisturbed):
     flags = frame["differentiable"].astype(bool)
     assert (flags == (jumped & (frame["graze_distance"] > 1e-5))).all()
     # Nobody asked for them in the other one.
-    assert open_dataset(undisturbed).frame()[columns].isna().to_numpy().all()
+    assert load_dataset(undisturbed).frame()[columns].isna().to_numpy().all()
 
 
 def test_any_inputs_are_axes(tmp_path):
@@ -85,7 +85,7 @@ def test_any_inputs_are_axes(tmp_path):
     assert asked.simulation.design.epsilon == 0.25
     assert small(shard_size=4, sensitivities=True, **given, robot={"thickness_m": 6e-5}) == asked
     generated(tmp_path, asked)
-    dataset = open_dataset(tmp_path)
+    dataset = load_dataset(tmp_path)
     assert dataset.axes == asked.axes and [axis.path for axis in asked.axes] == list(ranges)
     frame = dataset.frame()
     columns = ["thickness_m", "mount_height", "stiffness_N_m", "relaxation_time_s"]
@@ -113,7 +113,7 @@ def test_designs_that_cannot_be_are_rows_with_a_status(tmp_path):
     thick = {"thickness_m": 5e-4, "youngs_modulus_Pa": 2e8, "density_kg_m3": 500.0}
     specification = small(16, plan=plan, robot=thick)
     assert generated(tmp_path, specification).manifest["statuses"] == {"no_threshold": 3, "ok": 13}
-    frame = open_dataset(tmp_path).frame()
+    frame = load_dataset(tmp_path).frame()
     refused = frame["status"] == "no_threshold"
     assert frame.loc[refused, "epsilon"].max() < frame.loc[~refused, "epsilon"].min()
     for name in ("mount_height_bar", "x_bar", "y_bar", "liftoff_time_s"):
@@ -127,7 +127,7 @@ def test_designs_that_cannot_be_are_rows_with_a_status(tmp_path):
 
 def test_shards_of_any_size_hold_the_same_rows(undisturbed, tmp_path):
     generated(tmp_path, small(shard_size=24))
-    one, several = (open_dataset(path).frame() for path in (tmp_path, undisturbed))
+    one, several = (load_dataset(path).frame() for path in (tmp_path, undisturbed))
     times = ["kernel_seconds"]
     assert one.drop(columns=times).equals(several.drop(columns=times))
 
@@ -164,7 +164,7 @@ def test_parts_make_the_whole(undisturbed, tmp_path):
     assert first.made == 8 and not first.manifest["complete"]
     assert first.manifest["dataset_sha256"] is None
     with pytest.raises(ParameterError, match="8 of 24 rows"):
-        open_dataset(tmp_path)
+        load_dataset(tmp_path)
     second = generated(tmp_path, SPECIFICATION, part=1, parts=2)
     assert second.made == 16 and same(tmp_path, undisturbed)
 

@@ -12,7 +12,7 @@ from snapjump.checks import ParameterError
 from snapjump.dataset.columns import columns_of, content_sha256, table_of
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.manifest import write_manifest
-from snapjump.dataset.read import open_dataset
+from snapjump.dataset.read import load_dataset
 from snapjump.dataset.shard import write_table
 from snapjump.dataset.statistics import gather
 from snapjump.plan.parts.axes import default_axes
@@ -66,7 +66,7 @@ def test_a_dataset_of_before_has_its_columns_under_names_of_today(tmp_path):
         table = table_of(columns_of(specification.axes), rows).select(kept).rename_columns(former)
         hashes[number] = write_table(folder, specification, number, table)["content_sha256"]
     write_manifest(folder, specification)
-    found = open_dataset(tmp_path)
+    found = load_dataset(tmp_path)
     heights = made_up_rows(specification, 1)["mount_height_bar"]
     table = list(found.shards(["x_bar", "mount_height_bar"]))[1]
     assert np.array_equal(table["mount_height_bar"].to_numpy(), heights)
@@ -81,12 +81,12 @@ def test_a_dataset_of_before_has_its_columns_under_names_of_today(tmp_path):
 def test_a_dataset_that_is_not_complete_is_refused(tmp_path):
     specification = small(100, 16)
     with pytest.raises(ParameterError, match=r"manifest\.json"):
-        open_dataset(tmp_path)
+        load_dataset(tmp_path)
     folder = DatasetFolder(tmp_path)
     folder.open(specification)
     write_manifest(folder, specification)
     with pytest.raises(ParameterError, match="0 of 100 rows"):
-        open_dataset(tmp_path)
+        load_dataset(tmp_path)
 
 
 def test_statistics_are_those_of_the_rows(read_and_written):
@@ -132,7 +132,7 @@ def test_memory_does_not_grow_with_the_dataset(tmp_path):
         pa.set_memory_pool(pool)
         tracemalloc.start()
         try:
-            gather(open_dataset(tmp_path / str(shards)))
+            gather(load_dataset(tmp_path / str(shards)))
             peaks.append(tracemalloc.get_traced_memory()[1] + pool.max_memory())
         finally:
             tracemalloc.stop()

@@ -78,11 +78,11 @@ write_checkpoint(Path("forward.safetensors"), network(), told)
 OPENED = """
 import sys
 import snapjump
-from snapjump.dataset.read import open_dataset
+from snapjump.dataset.read import load_dataset
 from snapjump.learning.checkpoint import read_checkpoint
 if len(sys.argv) > 1:
     snapjump.load_plugins(sys.argv[1])
-for opened in (lambda: open_dataset("dataset"), lambda: read_checkpoint("forward.safetensors")):
+for opened in (lambda: load_dataset("dataset"), lambda: read_checkpoint("forward.safetensors")):
     try:
         opened()
     except snapjump.ParameterError as error:

@@ -11,7 +11,7 @@ from dask_processes import PATIENCE_S
 from small_datasets import BACKEND, OVERRIDES, generated, small
 
 from snapjump.checks import ParameterError
-from snapjump.dataset.read import open_dataset
+from snapjump.dataset.read import load_dataset
 from snapjump.executor.dask import Dask, DaskExecutor
 from snapjump.files.cores import own_cores
 
@@ -36,7 +36,7 @@ def test_a_killed_worker_costs_nothing_but_time(cluster, tmp_path):
     generated(tmp_path / "local", SPECIFICATION)
     local, dask = (tmp_path / name / "manifest.json" for name in ("local", "dask"))
     assert local.read_bytes() == dask.read_bytes()
-    assert open_dataset(path).sha256 == open_dataset(tmp_path / "local").sha256
+    assert load_dataset(path).sha256 == load_dataset(tmp_path / "local").sha256
     assert not list((path / "shards").glob(".*.json.*"))
 
 
@@ -47,7 +47,7 @@ def test_workers_started_here_by_the_command_line(process, tmp_path):
     )
     assert "24 now" in done.stdout
     generated(tmp_path / "local", small())
-    here, local = (open_dataset(tmp_path / n).table(["index", "x_bar"]) for n in ("d", "local"))
+    here, local = (load_dataset(tmp_path / n).table(["index", "x_bar"]) for n in ("d", "local"))
     assert here.equals(local)
 
 
@@ -67,7 +67,7 @@ def still_running(group: int) -> list[str]:
 def test_ctrl_c_of_a_terminal_stops_all_processes_without_a_word_of_theirs(tmp_path):
     plan = ("plan=sobol", "plan.count=20000", "dataset.shard_size=16", "executor=dask")
     run = (*OVERRIDES, *plan, "dataset.path=d", "tracking=off")
-    process = begun(tmp_path, *run, until="d/shards/shard-00002.json", start_new_session=True)
+    process = begun(tmp_path, *run, until="d/shards/_shard-00002.json", start_new_session=True)
     os.killpg(process.pid, signal.SIGINT)
     out, errors = process.communicate(timeout=PATIENCE_S)
     assert process.returncode == 130

@@ -16,7 +16,7 @@ from experiments.inverse_benchmark.figure import draw_benchmark
 from experiments.inverse_benchmark.methods import METHODS, PAPER, SOLVED_MM
 from experiments.inverse_benchmark.study import InverseBenchmark, chosen, stretches
 from experiments.inverse_benchmark.table import readme_block, summary_row, unsolved
-from snapjump.dataset.read import open_dataset
+from snapjump.dataset.read import load_dataset
 from snapjump.declare.members import member_class, member_names
 from snapjump.learning.data import JumpData
 from snapjump.learning.learn import learn
@@ -29,7 +29,7 @@ def checkpoint(tmp_path_factory) -> Path:
     """An interpolation between 250 coarse jumps."""
     path: Path = tmp_path_factory.mktemp("coarse")
     generated(path / "jumps", small(250, 250))
-    data = JumpData(open_dataset(path / "jumps"), Training(), 0)
+    data = JumpData(load_dataset(path / "jumps"), Training(), 0)
     return learn(data, member_class("surrogate", "rbf")(), silent, place=path).file
 
 

@@ -16,7 +16,7 @@ from snapjump.checks import ParameterError
 from snapjump.learning import export as module
 from snapjump.learning.checkpoint import FORMAT, _sha256, read_checkpoint, write_checkpoint
 from snapjump.learning.export import check_exportable, export, one_core
-from snapjump.learning.forward_model import ForwardModel, open_forward_model
+from snapjump.learning.forward_model import ForwardModel, forward_model
 
 
 @pytest.fixture
@@ -32,7 +32,7 @@ def test_what_was_kept_is_read(kept_model):
     with torch.no_grad():
         designs = jumps(50).designs
         assert torch.equal(found.network(designs), network()(designs))
-    assert np.isfinite(open_forward_model(str(kept_model)).predict(designs.numpy())).all()
+    assert np.isfinite(forward_model(str(kept_model)).predict(designs.numpy())).all()
     assert [f.name for f in kept_model.parent.iterdir()] == ["model.safetensors"]
 
 
@@ -114,7 +114,7 @@ def test_whatever_a_foreign_file_says_it_is_one_line(tmp_path, content):
     text = content if content in (NESTED, "{") else json.dumps(content)
     sealed_as_ours(file, text, network().state_dict())
     with pytest.raises(ParameterError, match=r"checkpoint = ") as caught:
-        open_forward_model(file)
+        forward_model(file)
     assert "\n" not in str(caught.value) and len(str(caught.value)) < 600
 
 
@@ -135,7 +135,7 @@ def test_finite_weights_that_predict_nothing(tmp_path):
             value.fill_(1e30)
     write_checkpoint(file, broken, about())
     with pytest.raises(ParameterError, match="not finite"):
-        open_forward_model(file)
+        forward_model(file)
 
 
 def test_nan_reaches_no_file(tmp_path):

@@ -12,7 +12,7 @@ from snapjump.checks import ParameterError
 from snapjump.declare.members import make_member, member_class, member_names
 from snapjump.files.sources import package_files
 from snapjump.learning.data import JumpData
-from snapjump.learning.forward_model import open_forward_model
+from snapjump.learning.forward_model import forward_model
 from snapjump.learning.learn import CURVES, DETERMINES, FORWARD_MODEL, check_slopes, learn
 from snapjump.learning.training import Training
 from snapjump.simulation import build
@@ -32,7 +32,7 @@ def refuse(share: float, text: str) -> None:
 def test_what_a_checkpoint_says(jump_set, tmp_path):
     found = jump_set()
     learned = learn(found, OPTIONS, silent, {"seed": 0}, tmp_path)
-    model = open_forward_model(learned.file)
+    model = forward_model(learned.file)
     about = model.about
     assert about == learned.about and about["surrogate"] == RESNET
     assert about["dataset"]["sha256"] == about["dataset_sha256"] == found.dataset.sha256
@@ -63,7 +63,7 @@ def test_nothing_is_trained_twice_and_what_is_damaged_is(jump_set, tmp_path):
 def test_what_needs_no_descent(jump_set, tmp_path):
     learned = learn(jump_set(), member_class("surrogate", "rbf")(), silent, None, tmp_path)
     assert learned.curves == [] and learned.about["epochs"] == 0
-    model = open_forward_model(learned.file)
+    model = forward_model(learned.file)
     found = jump_set()
     designs = found.test.designs.double().numpy()
     assert np.abs(model.predict(designs) - found.test.apexes.numpy()).mean() < 0.1
@@ -75,7 +75,7 @@ def test_intervals_come_from_the_validation_set(jump_set, tmp_path):
     learned = learn(jump_set(), options, silent, None, tmp_path)
     measured = learned.about["measures"]
     assert 0.7 < measured["coverage"] <= 1.0 and measured["half_width_bar"] > 0.0
-    half_widths = open_forward_model(learned.file).half_widths(jump_set().test.designs.numpy())
+    half_widths = forward_model(learned.file).half_widths(jump_set().test.designs.numpy())
     assert half_widths is not None
     assert half_widths.mean() == pytest.approx(measured["half_width_bar"], rel=1e-4)
 
@@ -102,7 +102,7 @@ def test_a_forward_model_has_the_inputs_of_its_dataset(name, tmp_path):
     dataset = made_up_dataset(tmp_path / "data", specification)
     data = JumpData(dataset, Training(epochs=1), 0)
     learned = learn(data, member_class("surrogate", name)(), silent, None, tmp_path)
-    model = open_forward_model(learned.file)
+    model = forward_model(learned.file)
     assert [axis.path for axis in model.axes] == list(inputs)
     designs = specification.plan.designs(0, 5)
     assert model.predict(designs).shape == (5, 2)

@@ -11,7 +11,7 @@ from snapjump.dataset.columns import Rows, columns_of, slope_columns
 from snapjump.dataset.folder import DatasetFolder
 from snapjump.dataset.generate import Generation, generate
 from snapjump.dataset.manifest import write_manifest
-from snapjump.dataset.read import Dataset, open_dataset
+from snapjump.dataset.read import Dataset, load_dataset
 from snapjump.dataset.shard import write_shard
 from snapjump.dataset.specification import Specification, specify
 from snapjump.declare.outputs import FLAG, INTEGER, NUMBER, WORD
@@ -100,7 +100,7 @@ def made_up(path: Path, specification: Specification) -> DatasetFolder:
 
 
 def made_up_dataset(path: Path, specification: Specification) -> Dataset:
-    return open_dataset(made_up(path, specification).path)
+    return load_dataset(made_up(path, specification).path)
 
 
 def smooth_dataset(path: Path, specification: Specification, **columns: Any) -> Dataset:
@@ -123,7 +123,7 @@ def smooth_dataset(path: Path, specification: Specification, **columns: Any) -> 
             rows[name] = np.full(len(apexes), value, rows[name].dtype)
         return rows
 
-    return open_dataset(written(path, specification, rows_of).path)
+    return load_dataset(written(path, specification, rows_of).path)
 
 
 def silent(share: float, text: str) -> None:

@@ -12,7 +12,7 @@ from snapjump import Design, Environment, ParameterError, simulate_jump
 from snapjump.declare.fields import construct
 from snapjump.inverse.bayesian import BayesianOptions
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
-from snapjump.targets.design import design_for
+from snapjump.targets.design import inverse_design
 from snapjump.targets.request import SHIPPED, checked_target, checkpoint_path, usable_forward
 from snapjump.targets.robust import Tolerance
 
@@ -100,7 +100,7 @@ def simulated_alone(found: Any) -> Any:
 
 
 def test_a_design_reaches_its_target_when_it_is_simulated_alone():
-    found = design_for((3.0, 12.0), ENVIRONMENT)
+    found = inverse_design((3.0, 12.0), ENVIRONMENT)
     assert found.reachable
     jump = simulated_alone(found)
     assert found.solutions[0].apex == pytest.approx([jump.x_bar, jump.y_bar], abs=1e-12)
@@ -108,7 +108,7 @@ def test_a_design_reaches_its_target_when_it_is_simulated_alone():
 
 
 def test_the_model_that_comes_along_is_as_good_as_it_says():
-    found = design_for((3.0, 12.0), ENVIRONMENT, method=GaussNewtonOptions())
+    found = inverse_design((3.0, 12.0), ENVIRONMENT, method=GaussNewtonOptions())
     jump = simulated_alone(found)
     # Ten times the mean error that it was measured to have.
     assert np.hypot(jump.x_bar - 3.0, jump.y_bar - 12.0) < 0.12
@@ -116,7 +116,7 @@ def test_the_model_that_comes_along_is_as_good_as_it_says():
 
 
 def test_out_of_reach():
-    found = design_for((30.0, 2.0), ENVIRONMENT)
+    found = inverse_design((30.0, 2.0), ENVIRONMENT)
     assert found.reachable is False and found.simulations > 0
     np.testing.assert_allclose(found.searched, [[-0.19, 0.19], [0.1, 0.3]])
 
@@ -124,9 +124,9 @@ def test_out_of_reach():
 def test_outside_of_the_training_range():
     heavy = Environment(mu=0.25, mass_bar=2.5)
     with pytest.raises(ParameterError, match="mass_bar"):
-        design_for((1.0, 5.0), heavy, method=GaussNewtonOptions())
+        inverse_design((1.0, 5.0), heavy, method=GaussNewtonOptions())
     with pytest.warns(UserWarning, match="goes on without it"):
-        found = design_for((1.0, 5.0), heavy, "draft")
+        found = inverse_design((1.0, 5.0), heavy, "draft")
     assert found.reachable
     assert found.solutions[0].miss_bar(np.array([1.0, 5.0])) < 3e-4
 
@@ -136,4 +136,4 @@ def test_outside_of_the_training_range():
 )
 def test_bad_input_is_named(bad):
     with refused(*bad):
-        design_for(**{"target": (3.0, 12.0), **bad})
+        inverse_design(**{"target": (3.0, 12.0), **bad})

@@ -10,7 +10,7 @@ from snapjump.checks import ParameterError
 from snapjump.dataset.folder import DatasetFolder, default_path
 from snapjump.dataset.generate import Generation, generate
 from snapjump.dataset.options import SharedDataset
-from snapjump.dataset.read import open_dataset
+from snapjump.dataset.read import load_dataset
 from snapjump.dataset.shard import read_entry
 from snapjump.dataset.specification import specify
 from snapjump.dataset.statistics import gather
@@ -108,7 +108,7 @@ class GenerateDataset(Task):
 
     def _conclude(self, folder: ResultFolder, generation: Generation) -> None:
         """Figures of the whole dataset, and what its record names."""
-        dataset = open_dataset(self._folder.path)
+        dataset = load_dataset(self._folder.path)
         plan = self._config["plan"]["name"]
         name = f"{plan}-{self._specification.simulation.accuracy}"
         use = DatasetUse(name, dataset.sha256, str(self._folder.path), dataset.rows, "generated")

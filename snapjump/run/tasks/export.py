@@ -6,7 +6,7 @@ from typing import Any
 from snapjump.files.result_folder import ResultFolder
 from snapjump.files.sealed import file_sha256
 from snapjump.learning.export import check_exportable, export
-from snapjump.learning.forward_model import open_forward_model
+from snapjump.learning.forward_model import forward_model
 from snapjump.run.tasks.base import OK, Outcome, Progress, Task
 from snapjump.show.terminal.block import number
 from snapjump.targets.request import checkpoint_path
@@ -22,7 +22,7 @@ class Export(Task):
     def prepare(self, config: Mapping[str, Any]) -> None:
         self._path = str(checkpoint_path(config.get("checkpoint")))
         self._seed: int = config["seed"]
-        self._model = open_forward_model(self._path)
+        self._model = forward_model(self._path)
         check_exportable(self._model, self._path)
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:

@@ -15,11 +15,14 @@ from omegaconf import DictConfig, OmegaConf
 from omegaconf.errors import OmegaConfBaseException
 
 from snapjump.checks import ParameterError
+from snapjump.declare.fields import construct
 from snapjump.declare.members import make_member
 from snapjump.declare.plugins import load_all
 from snapjump.files.layout import PROGRAM
 from snapjump.files.provenance import now, source_hash
 from snapjump.files.result_folder import ResultFolder
+from snapjump.robot.other_units import in_own_units
+from snapjump.robot.robot import Robot
 from snapjump.run.tasks import base
 from snapjump.run.tasks.base import Outcome, Task
 from snapjump.run.tasks.execute import check_run, execute, write_outcome
@@ -48,16 +51,17 @@ def run_job(composed: DictConfig) -> int:
     folder = ResultFolder(Path(hydra.runtime.output_dir))
     overrides = task_overrides(hydra)
     try:
-        config = OmegaConf.to_container(composed, resolve=True, throw_on_missing=True)
-        assert isinstance(config, dict)
+        config: Any = OmegaConf.to_container(composed, resolve=True, throw_on_missing=True)
         load_all(config.get("plugins"))
         config["tracking"] = chosen(config.get("tracking"), overrides)
+        given = {text.lstrip("+").partition("=")[0] for text in overrides}
+        config = in_own_units(config, given, construct("robot", Robot, config.get("robot")))
         if folder.taken():
             allowed = f"a folder without a {folder.taken()[0]} of something else"
             raise ParameterError("hydra.run.dir", str(folder.path), allowed)
         if hydra.mode == RunMode.MULTIRUN:
-            return run_cell(config, folder, overrides)  # type: ignore[arg-type]
-        return run_alone(config, folder, overrides)  # type: ignore[arg-type]
+            return run_cell(config, folder, overrides)
+        return run_alone(config, folder, overrides)
     except OmegaConfBaseException as error:
         return _refused(str(one_line(error, overrides)), folder)
     except ParameterError as error:

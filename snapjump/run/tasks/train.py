@@ -8,7 +8,7 @@ from typing import Any
 from snapjump.checks import ParameterError
 from snapjump.dataset.folder import DatasetFolder, default_path
 from snapjump.dataset.options import DatasetOptions
-from snapjump.dataset.read import open_dataset
+from snapjump.dataset.read import load_dataset
 from snapjump.dataset.specification import specify
 from snapjump.declare.members import make_member
 from snapjump.files.atomic import write_bytes
@@ -49,7 +49,7 @@ class Train(Task):
         if not path.is_dir():
             allowed = f"a folder with a dataset; make it with: {command_of_dataset()}"
             raise ParameterError("dataset.path", str(path), allowed)
-        self._data = JumpData(open_dataset(path), training, config["seed"])
+        self._data = JumpData(load_dataset(path), training, config["seed"])
         check_slopes(self._options, self._data)
 
     def run(self, folder: ResultFolder, progress: Progress) -> Outcome:

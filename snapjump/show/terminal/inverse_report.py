@@ -5,6 +5,7 @@ from typing import Any
 
 from snapjump.plan.parts.axes import default_axes
 from snapjump.show.terminal.block import number
+from snapjump.show.terminal.build_line import build_line
 from snapjump.show.terminal.scene_report import accuracy_line
 
 MOST_LISTED = 5
@@ -26,6 +27,7 @@ def inverse_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> lis
         ("predicted", point(summary, "predicted")),
         ("simulated", point(summary, "simulated", length_mm)),
         ("error", length(summary["error_bar"], length_mm)),
+        ("build", built(config, summary)),
         ("1 % of", costs(summary, length_mm)),
         ("others", others(summary)),
         ("plain", controls(summary, "plain_")),
@@ -57,6 +59,14 @@ def controls(summary: Mapping[str, Any], prefix: str) -> str:
     if delta_alpha is None or epsilon is None:
         return ""
     return f"delta_alpha {delta_alpha:.6g} rad, epsilon {epsilon:.6g}"
+
+
+def built(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
+    """The robot to be built; nothing where there is no design."""
+    epsilon, delta_alpha = summary.get("epsilon"), summary.get("delta_alpha_rad")
+    if epsilon is None or delta_alpha is None:
+        return ""
+    return build_line(config, epsilon, delta_alpha, summary.get("mount_height_bar"))
 
 
 def costs(summary: Mapping[str, Any], length_mm: float) -> str:

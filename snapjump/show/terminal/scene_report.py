@@ -3,10 +3,13 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from snapjump.declare.fields import settings
+from snapjump.declare.fields import construct, settings
 from snapjump.declare.members import member_class
 from snapjump.declare.outputs import Output
+from snapjump.robot.other_units import in_other_units
+from snapjump.robot.robot import Robot
 from snapjump.show.terminal.block import number
+from snapjump.show.terminal.build_line import build_line
 from snapjump.sim.base import SceneOptions
 from snapjump.tiers import TIERS
 
@@ -17,6 +20,9 @@ def scene_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list[
     scene = member_class("sim", name)()
     lines = output_lines(scene.outputs.declared(), summary, 1e3 * config["robot"]["length_m"])
     cost = lines.pop("cost", "")
+    design, mount = config["design"], summary.get("mount_height_bar")
+    if mount is not None:
+        lines["build"] = build_line(config, design["epsilon"], design["delta_alpha"], mount)
     return [
         (name, title(config, scene)),
         *lines.items(),
@@ -31,7 +37,9 @@ def title(config: Mapping[str, Any], scene: SceneOptions) -> str:
     told = []
     for path in scene.tells or [f"sim.{key}" for key in settings(scene)]:
         group, _, key = path.partition(".")
-        told.append(f"{key} {number(config[group][key])}")
+        value = config[group][key]
+        other = in_other_units(path, value, construct("robot", Robot, config["robot"]))
+        told.append(f"{key} {number(value)}" + (f" ({other})" if other else ""))
     return ", ".join(told)
 
 

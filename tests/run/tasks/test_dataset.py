@@ -13,7 +13,7 @@ from small_datasets import OVERRIDES
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.options import SharedDataset
-from snapjump.dataset.read import open_dataset
+from snapjump.dataset.read import load_dataset
 from snapjump.files.lock import FileLock
 from snapjump.run.tasks.complete import whole
 
@@ -33,7 +33,7 @@ def test_a_dataset_its_record_and_its_continuation(command, refusal, database, t
     done = command(*OVERRIDES, *PLAN)
     folder, result = result_in(tmp_path)
     (path,) = tmp_path.glob("outputs/datasets/sobol-draft-*")
-    dataset = open_dataset(path)
+    dataset = load_dataset(path)
     assert result["status"] == "ok" and result["complete"]
     assert result["rows"] == result["rows_made"] == result["designs"] == 16
     assert result["dataset_sha256"] == dataset.sha256 and result["dataset_path"] == str(path)
@@ -75,7 +75,7 @@ def test_parts_of_a_sweep_share_a_folder(process, tmp_path):
         *sweep, "dataset.parts=2", "dataset.part=1,2",
         "hydra/launcher=joblib", "hydra.launcher.n_jobs=2",
     )  # fmt: skip
-    assert open_dataset(tmp_path / "shared").rows == 16
+    assert load_dataset(tmp_path / "shared").rows == 16
 
 
 def test_a_folder_that_another_process_writes_to_is_refused(refusal, tmp_path):
@@ -90,7 +90,7 @@ def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(tmp_path):
     # Enough designs that it does not end by itself.
     many = ("plan=latin_hypercube", "plan.count=20000", "dataset.shard_size=16")
     where = ("dataset.path=d", "tracking=off")
-    process = begun(tmp_path, *OVERRIDES, *many, *where, until="d/shards/shard-00001.json")
+    process = begun(tmp_path, *OVERRIDES, *many, *where, until="d/shards/_shard-00001.json")
     assert "the same command continues what is in d" in interrupted(process)
     (result,) = results(tmp_path)
     assert result["status"] == "interrupted"

@@ -15,7 +15,7 @@ from small_datasets import OVERRIDES, silent
 from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
 from snapjump.learning.checkpoint import write_checkpoint
-from snapjump.learning.forward_model import open_forward_model
+from snapjump.learning.forward_model import forward_model
 from snapjump.run.tasks.base import EXIT_UNREACHABLE, Outcome, exit_code
 from snapjump.run.tasks.export import Export
 from snapjump.run.tasks.inverse import InverseDesign
@@ -42,7 +42,7 @@ def checkpoint(tmp_path_factory) -> Path:
 @pytest.fixture(scope="module")
 def target(checkpoint) -> list[float]:
     """A target that the forward model believes it can reach."""
-    found: list[float] = open_forward_model(checkpoint).predict(DESIGN)[0].tolist()
+    found: list[float] = forward_model(checkpoint).predict(DESIGN)[0].tolist()
     return found
 
 

@@ -18,10 +18,10 @@ from small_datasets import silent, small, smooth_dataset
 
 from snapjump.checks import ParameterError
 from snapjump.dataset.folder import default_path
-from snapjump.dataset.read import open_dataset
+from snapjump.dataset.read import load_dataset
 from snapjump.dataset.specification import specify
 from snapjump.files.result_folder import ResultFolder
-from snapjump.learning.forward_model import open_forward_model
+from snapjump.learning.forward_model import forward_model
 from snapjump.run.tasks.train import Train
 from snapjump.surrogate.resnet import Resnet
 
@@ -70,10 +70,10 @@ def test_a_forward_model_and_its_record(command, database, dataset, tmp_path):
     done = command(*SMALL, f"dataset.path={dataset}")
     folder, result = result_in(tmp_path)
     assert result["status"] == "ok" and result["epochs"] == 5 and result["rows_train"] == 144
-    assert result["dataset_sha256"] == open_dataset(dataset).sha256
+    assert result["dataset_sha256"] == load_dataset(dataset).sha256
     assert result["checkpoint"] == str((folder / "forward_model.safetensors").relative_to(tmp_path))
     assert result["checkpoint"] in done.stdout and "MAE" in done.stdout
-    model = open_forward_model(folder / "forward_model.safetensors")
+    model = forward_model(folder / "forward_model.safetensors")
     assert model.about["measures"]["mae_bar"] == result["mae_bar"] > 0.0
     assert model.about["configuration"]["training"]["epochs"] == 5
     assert result["inference_us"] > 0.0 and result["parameters"] > 600
