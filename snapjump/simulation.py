@@ -23,7 +23,10 @@ OF_SOME_TASKS = (
     *("dataset", "plan", "executor", "surrogate", "training", "checkpoint"),
     *("inverse", "target", "tolerance", "figure"),
 )
-OF_RUNS = (*("task", "tracking", "figures", "seed", "effort", "publish", "plugins"), *OF_SOME_TASKS)
+OF_RUNS = (
+    *("task", "tracking", "figures", "seed", "effort", "publish", "plugins", "objective"),
+    *OF_SOME_TASKS,
+)
 
 
 def build(config: Mapping[str, Any]) -> Simulation:

@@ -17,7 +17,7 @@ from snapjump.files.lock import FileLock
 from snapjump.files.notice import notice
 
 # Where a run is recorded says nothing about what it computes.
-NOT_PHYSICS = ("tracking",)
+NOT_PHYSICS = ("tracking", "objective")
 
 PROVENANCE, TRACEBACK = "provenance.json", "traceback.txt"
 DRAWING = ".figures."

@@ -4,7 +4,7 @@ import logging
 import math
 import uuid
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import NamedTuple
@@ -15,7 +15,7 @@ from pytorch_lightning.callbacks import EarlyStopping
 from snapjump.batch.progress import Progress
 from snapjump.files.notice import notice
 from snapjump.learning.data import JumpData
-from snapjump.learning.keeper import AtomicFiles, Keeper
+from snapjump.learning.keeper import AtomicFiles, Keeper, Step
 from snapjump.learning.lightning_module import VALIDATION, Descent
 from snapjump.learning.threads import torch_threads
 from snapjump.surrogate.base import Surrogate
@@ -30,14 +30,20 @@ class Fitted(NamedTuple):
     seconds: float
 
 
-def descend(network: Surrogate, data: JumpData, folder: Path, progress: Progress) -> Fitted:
+def untold(row: Mapping[str, float]) -> None:
+    """Nobody hears of a step."""
+
+
+def descend(
+    network: Surrogate, data: JumpData, folder: Path, progress: Progress, step: Step = untold
+) -> Fitted:
     """Train a network that has its standardisation, and leave it with its best weights.
 
     ``folder`` holds the state from which the same call goes on. Raises FloatingPointError if the
     validation error is no number any more.
     """
     training = data.training
-    keeper = Keeper(folder / STATE, progress)
+    keeper = Keeper(folder / STATE, progress, step)
     # At the end of the validation, so that the keeper saves what has come of it.
     early = EarlyStopping(VALIDATION, patience=training.patience, check_on_train_epoch_end=False)
     with quiet(), torch_threads(training.threads):

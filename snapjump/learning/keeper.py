@@ -4,6 +4,7 @@ import hashlib
 import io
 import math
 import time
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from snapjump.files.atomic import write_bytes
 from snapjump.learning.lightning_module import VALIDATION, Descent
 
 SAVE_EVERY_S = 5.0
+Step = Callable[[Mapping[str, float]], None]
 DIGEST = hashlib.sha256().digest_size
 
 
@@ -49,8 +51,9 @@ class Keeper(Callback):
     """``curves``: a row an epoch; ``best``: the weights of the smallest validation error;
     ``seconds``: of all runs that this training took; ``stopped``: whether it is at its end."""
 
-    def __init__(self, file: Path, progress: Progress):
-        self.file, self.progress = file, progress
+    def __init__(self, file: Path, progress: Progress, step: Step):
+        """``step`` is told every row of the curves."""
+        self.file, self.progress, self.step = file, progress, step
         self.curves: list[dict[str, float]] = []
         self.best: dict[str, torch.Tensor] = {}
         self.seconds = 0.0
@@ -69,6 +72,8 @@ class Keeper(Callback):
         """A training that had already stopped does not go on."""
         trainer.should_stop = self.stopped
         self._clock = time.perf_counter()
+        for row in self.curves:  # of an earlier run
+            self.step(row)
 
     def on_train_epoch_end(self, trainer: Trainer, pl_module: LightningModule) -> None:
         """Add to the curves; keep what is better; save now and then, and at the end."""
@@ -87,6 +92,7 @@ class Keeper(Callback):
                 "batch_size": training.batch_size(epoch),
             }
         )
+        self.step(self.curves[-1])
         now = time.perf_counter()
         self.seconds, self._clock = self.seconds + now - self._clock, now
         self.stopped = trainer.should_stop

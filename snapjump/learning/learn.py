@@ -27,7 +27,8 @@ from snapjump.learning.checkpoint import (
     write_checkpoint,
 )
 from snapjump.learning.data import RULE, JumpData
-from snapjump.learning.fit import STATE, Fitted, descend
+from snapjump.learning.fit import STATE, Fitted, descend, untold
+from snapjump.learning.keeper import Step
 from snapjump.learning.measures import measures
 from snapjump.learning.threads import torch_threads
 from snapjump.surrogate.base import Surrogate, SurrogateOptions
@@ -72,11 +73,12 @@ def learn(
     progress: Progress,
     configuration: Mapping[str, Any] | None = None,
     place: Path = DEFAULT,
+    step: Step = untold,
 ) -> Learned:
     """Train a surrogate, or go on, or find what has been trained.
 
     ``configuration``: the resolved one of the run, for the checkpoint. Raises FloatingPointError
-    if the training diverges.
+    if the training diverges. ``step`` is told a row of the curves an epoch.
     """
     check_slopes(options, data)
     group = member_group(options)
@@ -101,7 +103,7 @@ def learn(
         if found is not None:
             return found
         with torch_threads(data.training.threads):
-            network, fitted = _fitted(data, options, folder, progress)
+            network, fitted = _fitted(data, options, folder, progress, step)
             about = {**_about(data, network, fitted), **determined}
         about |= {"origin": origin(), "configuration": dict(configuration or {})}
         write_sealed(folder / CURVES, {"curves": fitted.curves})
@@ -113,7 +115,7 @@ def learn(
 
 
 def _fitted(
-    data: JumpData, options: SurrogateOptions, folder: Path, progress: Progress
+    data: JumpData, options: SurrogateOptions, folder: Path, progress: Progress, step: Step
 ) -> tuple[Surrogate, Fitted]:
     """The network with all that it learns."""
     with torch.random.fork_rng(devices=[]):
@@ -123,7 +125,7 @@ def _fitted(
     network.fit(data.train)
     fitted = Fitted([], time.perf_counter() - started)
     if network.by_descent:
-        fitted = descend(network, data, folder, progress)
+        fitted = descend(network, data, folder, progress, step)
     network.requires_grad_(False).eval()
     network.calibrate(data.validation)
     return network, fitted

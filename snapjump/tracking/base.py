@@ -31,6 +31,17 @@ Curves = Mapping[str, Sequence[tuple[int, float]]]
 
 
 @dataclass(frozen=True)
+class Model:
+    """A trained model to be kept among others: ``file``: as ONNX; ``name``: in the registry;
+    ``inputs``, ``outputs``: the columns of its two tensors."""
+
+    file: Path
+    name: str
+    inputs: Sequence[str]
+    outputs: Sequence[str]
+
+
+@dataclass(frozen=True)
 class Record:
     """The record of one job, written at once at its end. Times are in ms since 1970."""
 
@@ -45,6 +56,7 @@ class Record:
     parent_id: str | None = None
     datasets: Sequence[DatasetUse] = ()
     curves: Curves = field(default_factory=dict)
+    model: Model | None = None
 
 
 class Tracker(Part):
@@ -69,6 +81,9 @@ class Tracker(Part):
         """Begin a record, or go on with an earlier one if that can be; returns its id.
         Raises TrackingError, as all of these do, within a bounded time."""
         return None
+
+    def add(self, run_id: str, params: Mapping[str, Any], curves: Curves) -> None:
+        """Write what is known of a job that is under way."""
 
     def write(self, run_id: str, record: Record) -> None:
         """Write all of a record but its files."""

@@ -13,7 +13,7 @@ from snapjump.files.provenance import source_hash
 from snapjump.files.sources import Source, combined_hash
 
 # What is shown, where, and of which quality says nothing about what is computed.
-NOT_PHYSICS = ("tracking", "publish", "figures")
+NOT_PHYSICS = ("tracking", "publish", "figures", "objective")
 INIT = "__init__.py"
 DIGITS = 16
 

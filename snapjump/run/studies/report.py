@@ -33,7 +33,7 @@ def write_report(folder: ResultFolder, conclusion: Conclusion, draw: bool) -> No
     parts = [part for k, section in enumerate(sections) for part in _told(section, k > 0, draw)]
     text = "\n\n".join(parts) + "\n"
     write_text(folder.path / REPORT, text)
-    write_text(folder.path / PAGE, page(conclusion.title, text))
+    write_text(folder.path / PAGE, page(conclusion.title, text, folder.path))
 
 
 def _told(section: Section, below: bool, draw: bool) -> list[str]:

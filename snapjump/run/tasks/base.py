@@ -1,6 +1,6 @@
 """The contract of a task (``task=<name>``), its statuses and their exit codes."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
@@ -48,11 +48,14 @@ class Task:
     """One instance does one job. ``prepare`` is quick and finds every bad input; ``run`` works.
 
     ``keys``: the groups and keys of the configuration that it reads, beside those of every run;
-    ``options``: the keys of its ``conf/task/<name>.yaml`` beside ``name``.
+    ``options``: the keys of its ``conf/task/<name>.yaml`` beside ``name``. ``step``, which is set
+    before ``run``, may be told numbers of a step of the work, its number first: they are recorded
+    as it goes.
     """
 
     keys: ClassVar[tuple[str, ...]] = SIMULATION
     options: ClassVar[tuple[str, ...]] = ()
+    step: Callable[[Mapping[str, float]], None] = staticmethod(lambda row: None)
 
     def prepare(self, config: Mapping[str, Any]) -> None:
         """Take the resolved configuration; raises ParameterError before any work is done."""

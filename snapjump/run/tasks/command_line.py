@@ -146,9 +146,10 @@ def _run_hydra() -> int:
     return max(_exit_codes, default=0)
 
 
-def _job(config: Any) -> None:
-    from snapjump.run.tasks.job import run_job
+def _job(config: Any) -> Any:
+    from snapjump.run.tasks.job import objective, run_job
 
     # Until it is known better: what a job raises is a defect, and not bad input.
     _exit_codes.append(EXIT_ERROR)
     _exit_codes[-1] = run_job(config)
+    return objective(config)

@@ -1,6 +1,5 @@
 """One job around its task: checks, files, and a status whatever happens."""
 
-import shlex
 import sys
 import time
 import traceback
@@ -12,7 +11,6 @@ from snapjump.declare.families import FAMILIES
 from snapjump.files.atomic import write_text
 from snapjump.files.extras import MissingExtraError, extras_named
 from snapjump.files.json_file import finite
-from snapjump.files.layout import PROGRAM
 from snapjump.files.provenance import now, provenance
 from snapjump.files.result_folder import TRACEBACK, ResultFolder
 from snapjump.run.tasks.base import (
@@ -26,6 +24,8 @@ from snapjump.run.tasks.base import (
     Task,
 )
 from snapjump.run.tasks.interrupts import heeded, reason, stopping, uninterrupted
+from snapjump.run.tasks.live import Live
+from snapjump.run.tasks.names import command
 from snapjump.run.tasks.publish import check_publish, publish
 from snapjump.run.tasks.registry import find_task
 from snapjump.show.terminal.progress import ProgressBar
@@ -39,7 +39,11 @@ LARGEST_SEED = 2**32 - 1
 
 
 def execute(
-    config: Mapping[str, Any], folder: ResultFolder, overrides: Sequence[str], bar: ProgressBar
+    config: Mapping[str, Any],
+    folder: ResultFolder,
+    overrides: Sequence[str],
+    bar: ProgressBar,
+    live: Live | None = None,
 ) -> tuple[Outcome, Task | None]:
     """Do one job and leave its files; never raises for what happens inside the task.
     A job with bad input has done nothing and leaves nothing: what becomes of it is the caller's.
@@ -56,7 +60,10 @@ def execute(
             task = found
             folder.begin()
             folder.write_config(config)
-            outcome = task.run(folder, stopping(bar, noticed))
+            progress = stopping(bar, noticed)
+            if live is not None:
+                task.step, progress = live.step, live.watched(progress)
+            outcome = task.run(folder, progress)
     except ParameterError as error:
         return Outcome(BAD_INPUT, str(error)), task
     except MissingExtraError as error:
@@ -119,11 +126,6 @@ def write_outcome(
     message = {"message": outcome.message} if outcome.message else {}
     summary = {key: value for key, value in outcome.summary.items() if key != "status"}
     folder.write_result({"status": outcome.status, **message, **summary})
-
-
-def command(overrides: Sequence[str]) -> str:
-    """The command that repeats a job."""
-    return shlex.join([*PROGRAM.split(), *overrides])
 
 
 def check_read(task: Task, config: Mapping[str, Any], overrides: Sequence[str]) -> None:

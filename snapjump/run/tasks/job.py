@@ -1,8 +1,8 @@
 """One job of Hydra's, a run or a cell of a sweep: done, recorded, told, and its exit code."""
 
+import math
 import os
 import re
-import shlex
 import sys
 from collections.abc import Mapping
 from contextlib import suppress
@@ -14,11 +14,10 @@ from hydra.types import RunMode
 from omegaconf import DictConfig, OmegaConf
 from omegaconf.errors import OmegaConfBaseException
 
-from snapjump.checks import ParameterError
+from snapjump.checks import ParameterError, is_finite_number
 from snapjump.declare.fields import construct
 from snapjump.declare.members import make_member
 from snapjump.declare.plugins import load_all
-from snapjump.files.layout import PROGRAM
 from snapjump.files.provenance import now, source_hash
 from snapjump.files.result_folder import ResultFolder
 from snapjump.robot.other_units import in_own_units
@@ -27,7 +26,8 @@ from snapjump.run.tasks import base
 from snapjump.run.tasks.base import Outcome, Task
 from snapjump.run.tasks.execute import check_run, execute, write_outcome
 from snapjump.run.tasks.hydra_errors import one_line
-from snapjump.run.tasks.names import cell_name, register_resolvers, task_overrides
+from snapjump.run.tasks.live import Live
+from snapjump.run.tasks.names import cell_name, command, key_of, register_resolvers, task_overrides
 from snapjump.run.tasks.registry import find_task
 from snapjump.run.tasks.sweep import PARENT_RUN, mark_folder
 from snapjump.run.tasks.tracking import chosen
@@ -54,7 +54,7 @@ def run_job(composed: DictConfig) -> int:
         config: Any = OmegaConf.to_container(composed, resolve=True, throw_on_missing=True)
         load_all(config.get("plugins"))
         config["tracking"] = chosen(config.get("tracking"), overrides)
-        given = {text.lstrip("+").partition("=")[0] for text in overrides}
+        given = set(map(key_of, overrides))
         config = in_own_units(config, given, construct("robot", Robot, config.get("robot")))
         if folder.taken():
             allowed = f"a folder without a {folder.taken()[0]} of something else"
@@ -70,6 +70,19 @@ def run_job(composed: DictConfig) -> int:
         folder.lock.remove()
 
 
+def objective(composed: DictConfig) -> float | None:
+    """What a sweeper that optimises is told of a job: an output, or the worst there is for one that
+    failed or has none. None where nothing is optimised."""
+    name = composed.get("objective")
+    if name is None:
+        return None
+    value: Any = (ResultFolder(Path(HydraConfig.get().runtime.output_dir)).result() or {}).get(name)
+    if is_finite_number(value):
+        return float(value)
+    minimised = "min" in str(HydraConfig.get().sweeper.get("direction", "minimize")).lower()
+    return math.inf if minimised else -math.inf
+
+
 def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[str]) -> int:
     """One job on its own: the closing block on stdout, an error in one line on stderr.
     Raises ParameterError for bad input."""
@@ -77,17 +90,19 @@ def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[s
         raise ParameterError("hydra.run.dir", str(folder.path), "a folder that no other run uses")
     tracker = make_member("tracking", config["tracking"])
     tracker.check()
-    outcome, task = execute(config, folder, overrides, ProgressBar())
+    live = Live(tracker, folder, command(overrides))
+    outcome, task = execute(config, folder, overrides, ProgressBar(), live)
     if outcome.status == base.BAD_INPUT:
         return _refused(outcome.message, folder)
     code = ended = base.exit_code(outcome.status)
+    if live.run_id is None:
+        (folder.path / MARK).unlink(missing_ok=True)  # of a run that was here before
     place, interrupted = "", False
-    (folder.path / MARK).unlink(missing_ok=True)  # of a run that was here before
     try:
-        place = record_folder(tracker, folder, folder.path.name, None)
+        place = record_folder(tracker, folder)
     except (TrackingError, OSError, KeyboardInterrupt) as error:
         interrupted = isinstance(error, KeyboardInterrupt)
-        again = shlex.join([*PROGRAM.split(), f"record={os.path.relpath(folder.path)}"])
+        again = command([f"record={os.path.relpath(folder.path)}"])
         print(f"not recorded: {str(error) or 'interrupted'}; {again} does it", file=sys.stderr)
         code = code or (base.EXIT_INTERRUPTED if interrupted else base.EXIT_UNTRACKED)
     if task is not None:
@@ -102,7 +117,7 @@ def run_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[st
     end_with_sweep()
     folder.lock.acquire()  # of a sweep that was killed, a worker may still be at it
     tracker, name = make_member("tracking", config["tracking"]), cell_name(overrides)
-    mark_folder(Path(HydraConfig.get().sweep.dir).absolute(), name, folder.path.absolute())
+    mark_folder(Path(HydraConfig.get().sweep.dir).absolute(), overrides, folder.path.absolute())
     parent_id = os.environ.get(PARENT_RUN)
     if is_done(config, folder):
         result = folder.result() or {}
@@ -111,7 +126,8 @@ def run_cell(config: Mapping[str, Any], folder: ResultFolder, overrides: list[st
         return base.EXIT_OK
     started_at, published = now(), config.get("publish")
     if published is None:
-        outcome, _ = execute(config, folder, overrides, ProgressBar(visible=False))
+        live = Live(tracker, folder, command(overrides), name=name, parent_id=parent_id)
+        outcome, _ = execute(config, folder, overrides, ProgressBar(visible=False), live)
     else:
         allowed = "null in a sweep, whose cells would replace each other's"
         outcome = Outcome(base.BAD_INPUT, str(ParameterError("publish", published, allowed)))

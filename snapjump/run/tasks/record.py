@@ -34,9 +34,9 @@ def record(arguments: Sequence[str]) -> int:
     group = _composed(others) if others else chosen(config.get("tracking"), others)
     tracker = make_member("tracking", group)
     tracker.check()
-    parent = (read_json(folder.path / MARK) or {}).get("parent_id")
+    mark = read_json(folder.path / MARK) or {}
     try:
-        place = record_folder(tracker, folder, folder.path.resolve().name, parent)
+        place = record_folder(tracker, folder, mark.get("name"), mark.get("parent_id"))
     except (TrackingError, OSError) as error:
         print(f"not recorded: {error}", file=sys.stderr)
         return EXIT_UNTRACKED

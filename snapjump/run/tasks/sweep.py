@@ -1,49 +1,57 @@
 """A sweep around its jobs: one at a time in a folder, a parent record, and a table at the end."""
 
 import os
-import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from hydra.experimental.callback import Callback
-from omegaconf import DictConfig, OmegaConf
-
 from snapjump.checks import ParameterError
-from snapjump.declare.members import make_member
 from snapjump.files.json_file import read_json, write_json
 from snapjump.files.lock import FileLock
-from snapjump.files.notice import notice
 from snapjump.files.provenance import now
-from snapjump.run.tasks.base import EXIT_BAD_INPUT
-from snapjump.run.tasks.names import cell_name, register_resolvers, sweep_name, task_overrides
-from snapjump.run.tasks.tracking import chosen
-from snapjump.run.tasks.workers import SWEEP_PROCESS
-from snapjump.tracking.base import Record, Tracker, TrackingError
+from snapjump.run.tasks.names import cell_name, command, key_of, register_resolvers, swept_keys
+from snapjump.tracking.base import Record, State, Tracker, TrackingError
 from snapjump.tracking.parts.tracked import milliseconds
 
 # How the jobs, in whatever process, hear of the sweep's name (a cell's own overrides would give
-# another one) and of the parent's record.
+# another one), of the parent's record, and of a sweeper that optimises.
 SWEEP_NAME = "SNAPJUMP_SWEEP"
 PARENT_RUN = "SNAPJUMP_PARENT_RUN"
+OPTIMISED = "SNAPJUMP_OPTIMISED"
 MARK = "sweep.json"
 # Where cells are that hydra.sweep.subdir puts elsewhere than where they are sought.
 CELLS = ".cells"
-MANY = 200  # cells, whose composing takes seconds
 
 register_resolvers()
 
 
 @dataclass
 class Sweep:
-    """A sweep that is running: its folder, its cells in order, and where it is recorded."""
+    """A sweep that is running: its folder, the overrides that it is of, where it is recorded.
+
+    ``cells``: in order; None where a sweeper that optimises chooses them as it goes.
+    """
 
     folder: Path
-    cells: list[list[str]]
+    overrides: list[str]
+    cells: list[list[str]] | None
     tracker: Tracker
     lock: FileLock
     started_at: str = field(default_factory=now)
     parent_id: str | None = None
+
+    @property
+    def title(self) -> str:
+        """What it is, for people."""
+        return f"sweep over {', '.join(swept_keys()) or 'nothing'}"
+
+    def record(self, state: State, ended_at: str, **parts: Any) -> Record:
+        """Its own record: what it is of, and by which command."""
+        tags = {"sweep": "true", "command": command(["-m", *self.overrides]), "task": "sweep"}
+        tags |= parts.pop("tags", {})
+        params = {key_of(text): text.partition("=")[2] for text in self.overrides}
+        times = milliseconds(self.started_at), milliseconds(ended_at)
+        return Record(self.title, state, *times, params, tags=tags, **parts)
 
     def start(self) -> None:
         """Claim the folder and open the parent record; raises ParameterError."""
@@ -55,8 +63,7 @@ class Sweep:
         mark = read_json(self.folder / MARK) or {}
         same_place = mark.get("place") == self.tracker.place
         try:
-            began = milliseconds(self.started_at)
-            record = Record(self.folder.name, "FINISHED", began, began, tags={"sweep": "true"})
+            record = self.record("FINISHED", self.started_at)
             self.parent_id = self.tracker.open(
                 record, mark.get("parent_id") if same_place else None
             )
@@ -77,22 +84,29 @@ def current_sweep() -> Sweep | None:
     return _current[0] if _current else None
 
 
+def begin_sweep(sweep: Sweep) -> None:
+    """Let this process have a sweep."""
+    _current[:] = [sweep]
+
+
 def leave_sweep(sweep: Sweep) -> None:
     """Let another process have the folder of a sweep that has ended."""
     sweep.lock.release()
     _current.clear()
 
 
-def mark_folder(sweep: Path, name: str, folder: Path) -> None:
+def mark_folder(sweep: Path, overrides: list[str], folder: Path) -> None:
     """Leave word of where a cell is. Raises ParameterError for the folder of another cell."""
-    if folder == sweep / name:
+    name = cell_name(overrides)
+    if folder == sweep / name and OPTIMISED not in os.environ:
         return
     for mark in (sweep / CELLS).glob("*.json"):
         if mark.stem != name and cell_folder(sweep, mark.stem) == folder:
             allowed = f"one for each cell, and {mark.stem} has this one"
             raise ParameterError("hydra.sweep.subdir", folder.name, allowed)
     (sweep / CELLS).mkdir(exist_ok=True)
-    write_json(sweep / CELLS / f"{name}.json", {"folder": os.path.relpath(folder, sweep)})
+    told = {"folder": os.path.relpath(folder, sweep), "overrides": overrides}
+    write_json(sweep / CELLS / f"{name}.json", told)
 
 
 def cell_folder(sweep: Path, name: str) -> Path:
@@ -101,49 +115,9 @@ def cell_folder(sweep: Path, name: str) -> Path:
     return Path(os.path.normpath(sweep / str(mark.get("folder", name))))
 
 
-class SweepCallback(Callback):
-    """Hydra's callback at the start of a sweep."""
-
-    def on_multirun_start(self, config: DictConfig, **others: Any) -> None:
-        """Start the sweep; Hydra would turn any Exception from here into a mere warning."""
-        os.environ[SWEEP_NAME] = sweep_name(task_overrides(config.hydra))
-        os.environ[SWEEP_PROCESS] = str(os.getpid())
-        try:
-            cells = expand(config)
-            folder = Path(config.hydra.sweep.dir).absolute()
-            group: Any = OmegaConf.to_container(config.tracking, resolve=True)
-            tracker = make_member("tracking", chosen(group, task_overrides(config.hydra)))
-            sweep = Sweep(folder, cells, tracker, FileLock(folder / ".lock"))
-            sweep.start()
-        except OSError as error:
-            allowed = f"a folder that can be written to ({error.strerror})"
-            refused = ParameterError("hydra.sweep.dir", str(config.hydra.sweep.dir), allowed)
-            print(refused, file=sys.stderr)
-            raise SystemExit(EXIT_BAD_INPUT) from error
-        except ParameterError as error:
-            print(error, file=sys.stderr)
-            raise SystemExit(EXIT_BAD_INPUT) from error
-        _current[:] = [sweep]
-        if len(cells) > MANY:
-            notice(f"{len(cells)} cells in {folder}; all are composed before the first begins")
-
-
-def expand(config: DictConfig) -> list[list[str]]:
-    """The overrides of every cell, just as Hydra's own sweeper makes them."""
-    from hydra._internal.core_plugins.basic_sweeper import BasicSweeper
-    from hydra.core.override_parser.overrides_parser import OverridesParser
-    from hydra.errors import HydraException
-
-    sweeper = config.hydra.sweeper
-    if not sweeper._target_.endswith(".BasicSweeper"):
-        raise ParameterError("hydra/sweeper", sweeper._target_, "basic")
-    given = [f"{key}={value}" for key, value in (sweeper.params or {}).items()]
-    try:
-        overrides = OverridesParser.create().parse_overrides(
-            [*given, *task_overrides(config.hydra)]
-        )
-        (cells,) = BasicSweeper.split_arguments(overrides, None)
-    except HydraException as error:
-        raise ParameterError("command line", task_overrides(config.hydra), str(error)) from error
-    by_name = {cell_name(cell): cell for cell in cells}
-    return list(by_name.values())
+def cells_of(sweep: Sweep) -> list[list[str]]:
+    """The overrides of every cell; of a sweeper that optimises those that it has tried."""
+    if sweep.cells is not None:
+        return sweep.cells
+    marks = sorted((sweep.folder / CELLS).glob("*.json"), key=lambda mark: mark.stat().st_mtime_ns)
+    return [(read_json(mark) or {}).get("overrides", []) for mark in marks]

@@ -16,6 +16,7 @@ from snapjump.files.layout import PROGRAM
 from snapjump.files.result_folder import ResultFolder, physics
 from snapjump.files.sealed import file_sha256
 from snapjump.learning.data import JumpData
+from snapjump.learning.export import export
 from snapjump.learning.forward_model import ForwardModel
 from snapjump.learning.learn import FORWARD_MODEL, Learned, check_slopes, learn
 from snapjump.learning.measures import errors
@@ -28,9 +29,10 @@ from snapjump.run.tasks.names import given_overrides
 from snapjump.show.plots.training import draw_training
 from snapjump.show.terminal.block import number
 from snapjump.surrogate.base import SurrogateOptions
-from snapjump.tracking.base import DatasetUse
-from snapjump.tracking.parts.tracked import write_curves, write_datasets
+from snapjump.tracking.base import DatasetUse, Model
+from snapjump.tracking.parts.tracked import write_curves, write_datasets, write_model
 
+ONNX, REGISTERED = "forward_model.onnx", "snapjump-forward-model"
 ROWS = ("rows_train", "rows_validation", "rows_test")
 # What the command that makes the dataset does not know.
 OF_TRAINING = ("task", "surrogate", "training", "tracking", "figures")
@@ -58,7 +60,9 @@ class Train(Task):
         use = DatasetUse(path.name, dataset.sha256, str(path), dataset.rows, "training")
         write_datasets(folder, [use])
         try:
-            learned = learn(self._data, self._options, progress, physics(self._config))
+            learned = learn(
+                self._data, self._options, progress, physics(self._config), step=self.step
+            )
         except FloatingPointError as error:
             return Outcome(NOT_FINITE, str(error))
         file = folder.path / FORWARD_MODEL
@@ -67,6 +71,11 @@ class Train(Task):
         if self._config["figures"]:
             self._draw(folder, learned)
         model = ForwardModel(learned.network, learned.about)
+        if model.network.differentiable and self._config["tracking"]["name"] != "off":
+            progress(1.0, "writing ONNX")
+            export(model, folder.path / ONNX, self._config["seed"])
+            names = [axis.column for axis in model.axes]
+            write_model(folder, Model(folder.path / ONNX, REGISTERED, names, ("x_bar", "y_bar")))
         design = self._data.test.designs[:1].double().numpy()
         inference_us = microseconds(lambda: model.predict(design))
         about = learned.about

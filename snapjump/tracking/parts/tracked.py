@@ -1,7 +1,7 @@
 """A record made from the files of a job, so that it can be written at any time after."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from datetime import datetime
 from typing import Any
 
@@ -10,14 +10,16 @@ import numpy as np
 from snapjump.files.atomic import write_text
 from snapjump.files.json_file import read_json, write_json
 from snapjump.files.result_folder import ResultFolder
-from snapjump.tracking.base import Curves, DatasetUse, Record, State, Tracker, TrackingError
+from snapjump.tracking.base import Curves, DatasetUse, Model, Record, State, Tracker, TrackingError
+from snapjump.tracking.parts.title import title_of
 
 MARK = "tracking.json"
 CHILDREN = "children.json"
 DATASETS = "datasets.json"
 CURVES = "curves.csv"
+MODEL = "model.json"
 # What is for the records alone, and no result.
-OWN = (MARK, CHILDREN, DATASETS)
+OWN = (MARK, CHILDREN, DATASETS, MODEL)
 STATES: dict[str, State] = {
     "ok": "FINISHED",
     "no_jump": "FINISHED",
@@ -27,8 +29,11 @@ STATES: dict[str, State] = {
 }
 
 
-def record_folder(tracker: Tracker, folder: ResultFolder, name: str, parent_id: str | None) -> str:
+def record_folder(
+    tracker: Tracker, folder: ResultFolder, name: str | None = None, parent_id: str | None = None
+) -> str:
     """Record a job under a parent, or what of it is not recorded yet; returns where, for people.
+    ``name``: of a cell; others are called by what they are.
     Raises TrackingError; then the next call goes on with the record that was begun."""
     kept = read_json(folder.path / MARK) or {}
     place = {"place": tracker.place, "parent_id": parent_id}
@@ -41,9 +46,11 @@ def record_folder(tracker: Tracker, folder: ResultFolder, name: str, parent_id: 
         if run_id is None:
             return ""
         below = mark.get("children", {}) if mark.get("run_id") == run_id else {}
-        mark = {**place, "run_id": run_id, "children": below, "files": False}
+        sent = mark.get("sent", {}) if mark.get("run_id") == run_id else {}
+        ours = {"name": name, "run_id": run_id, "children": below, "files": False, "sent": sent}
+        mark = {**place, **ours}
         write_json(folder.path / MARK, mark)
-        tracker.write(run_id, record)
+        tracker.write(run_id, replace(record, curves=beyond(record.curves, sent)))
         try:
             record_children(tracker, folder, run_id, below)
         finally:
@@ -68,6 +75,17 @@ def write_children(folder: ResultFolder, children: Sequence[Mapping[str, Any]]) 
 def write_datasets(folder: ResultFolder, datasets: Sequence[DatasetUse]) -> None:
     """Leave which datasets a job made or used, for its record."""
     write_json(folder.path / DATASETS, {"datasets": [asdict(use) for use in datasets]})
+
+
+def write_model(folder: ResultFolder, model: Model) -> None:
+    """Leave which file of a job is a model to be registered."""
+    write_json(folder.path / MODEL, {**asdict(model), "file": model.file.name})
+
+
+def read_model(folder: ResultFolder) -> Model | None:
+    """The model that a job left with :func:`write_model`."""
+    found = read_json(folder.path / MODEL)
+    return None if found is None else Model(**{**found, "file": folder.path / found["file"]})
 
 
 def write_curves(folder: ResultFolder, rows: Sequence[Mapping[str, float]]) -> None:
@@ -110,14 +128,28 @@ def record_children(
         tracker.write(ids[record.name], record)
 
 
-def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Record:
-    """The record of a job, from its files."""
+def beyond(curves: Curves, sent: Mapping[str, int]) -> Curves:
+    """The steps of curves after those that were recorded while the job was under way."""
+    return {
+        key: [(step, value) for step, value in curve if step > sent.get(key, -1)]
+        for key, curve in curves.items()
+    }
+
+
+def make_record(
+    folder: ResultFolder,
+    name: str | None = None,
+    parent_id: str | None = None,
+    command: str | None = None,
+) -> Record:
+    """The record of a job, from its files; ``command``: of one that is under way."""
     config = folder.config() or {}
     result = dict(folder.result() or {"status": "interrupted"})
     origin = folder.provenance() or {}
+    told = command or str(origin.get("command"))
     words = {key: str(value) for key, value in result.items() if isinstance(value, (str, bool))}
     return Record(
-        name=name,
+        name=name or title_of(config, told),
         state=STATES.get(result["status"], "FAILED"),
         started_ms=milliseconds(origin.get("started_at")),
         ended_ms=milliseconds(origin.get("finished_at")),
@@ -125,11 +157,12 @@ def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Recor
         metrics=numbers_of(result),
         tags={
             **words,
-            "command": str(origin.get("command")),
+            **tags_of(config),
+            "command": told,
             "folder": str(folder.path.absolute()),
             "git_dirty": str(origin.get("git_dirty")).lower(),
             "mlflow.source.git.commit": str(origin.get("git_revision")),
-            "mlflow.source.name": "run.py",
+            "mlflow.source.name": "snapjump",
             "source_sha256": str(origin.get("source_sha256")),
         },
         files=[file for file in folder.files() if file.name not in OWN],
@@ -139,7 +172,19 @@ def make_record(folder: ResultFolder, name: str, parent_id: str | None) -> Recor
             for use in (read_json(folder.path / DATASETS) or {}).get("datasets", [])
         ],
         curves=read_curves(folder),
+        model=read_model(folder),
     )
+
+
+def tags_of(config: Mapping[str, Any]) -> dict[str, str]:
+    """What runs are told apart and filtered by."""
+    found = {
+        "task": config.get("task", {}).get("name"),
+        "scene": config.get("sim", {}).get("name"),
+        "tier": config.get("accuracy", {}).get("name"),
+        "dataset": (config.get("dataset") or {}).get("path"),
+    }
+    return {key: str(value) for key, value in found.items() if value is not None}
 
 
 def numbers_of(result: Mapping[str, Any]) -> dict[str, float]:
