@@ -1,4 +1,4 @@
-"""Designs that studies are made over, (delta_alpha in rad, epsilon, m_bar, mu), and their columns.
+"""Designs of studies (delta_alpha in rad, epsilon, mass_bar, mu), and their columns.
 
 They are spread evenly over the paper's ranges, or swept about the baseline.
 """

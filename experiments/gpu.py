@@ -43,7 +43,7 @@ BLOCKS = (32, 64, 128)
 
 
 def grid(points: int) -> list[tuple[float, ...]]:
-    """The paper's designs (delta_alpha, epsilon, m_bar, mu), so many values of each."""
+    """The paper's designs (delta_alpha, epsilon, mass_bar, mu), so many values of each."""
     axes = [np.linspace(low, high, points) for low, high in zip(LOW, HIGH, strict=True)]
     return [tuple(float(v) for v in row) for row in itertools.product(*axes)]
 

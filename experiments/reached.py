@@ -21,7 +21,7 @@ from snapjump.targets.design import problem_of
 from snapjump.targets.warm_up import warm_up
 
 NEAR = 0.01  # of a range
-EDGE = (0.32, 0.58)  # m_bar and mu of the robots along edges
+EDGE = (0.32, 0.58)  # mass_bar and mu of the robots along edges
 
 
 def main() -> None:

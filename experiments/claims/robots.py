@@ -20,7 +20,7 @@ Draws = Iterator[Values | None]  # without end; None where no robot can be made 
 MOST_MOVED = 3
 FACTOR, FAR_FACTOR = 10.0, 100.0
 FAR_SHARE = 1.0 / 3.0
-LIGHTEST = 0.05  # m_bar of ranges twice as wide, which would reach below 0
+LIGHTEST = 0.05  # mass_bar of ranges twice as wide, which would reach below 0
 
 
 def moved_robots(base: Simulation, seed: int) -> Draws:

@@ -42,7 +42,7 @@ def batch_rows(batch: Batch) -> list[Row]:
 
 
 def jump_rows(simulation: Simulation, designs: Sequence[Any], lanes: int = LANES) -> list[Row]:
-    """The same of designs (delta_alpha, epsilon, m_bar, mu), with these four numbers."""
+    """The same of designs (delta_alpha, epsilon, mass_bar, mu), with these four numbers."""
     table = np.asarray(designs, dtype=float)
     batch = simulate_designs(simulation, table, lanes=lanes, threads=THREADS)
     return [

@@ -22,7 +22,7 @@ ROWS = Path(__file__).resolve().parents[1] / "data" / "released_rows.csv"
 
 @dataclass(frozen=True)
 class Rows:
-    """R designs (delta_alpha in rad, epsilon, m_bar, mu), and their apex over L (R)."""
+    """R designs (delta_alpha in rad, epsilon, mass_bar, mu), and their apex over L (R)."""
 
     designs: list[Design]
     x_bar: Array

@@ -19,7 +19,7 @@ from .figures import draw_designs
 from .invalid import configuration_row, invalid_configurations
 
 TIER = "draft"
-# delta_alpha (rad), epsilon, m_bar, mu: the paper's ranges made twice as wide about their middle,
+# delta_alpha (rad), epsilon, mass_bar, mu: the paper's ranges, twice as wide about their middle,
 # cut where a beam would not buckle, a robot be lighter than its beam, and friction negative.
 LOW = (-0.08, 0.001, 0.01, 0.0)
 HIGH = (0.28, 0.4, 2.85, 0.85)
@@ -122,7 +122,7 @@ class Robustness(Study):
 
 
 def random_designs(count: int, seed: Sequence[int]) -> list[tuple[float, ...]]:
-    """Random designs (delta_alpha, epsilon, m_bar, mu), uniform in their ranges."""
+    """Random designs (delta_alpha, epsilon, mass_bar, mu), uniform in their ranges."""
     random = np.random.default_rng(list(seed))
     values = random.uniform(LOW, HIGH, (count, 4))
     grid = np.linspace(LOW[1], HIGH[1], EPSILONS)

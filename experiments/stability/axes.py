@@ -62,7 +62,7 @@ class Map:
 
 
 def _gravity(gravity: float, friction: float) -> Mapping[str, Any]:
-    # Of the paper's 4 g, whose m_bar is 0.768 at 10 m/s^2.
+    # Of the paper's 4 g, whose mass_bar is 0.768 at 10 m/s^2.
     mass_bar = 0.768 * gravity / 10.0
     return {
         "robot": {"gravity_m_s2": gravity},
@@ -121,7 +121,7 @@ def maps(full: bool) -> list[Map]:
         Map("barrier", stiff, Axis("d_hat (m)", distances), True),
         Map("friction", Axis("eps_v (m/s)", thresholds), Axis("mu", friction), True),
         Map("design", Axis("epsilon", epsilon), Axis("delta_alpha (rad)", lag), True),
-        Map("mass", Axis("m_bar", mass), Axis("rotation rate (rad/s)", rates), True),
+        Map("mass", Axis("mass_bar", mass), Axis("rotation rate (rad/s)", rates), True),
         Map("law", stiff, Axis("contact law", LAWS), True),
         Map("gravity", Axis("gravity (m/s^2)", gravity), Axis("mu", (0.1, 0.6)), True),
     ]

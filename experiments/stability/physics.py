@@ -12,7 +12,7 @@ from .jumps import by_status
 
 Rows = Sequence[Row]
 Maps = Mapping[str, Rows]
-# The beam's own mass is m_bar = 0.0096, what it stores when flat clamps hold it 8 pi^2 epsilon.
+# The beam's own mass is mass_bar = 0.0096, what it stores when flat clamps hold it 8 pi^2 epsilon.
 BEAM_MASS_BAR = 0.0096
 STORED = 78.957
 
@@ -145,9 +145,9 @@ def of_design(rows: Rows) -> list[Check]:
 def of_mass(rows: Rows, gravity: Rows) -> list[Check]:
     """Lighter than the beam, too heavy to jump, and no gravity."""
     return [
-        all_are([r for r in rows if r["across"] <= BEAM_MASS_BAR], "m_bar at most the beam's",
+        all_are([r for r in rows if r["across"] <= BEAM_MASS_BAR], "mass_bar at most the beam's",
                 "refused", lambda r: r["status"] == REFUSED),
-        all_are([r for r in rows if r["across"] >= 100.0], "m_bar = 100",
+        all_are([r for r in rows if r["across"] >= 100.0], "mass_bar = 100",
                 "no_jump (or, where slow clamps take seconds, the bound on iterations)",
                 lambda r: r["status"] == "no_jump"
                 or (r["up"] <= 1.0 and r["status"] == "iteration_limit")),

@@ -14,7 +14,7 @@ def mass_bar(mass_kg: float, robot: Robot) -> float:
 
 
 class Environment(Part):
-    """Friction coefficient mu, the robot's whole mass as m_bar = m g L^2 / EI, and the slope of the
+    """Friction coefficient mu, the robot's whole mass as mass_bar = m g L^2 / EI, and the slope of the
     ground, positive where it rises towards +x."""
 
     group = "environment"
@@ -47,10 +47,10 @@ class Environment(Part):
         """The robot's whole mass.
 
         Raises ParameterError if that is no more than the beam's own mass, or if there is no
-        gravity to define m_bar with.
+        gravity to define mass_bar with.
         """
         if robot.gravity_m_s2 < SMALLEST:
-            why = "without gravity a jump has no apex, and m_bar = m g L^2/EI defines no mass"
+            why = "without gravity a jump has no apex, and mass_bar = m g L^2/EI defines no mass"
             allowed = f"at least {SMALLEST:g}, since {why}"
             raise ParameterError("robot.gravity_m_s2", robot.gravity_m_s2, allowed)
         per_mass = mass_bar(1.0, robot)

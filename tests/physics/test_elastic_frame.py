@@ -13,7 +13,7 @@ from snapjump.frame.elastic import ElasticFrame
 from snapjump.stepping.adaptive import AdaptiveStep
 
 pytestmark = pytest.mark.compiles
-# delta_alpha, epsilon, m_bar, mu
+# delta_alpha, epsilon, mass_bar, mu
 DESIGNS = [
     (0.1, 0.2, 0.768, 0.3),
     (0.15, 0.15, 1.2, 0.4),

@@ -78,7 +78,7 @@ def test_scales_make_the_beam_dimensionless():
 
 
 def test_mass_is_defined_by_its_weight():
-    # The paper's baseline: m_bar 0.768 is 4 g.
+    # The paper's baseline: mass_bar 0.768 is 4 g.
     assert Environment(mass_bar=0.768).mass_kg(Robot()) == pytest.approx(4e-3)
     robot = Robot()
     light = robot.beam_mass_kg * robot.gravity_m_s2 * robot.length_m**2

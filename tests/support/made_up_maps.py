@@ -12,7 +12,7 @@ from snapjump.plan.parts.axes import default_axes
 
 RANGES = ((0.01, 0.19), (0.1, 0.3), (0.3, 2.0), (0.1, 0.6))
 TINY = 1e-30
-HEIGHT = 60.0  # y m_bar / epsilon
+HEIGHT = 60.0  # y mass_bar / epsilon
 SLOPE = 4.0  # x / (y delta_alpha) at mu = 0.3
 TURN = 0.1  # rad, where the folded map turns back
 
@@ -82,7 +82,7 @@ class MadeUpSimulator:
 
 
 def problem(target: Any, forward: Any = None, simulator: Any = None, **changes: Any) -> Problem:
-    """A problem in the environment m_bar = 1, mu = 0.3, over the paper's ranges."""
+    """A problem in the environment mass_bar = 1, mu = 0.3, over the paper's ranges."""
     low, high = np.array(RANGES[:2]).T
     simulator = simulator or MadeUpSimulator()
     given = {"mass_bar": 1.0, "mu": 0.3, "seed": 0, "forward": forward, "simulator": simulator}

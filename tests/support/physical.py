@@ -18,7 +18,7 @@ from snapjump.stepping.adaptive import AdaptiveStep
 from snapjump.stepping.fixed import FixedStep
 
 DISCRETIZATIONS = FAMILIES["discretization"]
-# epsilon, delta_alpha, mu, m_bar
+# epsilon, delta_alpha, mu, mass_bar
 DESIGNS = {
     "baseline": (0.2, 0.1, 0.3, 0.768),
     "light": (0.15, 0.05, 0.4, 0.3),

@@ -15,7 +15,7 @@ from snapjump.stepping.adaptive import AdaptiveStep
 # epsilon: critical angle (rad) and depth of the lowest point there (L), S5 of physics.json
 CRITICAL = {0.1: (0.6385, 0.0543), 0.2: (0.9117, 0.0736), 0.3: (1.127, 0.0860)}
 
-# epsilon, delta_alpha, mu, m_bar
+# epsilon, delta_alpha, mu, mass_bar
 DESIGNS = (
     (0.1, 0.02, 0.1, 0.4), (0.2, 0.10, 0.3, 0.768), (0.3, 0.15, 0.6, 1.5), (0.2, 0.05, 0.2, 2.0),
     (0.1, 0.19, 0.5, 0.3), (0.3, 0.02, 0.3, 0.900), (0.2, 0.15, 0.4, 1.2), (0.1, 0.10, 0.2, 0.6),

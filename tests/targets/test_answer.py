@@ -12,7 +12,7 @@ from snapjump.inverse.physics import PhysicsOptions
 from snapjump.targets.answer import answer
 from snapjump.targets.mirror import Between, Mirrored, with_mirror
 
-HIGH = 0.3 * HEIGHT  # of y at m_bar = 1
+HIGH = 0.3 * HEIGHT  # of y at mass_bar = 1
 CORNER = np.array([0.19 * SLOPE * HIGH, HIGH])
 ALL = [[-0.19, 0.19], [0.1, 0.3]]
 

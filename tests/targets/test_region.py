@@ -7,7 +7,7 @@ from made_up_maps import HEIGHT, SLOPE, MadeUpModel, folded, problem
 from snapjump.targets.region import AchievableRegion, SimulatedRegion, filled_outline
 
 RANDOM = np.random.default_rng(3)
-LOW, HIGH = 0.1 * HEIGHT, 0.3 * HEIGHT  # of y at m_bar = 1
+LOW, HIGH = 0.1 * HEIGHT, 0.3 * HEIGHT  # of y at mass_bar = 1
 LEFT, RIGHT = 0.01 * SLOPE, 0.19 * SLOPE  # of x / y
 
 

@@ -21,7 +21,7 @@ from ..words import Words
 from . import figure
 
 Array = NDArray[np.float64]
-Environment = tuple[float, float]  # m_bar, mu
+Environment = tuple[float, float]  # mass_bar, mu
 ByEnvironment = Mapping[Environment, Region]
 WORDS = Words(__file__)
 MASS_BAR, MU = BASELINE[2:]
@@ -79,7 +79,7 @@ def against(values: Sequence[float], rising: bool = False) -> int:
 
 
 def mass_exponent(masses: Sequence[Region]) -> float:
-    """The power of m_bar that the area goes with."""
+    """The power of mass_bar that the area goes with."""
     values = [(region.mass_bar, region.outline.area) for region in masses]
     return power(*np.array(values).T)
 
@@ -177,7 +177,7 @@ def values(
 
 def cell_name(tier: str, environment: Environment) -> str:
     """What a cell is called."""
-    return f"{tier}, m_bar {environment[0]:g}, mu {environment[1]:g}"
+    return f"{tier}, mass_bar {environment[0]:g}, mu {environment[1]:g}"
 
 
 def environments(tier: str) -> list[Environment]:

@@ -9,7 +9,7 @@ from snapjump.targets.designed import Designed
 from snapjump.targets.region import AchievableRegion
 
 LINES = 5  # of either kind
-LABELS = (r"mismatch $\delta_\alpha$ (rad)", r"pre-compression $\epsilon$")
+LABELS = ("mismatch Δα (rad)", "pre-compression ε")
 FIRST, SECOND = palette.BEAM, palette.PLUM
 
 
@@ -28,8 +28,8 @@ def draw_region(axes: Any, region: AchievableRegion) -> None:
         axes.plot(*region.apexes[:, place].T, color=SECOND, lw=0.9, alpha=0.8, zorder=3)
         tell(axes, region.apexes[place, -1], f"{region.controls[place, 0, 0]:.3g}", FIRST, (0, 4))
         tell(axes, region.apexes[0, place], f"{region.controls[0, place, 1]:.3g}", SECOND, (-4, 0))
-    axes.plot([], [], color=FIRST, lw=1.2, label=r"constant $\delta_\alpha$ (rad)")
-    axes.plot([], [], color=SECOND, lw=1.2, label=r"constant $\epsilon$")
+    axes.plot([], [], color=FIRST, lw=1.2, label="constant Δα (rad)")
+    axes.plot([], [], color=SECOND, lw=1.2, label="constant ε")
 
 
 def tell(axes: Any, place: Any, text: str, colour: str, shift: tuple[int, int]) -> None:

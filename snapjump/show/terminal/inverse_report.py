@@ -16,7 +16,7 @@ def inverse_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> lis
     """Lines of (heading, text); numbers that there are not are left out."""
     title = (
         f"target {point(summary, 'target')}, mu {number(config['environment']['mu'])}, "
-        f"m_bar {number(config['environment']['mass_bar'])}, by {config['inverse']['name']}"
+        f"mass_bar {number(config['environment']['mass_bar'])}, by {config['inverse']['name']}"
     )
     if "target_x_bar" not in summary:  # it was interrupted
         return [("inverse", f"by {config['inverse']['name']}")]

@@ -69,7 +69,7 @@ def told(**changes: Any) -> dict[str, str]:
 
 def test_lengths_in_both_units():
     lines = told()
-    assert lines["inverse"] == "target x 5 L, y 14 L, mu 0.3, m_bar 0.768, by gauss_newton"
+    assert lines["inverse"] == "target x 5 L, y 14 L, mu 0.3, mass_bar 0.768, by gauss_newton"
     assert lines["design"] == "delta_alpha 0.0970151 rad, epsilon 0.18772"
     assert lines["simulated"] == "x 4.983 L (99.66 mm), y 13.99 L (279.8 mm)"
     assert lines["error"] == "0.0192 L (0.384 mm)"
