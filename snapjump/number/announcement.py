@@ -3,6 +3,7 @@
 Once for a choice of modules: they are kept on disk. What takes less than a second is not told.
 """
 
+import time
 from typing import NamedTuple
 
 from snapjump.files.notice import notice
@@ -27,6 +28,9 @@ OTHERS = {
 }
 
 
+_begun: list[float] = []  # moments at which something was announced
+
+
 def announce(program: str, waiting: bool = False) -> None:
     """Say that a program is going to be compiled, or that another process is at it."""
     stage = STAGES.get(program) or OTHERS.get(program)
@@ -35,4 +39,13 @@ def announce(program: str, waiting: bool = False) -> None:
     place = list(STAGES).index(program) + 1 if program in STAGES else None
     number = f"{place} of {len(STAGES)}, " if place else ""
     how = "by another process" if waiting else f"about {stage.seconds} s"
+    _begun.append(time.monotonic())
     notice(f"compiling kernels, once for these modules: {number}{stage.does}, {how} ...")
+
+
+def announce_end() -> None:
+    """Say that what was announced is compiled, and how long that took."""
+    if _begun:
+        seconds = time.monotonic() - _begun[0]
+        notice(f"compiled in {seconds:.0f} s, and kept for the next time")
+        _begun.clear()

@@ -14,8 +14,8 @@ def mass_bar(mass_kg: float, robot: Robot) -> float:
 
 
 class Environment(Part):
-    """Friction coefficient mu, the robot's whole mass as mass_bar = m g L^2 / EI, and the slope of the
-    ground, positive where it rises towards +x."""
+    """Friction coefficient mu, the robot's whole mass as mass_bar = m g L^2 / EI, and the slope of
+    the ground, positive where it rises towards +x."""
 
     group = "environment"
 

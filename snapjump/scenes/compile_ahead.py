@@ -1,10 +1,10 @@
 """A jump's time loop compiled by a second process, while this one compiles its statics."""
 
+import atexit
 import pickle
 import subprocess
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 
 import numpy as np
 
@@ -19,26 +19,29 @@ from snapjump.scenes.runner import March
 from snapjump.scenes.trajectory import read
 
 HEIGHT_BAR, LIMIT_S = 0.1, 1e-3  # of a robot whose numbers do not matter
+_begun: dict[bytes, "subprocess.Popen[bytes]"] = {}  # by what they compile
 PROGRAM = "import sys; sys.path[:] = {path!r}; from {module} import main; main()"
 
 
-@contextmanager
-def time_loop_compiled_ahead(simulation: Simulation) -> Iterator[None]:
+def compile_ahead(simulation: Simulation) -> None:
     """Have a recorded jump's time loop compiled meanwhile, where it is not on disk and there is a
-    second core. Whoever needs it waits for that process, which ends with the block."""
-    process = None
-    if len(own_cores()) > 1 and sys.executable:
-        loop = bare_march(simulation)
-        # A law that is defined in a notebook cannot travel; then it is compiled here, later.
-        with suppress(pickle.PicklingError, AttributeError, TypeError, OSError):
-            if would_compile(march, (*loop.arguments(loop.crew[0]), 0)):
-                process = begun(pickle.dumps(simulation))
-    try:
-        yield
-    finally:
-        if process is not None:
-            process.terminate()
-            process.wait()
+    second core. Whoever needs it waits for that process, which ends with this one at the latest."""
+    if len(own_cores()) < 2 or not sys.executable:
+        return
+    loop = bare_march(simulation)
+    # A law that is defined in a notebook cannot travel; then it is compiled here, later.
+    with suppress(pickle.PicklingError, AttributeError, TypeError, OSError):
+        wanted = pickle.dumps(simulation)
+        if wanted not in _begun and would_compile(march, (*loop.arguments(loop.crew[0]), 0)):
+            _begun[wanted] = begun(wanted)
+
+
+@atexit.register
+def end_all() -> None:
+    """End the processes that are still at it."""
+    for process in _begun.values():
+        process.terminate()
+        process.wait()
 
 
 def begun(simulation: bytes) -> "subprocess.Popen[bytes]":

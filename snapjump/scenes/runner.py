@@ -17,6 +17,7 @@ from snapjump.engine.recorder.none import NoRecorder
 from snapjump.engine.step import Method
 from snapjump.engine.work import Sizes, make_memory, sizes_of
 from snapjump.frame.base import NO_MESH
+from snapjump.number.announcement import announce_end
 from snapjump.number.once import load
 from snapjump.scenes.crew import Worker, run_crew
 from snapjump.units import Scales
@@ -141,6 +142,7 @@ class March:
                 progress(self._done(), "marching")
 
         load(march, *self.arguments(self.crew[0]), 0)
+        announce_end()
         run_crew(self.crew, advance, report)
         return self.queue.outcome
 

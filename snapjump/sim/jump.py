@@ -8,7 +8,7 @@ from snapjump.declare.fields import Need, number
 from snapjump.engine.recorder.trajectory import make_recorder
 from snapjump.results import Result
 from snapjump.scenes.card_march import check_backend
-from snapjump.scenes.compile_ahead import time_loop_compiled_ahead
+from snapjump.scenes.compile_ahead import compile_ahead
 from snapjump.scenes.jump_march import jump_march, jumped, no_recorder
 from snapjump.scenes.jump_outputs import JumpRun, RecordedJump
 from snapjump.scenes.jump_start import jump_model
@@ -40,6 +40,8 @@ class Jump(SceneOptions):
 
     def check_start(self, simulation: Simulation) -> None:
         check_backend(simulation)
+        if simulation.backend.one_at_a_time:
+            compile_ahead(simulation)
         model = jump_model(simulation)
         if simulation.backend.one_at_a_time:
             limit_s = model.time_limit.duration * simulation.robot.scales.time_s
@@ -52,15 +54,11 @@ class Jump(SceneOptions):
         outcomes only.
         """
         check_backend(simulation)
-        if simulation.backend.one_at_a_time:
-            with time_loop_compiled_ahead(simulation):
-                return self._simulate(simulation, progress)
-        return self._simulate(simulation, progress)
-
-    def _simulate(self, simulation: Simulation, progress: Progress | None) -> Result:
         begun = time.perf_counter()
-        model, alone = jump_model(simulation), simulation.backend.one_at_a_time
-        time_s = simulation.robot.scales.time_s
+        alone = simulation.backend.one_at_a_time
+        if alone:
+            compile_ahead(simulation)
+        model, time_s = jump_model(simulation), simulation.robot.scales.time_s
         times = model.time_limit.duration, self.sample_interval_s / time_s
         recorder = (lambda size: make_recorder(size, *times)) if alone else no_recorder
         march = jump_march([simulation], [model], recorder=recorder, lanes=simulation.backend.width)

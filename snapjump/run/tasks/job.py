@@ -32,7 +32,7 @@ from snapjump.run.tasks.registry import find_task
 from snapjump.run.tasks.sweep import PARENT_RUN, mark_folder
 from snapjump.run.tasks.tracking import chosen
 from snapjump.run.tasks.workers import end_with_sweep
-from snapjump.show.terminal.block import block, number
+from snapjump.show.terminal.block import block, heading_width, number
 from snapjump.show.terminal.progress import ProgressBar
 from snapjump.tracking.base import Tracker, TrackingError
 from snapjump.tracking.parts.tracked import MARK, OWN, record_folder
@@ -97,6 +97,7 @@ def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[s
     code = ended = base.exit_code(outcome.status)
     if live.run_id is None:
         (folder.path / MARK).unlink(missing_ok=True)  # of a run that was here before
+    width = 0 if task is None else _tell(task, outcome, folder)
     place, interrupted = "", False
     try:
         place = record_folder(tracker, folder)
@@ -105,8 +106,8 @@ def run_alone(config: Mapping[str, Any], folder: ResultFolder, overrides: list[s
         again = command([f"record={os.path.relpath(folder.path)}"])
         print(f"not recorded: {str(error) or 'interrupted'}; {again} does it", file=sys.stderr)
         code = code or (base.EXIT_INTERRUPTED if interrupted else base.EXIT_UNTRACKED)
-    if task is not None:
-        _tell(task, outcome, folder, place)
+    if task is not None and place:
+        print(f"  {'tracking'.ljust(width)}{place}")
     if ended != base.EXIT_OK:
         print(f"{outcome.status}: {outcome.message}", file=sys.stderr)
     return code
@@ -171,13 +172,15 @@ def _refused(message: str, folder: ResultFolder) -> int:
     return base.EXIT_BAD_INPUT
 
 
-def _tell(task: Task, outcome: Outcome, folder: ResultFolder, place: str) -> None:
+def _tell(task: Task, outcome: Outcome, folder: ResultFolder) -> int:
+    """Print the closing block, before anybody waits for a store; returns where its texts begin."""
     names = [file.name for file in folder.files() if file.name not in OWN]
     lines = [
         *task.report(outcome),
         ("files", f"{os.path.relpath(folder.path)}: {', '.join(names)}"),
-        ("tracking", place),
     ]
     if outcome.status != "ok":
         lines.insert(1, ("status", f"{outcome.status} {outcome.message}".rstrip()))
-    print(block(lines))
+    width = heading_width([*lines, ("tracking", "")])
+    print(block(lines, width), flush=True)
+    return width

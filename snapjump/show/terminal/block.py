@@ -3,10 +3,15 @@
 from collections.abc import Sequence
 
 
-def block(lines: Sequence[tuple[str, str]]) -> str:
+def heading_width(lines: Sequence[tuple[str, str]]) -> int:
+    """The column at which the texts of a block begin, in its indented lines."""
+    return max((len(heading) for heading, _ in lines[1:]), default=0) + 2
+
+
+def block(lines: Sequence[tuple[str, str]], width: int | None = None) -> str:
     """A title, then indented lines of a heading and its text; the first pair is the title."""
     (name, title), *rest = lines
-    width = max((len(heading) for heading, _ in rest), default=0) + 2
+    width = heading_width(lines) if width is None else width
     return "\n".join(
         [f"{name}  {title}".rstrip()]
         + [f"  {heading.ljust(width)}{text}" for heading, text in rest if text]
