@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from snapjump.discretization.base import HALF_BANDWIDTH
-from snapjump.number.dispatch import compiled
+from snapjump.number.dispatch import compiled, routine
 
 WIDTH = HALF_BANDWIDTH + 1
 ROUNDING = 2.0**-52
@@ -19,7 +19,7 @@ BISECTIONS = 24
 INVERSE_ITERATIONS = 8
 
 
-@compiled
+@routine
 def factor(band: Any, shift: float, factors: Any) -> int:
     """L D L^T of ``band`` less ``shift`` on its diagonal; returns how many pivots are negative.
 
@@ -47,7 +47,7 @@ def factor(band: Any, shift: float, factors: Any) -> int:
     return negative
 
 
-@compiled
+@routine
 def substitute(factors: Any, x: Any) -> None:
     """Replace a right-hand side (n) by the solution."""
     size = factors.shape[0]
@@ -69,7 +69,7 @@ def dot(a: Any, b: Any) -> float:
     return total
 
 
-@compiled
+@routine
 def subtract_product(band: Any, x: Any, values: Any) -> None:
     """Subtract K x from ``values`` (n)."""
     size = band.shape[0]
@@ -80,7 +80,7 @@ def subtract_product(band: Any, x: Any, values: Any) -> None:
             values[j] -= band[j, k] * x[j + k]
 
 
-@compiled
+@routine
 def quadratic_form(band: Any, x: Any) -> tuple[float, float]:
     """x K x, and the size of what rounding of the matrix's entries makes of it.
 

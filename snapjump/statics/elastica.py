@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.number.dispatch import compiled
+from snapjump.number.dispatch import compiled, routine
 from snapjump.number.functions import sqrt
 from snapjump.number.trigonometry import arctan, sin
 
@@ -15,7 +15,7 @@ LANDEN_STEPS = 6  # each squares the distance of the two means: five are exact u
 LARGEST_PARAMETER = 0.99
 
 
-@compiled
+@routine
 def landen(m: float, a: Any, c: Any) -> float:
     """Arithmetic-geometric means of the parameter m, a_n and c_n; returns the end shortening.
 

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.number.dispatch import compiled
+from snapjump.number.dispatch import compiled, routine
 
 DEGREE = 5
 # Nodes on either side that a spline's value is computed from: farther ones have less influence
@@ -17,7 +17,7 @@ AT_NODES = (1.0 / 120.0, 26.0 / 120.0, 66.0 / 120.0, 26.0 / 120.0, 1.0 / 120.0)
 JUMP = (1.0, -6.0, 15.0, -20.0, 15.0, -6.0, 1.0)
 
 
-@compiled
+@routine
 def solve_dense(matrix: Any, right: Any) -> None:
     """Replace a right-hand side by the solution, by elimination with partial pivoting."""
     size = right.shape[0]
@@ -40,7 +40,7 @@ def solve_dense(matrix: Any, right: Any) -> None:
         right[j] /= matrix[j, j]
 
 
-@compiled
+@routine
 def spline_coefficients(heights: Any) -> Any:
     """Coefficients (N + 4) of the quintic B-splines about nodes -2 to N + 1 whose sum goes through
     the heights (N >= 6); the first and the last two inner knots are none (not-a-knot)."""
@@ -60,7 +60,7 @@ def spline_coefficients(heights: Any) -> Any:
     return found
 
 
-@compiled
+@routine
 def spline_point(coefficients: Any, place: float) -> tuple[float, float, float]:
     """Value, slope and second derivative of the spline at a place, in steps from node 0."""
     nodes = coefficients.shape[0] - 4
