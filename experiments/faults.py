@@ -81,14 +81,14 @@ def run_killed(path: Path, overrides: Sequence[str], shards: int, after_s: float
 
 def listed(path: Path) -> int:
     """Number of shards that have an entry."""
-    return len(list(path.glob("shards/shard-*.json")))
+    return len(list(path.glob("shards/_shard-*.json")))
 
 
 def look(path: Path) -> tuple[int, list[str]]:
     """Number of listed shards, and the damage of any of them."""
     folder = DatasetFolder(path)
     plain = read_sealed(folder.specification)
-    numbers = sorted(int(file.stem[-5:]) for file in (path / "shards").glob("shard-*.json"))
+    numbers = sorted(int(file.stem[-5:]) for file in (path / "shards").glob("_shard-*.json"))
     if plain is None:
         return len(numbers), [] if not folder.specification.exists() else ["dataset.json"]
     found = [read_entry(folder, number, sha256_of(plain))[1] for number in numbers]

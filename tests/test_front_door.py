@@ -1,7 +1,11 @@
 """Parts of a simulation as users give them: options, names, groups; what is misplaced is told."""
 
+import re
+from pathlib import Path
+
 import pytest
 
+import snapjump
 from snapjump import Design, Environment, Robot, simulate_jump
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
@@ -51,3 +55,16 @@ def test_a_misplaced_design_is_told():
 
 def test_members_by_name():
     assert Simulation(contact="penalty").contact == Penalty()
+
+
+def test_the_front_page_is_whole():
+    for name in snapjump.__all__:
+        assert getattr(snapjump, name) is not None and name in dir(snapjump)
+    typed = re.findall(r"import (\w+) as \1", Path(snapjump.__file__).read_text())
+    assert sorted(typed) == sorted(snapjump.__all__)
+    with pytest.raises(AttributeError, match="has no attribute 'nothing'"):
+        _ = snapjump.nothing
+
+
+def test_the_version_is_told(command):
+    assert command("--version").stdout.strip() == f"snapjump {snapjump.__version__}"

@@ -45,7 +45,7 @@ def test_a_shard_tells_where_it_comes_from(tmp_path):
 def test_files_are_written_whole_and_nothing_else_is_left(tmp_path):
     folder = made_up(tmp_path, SPECIFICATION)
     names = {path.name for path in tmp_path.rglob("*") if path.is_file()}
-    shards = {f"shard-0000{k}.{kind}" for k in range(3) for kind in ("json", "parquet")}
+    shards = {name for k in range(3) for name in (f"_shard-0000{k}.json", f"shard-0000{k}.parquet")}
     assert names == {"dataset.json", "manifest.json", ".manifest.lock"} | shards
     for left in (folder.shard(1), folder.entry(1)):
         (left.parent / f".{left.name}.half").write_text("half")
@@ -103,7 +103,7 @@ def test_a_shard_that_is_truncated_gone_or_of_another_place_is_named(tmp_path):
     folder.shard(0).unlink()
     assert whole(folder, 0) == (None, "shard-00000.parquet is missing")
     folder.entry(1).write_bytes(folder.entry(2).read_bytes())
-    assert whole(folder, 1) == (None, "shard-00001.json is of another dataset or shard")
+    assert whole(folder, 1) == (None, "_shard-00001.json is of another dataset or shard")
 
 
 def test_a_sealed_file_knows_its_content(tmp_path):

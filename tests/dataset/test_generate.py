@@ -139,12 +139,12 @@ def test_what_is_there_is_kept_and_what_is_missing_made(undisturbed, tmp_path):
     assert told[0] == "0 of 24 jumps" and told[-1].startswith("24 of 24 jumps, ")
     assert "/s, " in told[-1] and told[-1].endswith(" left")
     before = {file: file.stat().st_mtime_ns for file in tmp_path.glob("shards/*")}
-    (tmp_path / "shards" / "shard-00001.json").unlink()
+    (tmp_path / "shards" / "_shard-00001.json").unlink()
     second = generated(tmp_path, SPECIFICATION)
     assert (second.made, second.kept, second.damaged) == (8, 16, [])
     after = {file: file.stat().st_mtime_ns for file in tmp_path.glob("shards/*")}
     changed = {file.stem for file in after if after[file] != before[file]}
-    assert changed == {"shard-00001"} and same(tmp_path, undisturbed)
+    assert changed == {"shard-00001", "_shard-00001"} and same(tmp_path, undisturbed)
 
 
 def test_damage_is_named_and_repaired(undisturbed, tmp_path):
@@ -171,7 +171,7 @@ def test_parts_make_the_whole(undisturbed, tmp_path):
 
 def test_what_stops_it_leaves_what_is_done_listed(undisturbed, tmp_path):
     def stop(done: float, text: str) -> None:
-        if (tmp_path / "shards" / "shard-00001.json").exists():
+        if (tmp_path / "shards" / "_shard-00001.json").exists():
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
@@ -198,7 +198,7 @@ def test_a_shard_that_another_spoils_is_made_again(undisturbed, tmp_path):
     executor.spoilt = 1
     assert generated(tmp_path, SPECIFICATION, executor).made == 24 + 8
     assert same(tmp_path, undisturbed)
-    (tmp_path / "shards" / "shard-00001.json").unlink()
+    (tmp_path / "shards" / "_shard-00001.json").unlink()
     executor.rounds, executor.spoilt = 0, 10
     with pytest.raises(GenerationError, match=r"\[1\]"):
         generated(tmp_path, SPECIFICATION, executor)

@@ -26,7 +26,7 @@ sys.path[:0] = [{str(SUPPORT)!r}]
 from plain_march import without_compiling
 from snapjump.run.tasks.command_line import main
 without_compiling(MonkeyPatch())
-sys.exit(main(Path({str(ROOT / "conf")!r})))
+sys.exit(main())
 """
 
 

@@ -6,7 +6,10 @@ from command_line import ROOT
 from hydra import compose, initialize_config_dir
 from omegaconf import OmegaConf
 
-from snapjump.run.tasks.names import register_resolvers
+from snapjump.declare.fields import construct
+from snapjump.robot.other_units import in_own_units
+from snapjump.robot.robot import Robot
+from snapjump.run.tasks.names import key_of, register_resolvers
 
 CONF = ROOT / "conf"
 
@@ -18,5 +21,7 @@ def composed(*overrides: str, **options: Any) -> Any:
 
 
 def hydra_config(*overrides: str) -> Any:
-    """What Hydra composes, as plain values."""
-    return OmegaConf.to_container(composed(*overrides), resolve=True)
+    """What a task is given of what Hydra composes: plain values, in their own units."""
+    config: Any = OmegaConf.to_container(composed(*overrides), resolve=True)
+    robot = construct("robot", Robot, config["robot"])
+    return in_own_units(config, [*map(key_of, overrides)], robot)

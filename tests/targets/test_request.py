@@ -12,8 +12,9 @@ from snapjump import Design, Environment, ParameterError, simulate_jump
 from snapjump.declare.fields import construct
 from snapjump.inverse.bayesian import BayesianOptions
 from snapjump.inverse.gauss_newton import GaussNewtonOptions
+from snapjump.learning import STANDARD
 from snapjump.targets.design import inverse_design
-from snapjump.targets.request import SHIPPED, checked_target, checkpoint_path, usable_forward
+from snapjump.targets.request import checked_target, checkpoint_path, usable_forward
 from snapjump.targets.robust import Tolerance
 
 TOLERANCE = {"delta_alpha_rad": 0.002, "epsilon": 0.001, "mass_bar": 0.01, "mu": 0.02}
@@ -23,7 +24,7 @@ def test_what_is_asked_for_is_given():
     np.testing.assert_array_equal(checked_target([5, 14.5]), [5.0, 14.5])
     np.testing.assert_array_equal(checked_target((-1.0, 0.0)), [-1.0, 0.0])
     assert construct("tolerance", Tolerance, TOLERANCE) == Tolerance()
-    assert checkpoint_path(None) == SHIPPED
+    assert checkpoint_path(None) == STANDARD
     assert str(checkpoint_path("a/b.safetensors")) == "a/b.safetensors"
 
 

@@ -3,12 +3,12 @@
 import ast
 import json
 from collections.abc import Iterable, Mapping
-from importlib.util import resolve_name
+from importlib.util import find_spec, resolve_name
 from pathlib import Path
 from typing import Any
 
 from snapjump.files.json_file import finite
-from snapjump.files.layout import EXPERIMENTS, in_a_clone
+from snapjump.files.layout import EXPERIMENTS, STUDIES, in_a_clone
 from snapjump.files.provenance import source_hash
 from snapjump.files.sources import Source, combined_hash
 
@@ -42,17 +42,23 @@ def sources(roots: Iterable[str]) -> list[Source]:
 
 
 def _imports(file: Path, package: str) -> Iterable[str]:
-    """What a module of a package imports of the experiments: relatively, as they all do."""
+    """What a module of a package imports of the experiments, relatively as they do or not."""
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.ImportFrom) and node.level:
-            module = resolve_name("." * node.level + (node.module or ""), package)
+        if not isinstance(node, ast.ImportFrom):
+            continue
+        name = node.module or ""
+        module = resolve_name("." * node.level + name, package) if node.level else name
+        if f"{module}.".startswith(STUDIES):
             yield module
             # ``from package import module`` as well as ``from module import name``.
             yield from (f"{module}.{alias.name}" for alias in node.names)
 
 
 def _file(module: str) -> Path | None:
-    """Of a module or package of the experiments; None for what is a name within one."""
+    """Of a module or package; None for what is a name within one."""
+    if not f"{module}.".startswith(STUDIES):
+        spec = find_spec(module)
+        return Path(spec.origin) if spec is not None and spec.origin else None
     place = EXPERIMENTS.joinpath(*module.split(".")[1:])
     files = (place.with_suffix(".py"), place / INIT)
     return next((file for file in files if file.is_file()), None)

@@ -97,7 +97,11 @@ def test_what_it_leaves():
                            "**Roots**\n\n| n | root |\n| --- | --- |\n| 4 | 2 |\n")  # fmt: skip
     assert {"roots.csv", "root.png", "report.html"} <= names
     html = (folder.path / "report.html").read_text()
-    assert "<h2>Roots</h2>" in html and '<img src="root.png"' in html and "<td>4</td>" in html
+    assert (
+        "<h2>Roots</h2>" in html
+        and '<img src="data:image/png;base64,cG5n"' in html
+        and "<td>4</td>" in html
+    )
     records = json.loads((folder.path / "children.json").read_text())["children"]
     assert [record["params"] for record in records] == [{"n": 0}, {"n": 1}, {"n": 2}]
     assert records[2]["metrics"] == {"n": 2.0, "square": 4.0, "error": 0.5}
