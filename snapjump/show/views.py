@@ -11,7 +11,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from snapjump.batch import Batch
-from snapjump.checks import ParameterError
+from snapjump.checks import ParameterError, check_choice
 from snapjump.results import Result
 from snapjump.show.plots import Draw, pictures_of
 from snapjump.show.plots.apexes import draw_apexes
@@ -52,8 +52,8 @@ def html(shown: Result | Batch) -> str:
         return words
 
 
-def plot(shown: Result | Batch) -> Picture:
-    """The first of its pictures. Raises ParameterError where there is none."""
+def plot(shown: Result | Batch, name: str | None = None) -> Picture:
+    """The first of its pictures, or that of a name. Raises ParameterError where there is none."""
     if isinstance(shown, Batch):
         if not np.isfinite(shown.apexes).any():
             raise ParameterError("plot", _title(shown), "a batch with an apex")
@@ -61,7 +61,10 @@ def plot(shown: Result | Batch) -> Picture:
     pictures = pictures_of(shown, film=False)
     if not pictures:
         raise ParameterError("plot", shown.status, "a result with a trajectory")
-    return drawn(*pictures[0])
+    by_name = {Path(file).stem: (file, draw) for file, draw in pictures}
+    if name is not None:
+        check_choice("plot", name, tuple(by_name))
+    return drawn(*by_name[name or Path(pictures[0][0]).stem])
 
 
 def film(shown: Result | Batch) -> Picture:

@@ -34,5 +34,5 @@ class Shown:
         return picture
 
 
-def _of(view: str, shown: Shown) -> Any:
-    return getattr(import_module("snapjump.show.views"), view)(shown)
+def _of(view: str, shown: Shown, *more: Any) -> Any:
+    return getattr(import_module("snapjump.show.views"), view)(shown, *more)

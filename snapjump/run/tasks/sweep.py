@@ -48,7 +48,7 @@ class Sweep:
     def record(self, state: State, ended_at: str, **parts: Any) -> Record:
         """Its own record: what it is of, and by which command."""
         tags = {"sweep": "true", "command": command(["-m", *self.overrides]), "task": "sweep"}
-        tags |= parts.pop("tags", {})
+        tags |= {"mlflow.source.name": "snapjump", **parts.pop("tags", {})}
         params = {key_of(text): text.partition("=")[2] for text in self.overrides}
         times = milliseconds(self.started_at), milliseconds(ended_at)
         return Record(self.title, state, *times, params, tags=tags, **parts)

@@ -18,6 +18,8 @@ CHILDREN = "children.json"
 DATASETS = "datasets.json"
 CURVES = "curves.csv"
 MODEL = "model.json"
+# Tasks that simulate nothing: what is configured of a simulation says nothing of them.
+NO_SIMULATION = ("train", "export")
 # What is for the records alone, and no result.
 OWN = (MARK, CHILDREN, DATASETS, MODEL)
 STATES: dict[str, State] = {
@@ -178,8 +180,11 @@ def make_record(
 
 def tags_of(config: Mapping[str, Any]) -> dict[str, str]:
     """What runs are told apart and filtered by."""
+    task = config.get("task", {}).get("name")
+    if task in NO_SIMULATION:
+        config = {key: config[key] for key in ("task", "dataset") if key in config}
     found = {
-        "task": config.get("task", {}).get("name"),
+        "task": task,
         "scene": config.get("sim", {}).get("name"),
         "tier": config.get("accuracy", {}).get("name"),
         "dataset": (config.get("dataset") or {}).get("path"),
