@@ -10,7 +10,7 @@ has wrinkles of 0.01 L and every tier some roughness besides; an exact derivativ
 wrinkle, a fit sees over it. The benchmark compares both.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -35,6 +35,8 @@ ROUGHNESS_BAR = 1.0e-3  # of a simulated apex, against which slopes are fitted
 TRUST = 0.3  # relative error of the slopes that the fit is drawn to
 NEAREST = 24  # points of a fit, the nearest to the target
 CLOSE_BAR = 2.0e-3  # misses below this weigh alike in a fit
+DIFFERENCES = (0.01, 0.04, 0.003)  # of a control's range: wider than wrinkles, and not
+Rounds = Callable[[Search, Solution], Iterator[Solution]]
 LENGTHS = np.array([1.5, 1.2, 1.0, 0.8, 0.5, 0.25, 0.1, 0.03])  # of exact steps
 
 
@@ -63,6 +65,12 @@ class PhysicsOptions(InverseOptions):
             if not starts and len(tried) <= MOST_MORE and least_miss(problem, refined) > REACH_BAR:
                 starts = other_guesses(problem, tried)[:1]
                 tried += starts
+        # A fit may be led astray by wrinkles: before a target is given up, plain differences.
+        for start in [*tried, min(refined, key=lambda one: one.miss_bar(problem.target))]:
+            if self.needs_slopes or least_miss(problem, refined) <= REACH_BAR:
+                break
+            search = Search(problem, problem.simulator)
+            refined.append(self._followed(search, start, differenced_rounds))
         # Starts that led nowhere are no solutions; those that were not tried may be.
         return [min(refined, key=lambda one: one.miss_bar(problem.target)), *starts]
 
@@ -76,15 +84,20 @@ class PhysicsOptions(InverseOptions):
         if self.finishing != "same":
             searches.append(Search(problem, problem.simulator.at(self.finishing)))
         for search in searches:
-            allowed = search.simulator.simulations + self.most_simulations - CANDIDATES
-            misses: list[float] = []
-            for best in rounds(search, start):
-                misses.append(best.miss_bar(problem.target))
-                ended = self._reaches(problem, best) or search.simulator.simulations > allowed
-                if ended or stalled(misses):
-                    break
-            start = best
+            start = self._followed(search, start, rounds)
         return start
+
+    def _followed(self, search: Search, start: Solution, rounds: Rounds) -> Solution:
+        """The best point of a search, which ends where it has reached the target, may not go on, or
+        gets no nearer."""
+        allowed = search.simulator.simulations + self.most_simulations - CANDIDATES
+        misses: list[float] = []
+        for best in rounds(search, start):
+            misses.append(best.miss_bar(search.problem.target))
+            ended = self._reaches(search.problem, best) or search.simulator.simulations > allowed
+            if ended or stalled(misses):
+                break
+        return best
 
 
 def first_guesses(search: Search) -> list[Solution]:
@@ -176,16 +189,43 @@ def fit(search: Search, drawn_to: Array) -> tuple[Array, Array, Array]:
 
 
 def exact_rounds(search: Search, start: Solution) -> Iterator[Solution]:
-    """The best point after each round; ends where no step is an improvement."""
+    """The best point after each round; slopes are the simulator's own."""
+
+    def slopes(here: Array) -> Array:
+        return by_shares(search.problem, search.simulator.slopes(search.designs(here[None])))
+
+    return sloped_rounds(search, start, slopes)
+
+
+def differenced_rounds(search: Search, start: Solution) -> Iterator[Solution]:
+    """The best point after each round; slopes are differences of simulations around it, over other
+    distances where those of one lead no further."""
+    for distance in DIFFERENCES:
+
+        def slopes(here: Array, distance: float = distance) -> Array:
+            ends = [np.clip(here + sign * distance * np.eye(2), 0.0, 1.0) for sign in (1.0, -1.0)]
+            apexes = search.simulate(np.vstack(ends))
+            found: Array = (apexes[:2] - apexes[2:]).T / np.diag(ends[0] - ends[1])
+            return found
+
+        yield from sloped_rounds(search, start, slopes)
+        start = search.best()
+
+
+def sloped_rounds(
+    search: Search, start: Solution, slopes_at: Callable[[Array], Array]
+) -> Iterator[Solution]:
+    """The best point after each round of steps of several lengths along slopes (2, 2) by shares;
+    ends where no step is an improvement."""
     search.simulate(search.problem.scaled(start.controls)[None])
     best = search.best()
     yield best
     while True:
         here = search.problem.scaled(best.controls)
-        slopes = search.simulator.slopes(search.designs(here[None]))
+        slopes = slopes_at(here)
         if not np.isfinite(slopes).all():
             return
-        way = step(by_shares(search.problem, slopes), search.problem.target - best.apex, here)
+        way = step(slopes, search.problem.target - best.apex, here)
         search.simulate(np.clip(here + LENGTHS[:, None] * way, 0.0, 1.0))
         if search.best().miss_bar(search.problem.target) >= best.miss_bar(search.problem.target):
             return

@@ -37,7 +37,7 @@ def headline(result: Any) -> str:
     parts = []
     if scene in ("jump", "snap", "static"):
         parts.append(f"ε = {design.epsilon:g}")
-        parts.append(f"Δα = {design.delta_alpha:g} rad")
+        parts.append(f"Δα = {design.delta_alpha:.4g} rad")
     if scene in ("jump", "slide"):
         parts.append(f"μ = {environment.mu:g}")
     if scene == "jump":
