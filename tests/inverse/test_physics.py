@@ -79,7 +79,21 @@ def test_an_unreachable_target_ends_at_the_bounds_within_its_budget():
     assert best.controls[1] == pytest.approx(0.3, abs=1e-3)
     assert ((best.controls >= given.low) & (best.controls <= given.high)).all()
     assert best.miss_bar(given.target) == pytest.approx(12.0, abs=0.05)
-    assert simulator.simulations <= 80
+    # From one start by fits, and before it is given up from there and from the end by differences.
+    assert simulator.simulations <= 3 * 80
+
+
+def stays(search: Search, start: Any) -> Any:
+    """Rounds of fits that lead nowhere: to a corner, far from the target."""
+    search.simulate(np.zeros((1, 2)))
+    yield search.best()
+
+
+def test_what_fits_do_not_reach_differences_may(monkeypatch):
+    target = wrinkled(np.array([[0.16, 0.27, 1.0, 0.3]]))[0]
+    given = problem(target, MadeUpModel(), MadeUpSimulator(wrinkled))
+    monkeypatch.setattr("snapjump.inverse.physics.fitted_rounds", stays)
+    assert PhysicsOptions().solve(given)[0].miss_bar(given.target) <= 0.03
 
 
 def test_jumps_that_fail_are_passed_over():
