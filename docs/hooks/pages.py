@@ -14,10 +14,13 @@ from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
+import snapjump
+
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
 PACKAGE = ROOT / "snapjump"
 FROM_ROOT = {"README.md": "index.md", "CONTRIBUTING.md": "contributing.md"}
+API = "reference/api.md"
 PAPER = "paper.md"  # a study in a place of its own, which may not be there yet
 LINK = re.compile(r"(?<!!)\[(?P<text>[^\]]*)\]\((?P<target>[^)\s:#]+)(?P<place>#[^)\s]*)?\)")
 IMAGE = re.compile(r"(!\[[^\]]*\])\(docs/")
@@ -37,6 +40,17 @@ def modules(folder: Path) -> list[str]:
     return [f"{dotted}.{name}" for name in names]
 
 
+def front_page() -> str:
+    """Markdown of the names that ``import snapjump`` has, with links to where they live."""
+    rows = []
+    for name in snapjump.__all__:
+        thing = getattr(snapjump, name)
+        first = (thing.__doc__ or "").strip().partition("\n\n")[0]
+        rows.append(f"| [{name}][{thing.__module__}.{name}] | {' '.join(first.split())} |")
+    title = f"# What `import snapjump` has\n\n{snapjump.__doc__}"
+    return "\n".join([title, "| name | what it is |", "|---|---|", *rows])
+
+
 def reference_page(package: str) -> str:
     """Markdown of a package's page, for mkdocstrings."""
     folder = ROOT.joinpath(*package.split("."))
@@ -54,7 +68,7 @@ def on_config(config: MkDocsConfig) -> MkDocsConfig:
     sections = {
         "Guides": [page for page in pages if page not in {*named, PAPER}],
         "Studies": [page for page in pages if page == PAPER] + studies,
-        "Reference": [f"reference/{name}.md" for name in packages()],
+        "Reference": [API, *(f"reference/{name}.md" for name in packages())],
     }
     config.nav = [
         {title: sections[title] for title in entry} if isinstance(entry, dict) else entry
@@ -67,6 +81,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
     """Add the pages that are not in ``docs``."""
     for name, page in FROM_ROOT.items():
         files.append(File.generated(config, page, abs_src_path=str(ROOT / name)))
+    files.append(File.generated(config, API, content=front_page()))
     for package in packages():
         page = f"reference/{package}.md"
         files.append(File.generated(config, page, content=reference_page(package)))

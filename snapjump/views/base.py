@@ -22,13 +22,13 @@ class Shown:
     def _repr_html_(self) -> str:
         return str(_of("html", self))
 
-    def plot(self) -> "Picture":
-        """The picture of it, which a notebook shows, and ``.save(path)`` writes.
-        Raises ParameterError where there is nothing to draw."""
-        picture: Picture = _of("plot", self)
+    def plot(self, name: str | None = None) -> Picture:
+        """The picture of it, which a notebook shows, and ``.save(path)`` writes; by ``name``
+        another one: ``energy``. Raises ParameterError where there is nothing to draw."""
+        picture: Picture = _of("plot", self, name)
         return picture
 
-    def film(self) -> "Picture":
+    def film(self) -> Picture:
         """The film of it, a GIF. Raises ParameterError where nothing moves."""
         picture: Picture = _of("film", self)
         return picture

@@ -44,7 +44,9 @@ def snippets(page: Path) -> list[str]:
     if page.suffix == ".md":
         return blocks(text_of(page), "python")
     cells = nbformat.read(page, as_version=4).cells
-    return [cell.source for cell in cells if cell.cell_type == "code"]
+    code = [cell.source.splitlines() for cell in cells if cell.cell_type == "code"]
+    # What begins with an exclamation mark is for a shell.
+    return ["\n".join(line for line in lines if line[:1] != "!") for lines in code]
 
 
 @pytest.mark.parametrize("page", WITH_SNIPPETS, ids=lambda page: page.name)

@@ -45,6 +45,9 @@ def test_a_jump_in_a_line_and_as_the_terminal_has_it(jump):
 
 def test_its_pictures(jump, tmp_path):
     assert opened(jump.plot()).format == "PNG" and jump.plot()._repr_png_()
+    assert jump.plot("energy").name == "energy.png"
+    with pytest.raises(ParameterError, match="one of jump, energy"):
+        jump.plot("enregy")
     film = jump.film()
     assert opened(film).format == "GIF" and opened(film).n_frames > 20
     assert "data:image/gif;base64," in (film._repr_html_() or "")
