@@ -1,6 +1,7 @@
 """Notebooks as pages: run while the site is built, with their outputs below their cells."""
 
 import base64
+import re
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +10,7 @@ from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 from nbclient import NotebookClient
 
+COLOURS = re.compile("\x1b\\[[0-9;]*m")  # of a terminal
 TIMEOUT_S = 600  # of a cell, which may compile
 
 
@@ -45,7 +47,7 @@ def cell_text(cell: Any, stem: str, pictures: dict[str, bytes]) -> str:
 def printed(output: Any) -> str:
     """The text of an output; warnings and progress are none of the page."""
     if output.output_type == "stream":
-        return str(output.text) if output.name == "stdout" else ""
+        return COLOURS.sub("", output.text) if output.name == "stdout" else ""
     return str(output.get("data", {}).get("text/plain", ""))
 
 
