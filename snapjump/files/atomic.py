@@ -44,12 +44,14 @@ def write_bytes(path: Path, content: bytes) -> None:
 
 def flush(path: Path) -> None:
     """Have the disk hold all of a file that some other code wrote."""
-    with open(path, "rb") as file:
+    with open(path, "r+b") as file:
         os.fsync(file.fileno())
 
 
 def flush_folder(path: Path) -> None:
-    """Have the disk hold the names of a folder's files."""
+    """Have the disk hold the names of a folder's files; Windows opens no folders."""
+    if os.name == "nt":
+        return
     handle = os.open(path, os.O_RDONLY)
     try:
         os.fsync(handle)

@@ -53,9 +53,11 @@ def main() -> int:
 def _main() -> int:
     arguments = sys.argv[1:]
     if {"-h", "--help"} & set(arguments):
-        from snapjump.show.terminal.help_page import help_page
+        from snapjump.show.terminal.help_page import help_page, member_page
 
-        print(help_page(CONF, [Path(folder) for folder in named_plugins(arguments)]))
+        plugins = [Path(folder) for folder in named_plugins(arguments)]
+        chosen = [text for text in arguments if "=" in text and not text.startswith("plugins=")]
+        print(member_page(CONF, chosen, plugins) if chosen else help_page(CONF, plugins))
         return 0
     if "--version" in arguments:
         print(f"snapjump {__version__}")

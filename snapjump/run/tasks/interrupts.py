@@ -8,8 +8,10 @@ from typing import Any
 
 from snapjump.run.tasks.base import Progress
 
-# What stops a job: the user, the system that runs it (SLURM, docker), a terminal that goes away.
-SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+# What stops a job: the user, the system that runs it (SLURM, docker), a terminal that goes away,
+# which Windows tells of in other ways.
+NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
+SIGNALS = [getattr(signal, name) for name in NAMES if hasattr(signal, name)]
 
 
 def heeded() -> AbstractContextManager[list[int]]:

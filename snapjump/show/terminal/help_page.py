@@ -6,6 +6,7 @@ from pathlib import Path
 
 import yaml
 
+from snapjump.checks import ParameterError
 from snapjump.files.layout import PROGRAM
 from snapjump.files.sources import PACKAGE
 
@@ -48,6 +49,7 @@ Examples
 
 FLAGS = """\
 Flags
+  --help group=name  every key of a member, with its default, unit and range; of several, too
   -m, --multirun    every combination of the values that are given with commas; a sweep that is
                     started again does only the cells that are not finished
   --cfg job         print every key of this run, with its value, and stop
@@ -69,6 +71,21 @@ def help_page(conf: Path, plugins: Sequence[Path] = ()) -> str:
     return "\n\n".join(
         [INTRODUCTION, "Groups (* is the default)\n" + "\n".join(groups), _keys(conf), FLAGS]
     )
+
+
+def member_page(conf: Path, chosen: Sequence[str], plugins: Sequence[Path] = ()) -> str:
+    """Every key of members that are named as ``group=member``, with its default, unit and range.
+    Raises ParameterError for one that there is not."""
+    pages = []
+    for text in chosen:
+        group, _, name = text.lstrip("+").partition("=")
+        files = [place / group / f"{name}.yaml" for place in (conf, TABLEAUX, *plugins)]
+        found = [file for file in files if file.is_file()]
+        if not found:
+            raise ParameterError("--help", text, "<group>=<member>, as --help lists them")
+        lines = found[0].read_text(encoding="utf-8").splitlines()
+        pages.append("\n".join([text, *(line for line in lines if "# @package" not in line)]))
+    return "\n\n".join(pages)
 
 
 def describe(member: Path) -> str:
@@ -102,5 +119,5 @@ def _keys(conf: Path) -> str:
         elif inner and section not in ("defaults", "hydra"):
             lines.append(f"  {f'{section}.{inner[1]}={inner[2]}':<30}{inner[3]}")
     return "Keys\n" + "\n".join(
-        [*lines, "  <group>.<key>=...             keys of a group: see conf/<group>/<member>.yaml"]
+        [*lines, "  <group>.<key>=...             keys of a member: see --help <group>=<member>"]
     )

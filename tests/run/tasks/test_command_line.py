@@ -189,3 +189,10 @@ def test_an_error_that_is_not_known_is_no_failure(command, tmp_path):
     assert result["status"] == "ok" and result["x_bar"] > 1.0
     assert result["error_estimate_percent"] is None and result["within_tier"] is None
     assert "not known here" in done.stdout
+
+
+def test_help_on_a_member_has_its_keys(command, refusal):
+    told = command("--help", "task=train", "contact=penalty").stdout
+    assert told.startswith("task=train\n# A forward model") and "@package" not in told
+    assert "patience: 60" in told and "contact=penalty\n" in told and "N/m" in told
+    assert "--help = 'contact=nope'" in refusal("--help", "contact=nope")
