@@ -45,7 +45,7 @@ TITLE = "The paper, reproduced and judged"
 
 
 def readme_block(statements: Sequence[Statement]) -> str:
-    """Statements and verdicts alone, for the README."""
+    """Statements and verdicts alone, for a guide."""
     rows = [[str(k), one.says.rstrip("."), one.verdict] for k, one in enumerate(statements, 1)]
     table = markdown_table(["", "the paper says", "verdict"], rows)
     return f"{table}\n\n{WORDS.filled('readme', {'counts': counts(statements)})}"

@@ -18,6 +18,7 @@ from snapjump.show.terminal.output_table import output_table, status_table
 
 WITH_SNIPPETS = [ROOT / "README.md", *ROOT.glob("docs/**/*.md"), *ROOT.glob("docs/*.ipynb")]
 # What the blocks of a page begin to print.
+AGAINST = text_of("docs/against.md")
 PRINTED = {
     "README.md": "ok 5.3",
     "docs/designing.md": "<target 3, 12 L reached",
@@ -62,13 +63,13 @@ def test_imports_are_there(page):
 def test_its_figures_stand_where_they_come_from():
     """The table against the paper: each number of ours on the page that its row links to (which
     may have more digits), and each factor the ratio of the numbers, whichever way is better."""
-    table = README.partition("| | theirs |")[2].partition("\n\n")[0]
+    table = AGAINST.partition("| | theirs |")[2].partition("\n\n")[0]
     rows = [[cell.strip() for cell in r.strip("|").split("|")] for r in table.splitlines()[2:]]
     assert len(rows) >= 7
     checked = 0
     for title, theirs, ours, factor, source in rows:
         (page,) = LINK.findall(source)
-        written = re.findall(r"(?<![\w.])\d+(?:\.\d+)?", text_of(page))
+        written = re.findall(r"(?<![\w.])\d+(?:\.\d+)?", text_of(f"docs/{page}"))
         for number in numbers(ours):
             places = len(number.partition(".")[2])
             assert any(f"{float(n):.{places}f}" == number for n in written), (title, number)
@@ -92,7 +93,7 @@ def numbers(cell: str, first: bool = False) -> list[str]:
 
 def test_generated_sections_are_there():
     models, accuracy = text_of("docs/forward_models.md"), text_of("docs/accuracy.md")
-    sections = ((README, "inverse"), (README, "tiers"), (README, "paper"), (models, "surrogates"),
+    sections = ((README, "inverse"), (README, "tiers"), (AGAINST, "paper"), (models, "surrogates"),
                 (accuracy, "claims"))  # fmt: skip
     for text, section in sections:
         assert text.index(f"<!-- {section}:begin -->") < text.index(f"<!-- {section}:end -->")
