@@ -3,6 +3,7 @@
 import tracemalloc
 
 import numpy as np
+import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
@@ -138,3 +139,18 @@ def test_memory_does_not_grow_with_the_dataset(tmp_path):
             tracemalloc.stop()
             pa.set_memory_pool(before)
     assert peaks[1] < 1.1 * peaks[0]
+
+
+def test_the_folder_of_shards_is_a_table_for_everybody(read_and_written):
+    found, _ = read_and_written
+    frame = pd.read_parquet(found.folder.path / "shards")
+    assert frame["mu"].tolist() == found.frame()["mu"].tolist()
+
+
+def test_entries_under_their_former_names_are_found(tmp_path):
+    before = made_up_dataset(tmp_path, small(40, 16))
+    for number in range(before.shard_count):
+        path = before.folder.entry(number)
+        path.rename(path.with_name(path.name.removeprefix("_")))
+    assert not list(tmp_path.glob("shards/_*"))
+    assert load_dataset(tmp_path).sha256 == before.sha256
