@@ -2,10 +2,13 @@
 
 Prints one JSON object: seconds of ``make jump`` in a clone of what is committed, with no kernels
 compiled, until the closing block with the apex is there, and of that until something is compiled
-and while that goes on; medians of ``--runs``. The installers' own caches are as they are; with
-``--cold true`` they are empty, and with ``--pip true`` uv is left out. Needs git, make and Python.
+and while that goes on; then, from Python there, milliseconds of ``simulate_jump`` of other designs
+besides its kernels, and CPU seconds of compiling for other modules. Medians of ``--runs``. The
+installers' own caches are as they are; with ``--cold`` they are empty, and with ``--pip`` uv is
+left out. Needs git, make and Python.
 """
 
+import json
 import os
 import re
 import statistics
@@ -17,6 +20,22 @@ from pathlib import Path
 
 from .command import measured
 
+WARM = """
+import json, os, statistics, time
+from snapjump import simulate_jump
+simulate_jump()
+besides = []
+for k in range(20):
+    begun = time.perf_counter()
+    jump = simulate_jump(design={"epsilon": 0.2 + 0.003 * (k + 1)})
+    besides.append(1e3 * (time.perf_counter() - begun - jump.kernel_seconds))
+before = os.times()
+simulate_jump(contact="penalty", friction="lagged", integrator="tr_bdf2")
+after = os.times()
+cpu = sum(after[:4]) - sum(before[:4])
+print(json.dumps({"warm_besides_kernels_ms": round(statistics.median(besides), 1),
+                  "other_modules_cpu_s": round(cpu, 1)}))
+"""
 ROOT = Path(__file__).resolve().parents[1]
 APEX = re.compile(r"^\s+apex\s")
 COMPILING, COMPILED = re.compile("compiling kernels"), re.compile("compiled in")
@@ -42,7 +61,10 @@ def one_clone(cold: bool, pip: bool) -> dict[str, float]:
             kept = Path.home() / ".cache" / name.partition("_")[0].lower()
             environment[name] = f"{folder}/{name}" if cold else os.environ.get(name, str(kept))
         command = ["make", "jump", *(["UV=false"] if pip else [])]
-        return followed(command, clone, environment)
+        found = followed(command, clone, environment)
+        python = [".venv/bin/python", "-c", WARM]
+        told = subprocess.run(python, cwd=clone, env=environment, check=True, capture_output=True)
+        return found | json.loads(told.stdout)
 
 
 def followed(command: list[str], folder: Path, environment: dict[str, str]) -> dict[str, float]:

@@ -3,6 +3,7 @@
 import os
 import sys
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -55,8 +56,10 @@ def _main() -> int:
     if {"-h", "--help"} & set(arguments):
         from snapjump.show.terminal.help_page import help_page, member_page
 
-        plugins = [Path(folder) for folder in named_plugins(arguments)]
-        chosen = [text for text in arguments if "=" in text and not text.startswith("plugins=")]
+        plugins = [Path(folder) for folder in (*named_plugins(arguments), *config_dirs(arguments))]
+        chosen = [
+            text for text in arguments if "=" in text and not text.startswith(("plugins=", "-"))
+        ]
         print(member_page(CONF, chosen, plugins) if chosen else help_page(CONF, plugins))
         return 0
     if "--version" in arguments:
@@ -111,6 +114,15 @@ def named_plugins(arguments: Sequence[str]) -> list[str]:
         if key == "plugins" and value not in ("", "null"):
             found += [part.strip(" '\"") for part in value.strip("[]").split(",")]
     return found
+
+
+def config_dirs(arguments: Sequence[str]) -> list[str]:
+    """The folder of ``--config-dir``, whose members are listed as well."""
+    flags = ("-cd", "--config-dir")
+    after = [value for flag, value in pairwise(arguments) if flag in flags]
+    return after + [
+        text.partition("=")[2] for text in arguments if text.startswith("--config-dir=")
+    ]
 
 
 def _run_hydra() -> int:

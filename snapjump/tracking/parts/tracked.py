@@ -20,6 +20,11 @@ CURVES = "curves.csv"
 MODEL = "model.json"
 # Tasks that simulate nothing: what is configured of a simulation says nothing of them.
 NO_SIMULATION = ("train", "export")
+OF_A_SIMULATION = (
+    *("accuracy", "sim", "robot", "design", "environment", "discretization", "frame", "contact"),
+    *("friction", "damping", "integrator", "stepping", "backend"),
+)
+SENTENCES = ("accuracy.known_error", "integrator.rows")  # which no column has room for
 # What is for the records alone, and no result.
 OWN = (MARK, CHILDREN, DATASETS, MODEL)
 STATES: dict[str, State] = {
@@ -155,7 +160,7 @@ def make_record(
         state=STATES.get(result["status"], "FAILED"),
         started_ms=milliseconds(origin.get("started_at")),
         ended_ms=milliseconds(origin.get("finished_at")),
-        params=flat({key: value for key, value in config.items() if key != "tracking"}),
+        params={k: v for k, v in flat(told_of(config)).items() if k not in SENTENCES},
         metrics=numbers_of(result),
         tags={
             **words,
@@ -178,13 +183,19 @@ def make_record(
     )
 
 
+def told_of(config: Mapping[str, Any]) -> dict[str, Any]:
+    """What of a configuration says anything of its run, and fits a table."""
+    found = {key: value for key, value in config.items() if key != "tracking"}
+    if config.get("task", {}).get("name") in NO_SIMULATION:
+        found = {key: value for key, value in found.items() if key not in OF_A_SIMULATION}
+    return found
+
+
 def tags_of(config: Mapping[str, Any]) -> dict[str, str]:
     """What runs are told apart and filtered by."""
-    task = config.get("task", {}).get("name")
-    if task in NO_SIMULATION:
-        config = {key: config[key] for key in ("task", "dataset") if key in config}
+    config = told_of(config)
     found = {
-        "task": task,
+        "task": config.get("task", {}).get("name"),
         "scene": config.get("sim", {}).get("name"),
         "tier": config.get("accuracy", {}).get("name"),
         "dataset": (config.get("dataset") or {}).get("path"),
