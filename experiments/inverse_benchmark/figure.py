@@ -48,15 +48,12 @@ def _distributions(axes: Any, methods: Mapping[str, Sequence[Row]], tier: str) -
 
 def _costs(axes: Any, methods: Mapping[str, Sequence[Row]]) -> None:
     axes.set_title("mean, judged at reference; squares: the paper", loc="left")
-    # Labels above and below in turn, since methods of one kind lie side by side.
-    sides = cycle(((0, 8), (0, -17)))
-    for colour, side, (name, rows) in zip(cycle(COLOURS), sides, methods.items(), strict=False):
+    # Methods of one kind lie side by side: the legend names them.
+    for colour, rows in zip(cycle(COLOURS), methods.values(), strict=False):
         misses = column(rows, "miss_reference_mm")
         seconds = float(np.median(column(rows, "seconds")))
         mean = float(np.nanmean(misses))
-        axes.plot(seconds, mean, "o", ms=9, color=colour)
-        axes.annotate(name.replace("physics, ", ""), (seconds, mean), side, color=colour,
-                      ha="center", textcoords="offset points")  # fmt: skip
+        axes.plot(seconds, mean, "o", ms=9, color=colour, mec=palette.INK)
     for row in PAPER:
         place = float(str(row["seconds"])), float(str(row["mean_mm"]))
         axes.plot(*place, "s", ms=7, mfc="none", color=palette.INK)
