@@ -16,7 +16,7 @@ EXTRAS = {
     "cluster": ("distributed", "dask", "cryptography", "submitit"),
     "cuda": ("numba_cuda",),
 }
-TORCH = "; CPU build: pip install torch==2.13.0 --index-url https://download.pytorch.org/whl/cpu"
+TORCH = "; torch without CUDA first: pip install torch==2.13.0 --index-url https://download.pytorch.org/whl/cpu"
 
 
 class MissingExtraError(ModuleNotFoundError):
@@ -28,7 +28,7 @@ def explained(error: ModuleNotFoundError) -> ModuleNotFoundError:
     package = (error.name or "").partition(".")[0]
     for extra, packages in EXTRAS.items():
         if package in packages:
-            build = TORCH if package == "torch" else ""
+            build = TORCH if extra == "learn" else ""
             told = f"{package} is not installed: pip install 'snapjump[{extra}]'{build}"
             return MissingExtraError(told, name=error.name)
     return error
