@@ -1,4 +1,4 @@
-"""A sweeper that optimises: Optuna's is told an output of each jump, or the worst where one fails."""
+"""Optuna's sweeper is told an output of each jump, or the worst where one fails."""
 
 import math
 
