@@ -43,7 +43,8 @@ class SweepCallback(Callback):
         overrides = task_overrides(config.hydra)
         try:
             parsed = parsed_overrides(config)
-            swept = [one.get_key_element() for one in parsed if one.is_sweep_override()]
+            varied = [key_of(one.get_key_element()) for one in parsed if one.is_sweep_override()]
+            swept = list(dict.fromkeys(varied))
             cells = expand(config, parsed)
             name = sweep_name(overrides, swept)
             os.environ |= {SWEEP_NAME: name, SWEPT_KEYS: ",".join(swept), FIXED: ""}
