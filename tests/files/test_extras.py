@@ -49,6 +49,7 @@ CASES = {
 }
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize("hidden", CASES, ids="-".join)
 def test_the_front_page_says_which(hidden):
     code = WITHOUT.format(hidden=hidden, work=CASES[hidden])
@@ -59,6 +60,7 @@ def test_the_front_page_says_which(hidden):
     assert f"{hidden[0]} is not installed: pip install 'snapjump[{extra}]'" in last
 
 
+@pytest.mark.processes
 def test_without_any_of_them_a_jump_is_simulated():
     hidden = [package for packages in EXTRAS.values() for package in packages]
     work = "jump = snapjump.simulate_jump(accuracy='draft'); print(jump.status, jump.plot().name)"

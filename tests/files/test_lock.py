@@ -6,6 +6,7 @@ import sys
 import threading
 import time
 
+import pytest
 from command_line import ROOT
 
 from snapjump.files.lock import FileLock
@@ -80,6 +81,7 @@ sys.exit(main())
 """
 
 
+@pytest.mark.processes
 def test_a_system_without_posix_works_without(tmp_path):
     command = [sys.executable, "-c", WITHOUT]
     paths = {**os.environ, "PYTHONPATH": str(ROOT)}
