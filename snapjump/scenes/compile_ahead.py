@@ -4,7 +4,9 @@ import atexit
 import pickle
 import subprocess
 import sys
+import threading
 from contextlib import suppress
+from typing import Any
 
 import numpy as np
 
@@ -13,13 +15,13 @@ from snapjump.engine.march import march
 from snapjump.engine.recorder.trajectory import make_recorder
 from snapjump.engine.termination.flight import FlightTermination
 from snapjump.files.cores import own_cores
-from snapjump.number.once import load, would_compile
+from snapjump.number.once import load, types_of, would_compile
 from snapjump.scenes.jump_start import composed_model
 from snapjump.scenes.runner import March
 from snapjump.scenes.trajectory import read
 
 HEIGHT_BAR, LIMIT_S = 0.1, 1e-3  # of a robot whose numbers do not matter
-_begun: dict[bytes, "subprocess.Popen[bytes]"] = {}  # by what they compile
+_begun: dict[Any, "subprocess.Popen[bytes]"] = {}  # by the types of what they compile
 PROGRAM = "import sys; sys.path[:] = {path!r}; from {module} import main; main()"
 
 
@@ -29,11 +31,13 @@ def compile_ahead(simulation: Simulation) -> None:
     if len(own_cores()) < 2 or not sys.executable:
         return
     loop = bare_march(simulation)
+    arguments = (*loop.arguments(loop.crew[0]), 0)
+    program = types_of(march, arguments)
+    if program in _begun or not would_compile(march, arguments):
+        return
     # A law that is defined in a notebook cannot travel; then it is compiled here, later.
     with suppress(pickle.PicklingError, AttributeError, TypeError, OSError):
-        wanted = pickle.dumps(simulation)
-        if wanted not in _begun and would_compile(march, (*loop.arguments(loop.crew[0]), 0)):
-            _begun[wanted] = begun(wanted)
+        _begun[program] = begun(pickle.dumps(simulation))
 
 
 @atexit.register
@@ -56,6 +60,7 @@ def begun(simulation: bytes) -> "subprocess.Popen[bytes]":
     assert process.stdin is not None
     with suppress(BrokenPipeError), process.stdin:
         process.stdin.write(simulation)
+    threading.Thread(target=process.wait, daemon=True).start()  # or it stayed as a zombie
     return process
 
 
