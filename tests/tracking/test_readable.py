@@ -15,7 +15,7 @@ def tagged(runs: list[Any], **tags: str) -> list[Any]:
     return [run for run in runs if tags.items() <= run.data.tags.items()]
 
 
-def test_runs_can_be_read(command, tmp_path):
+def test_runs_can_be_read(command, tmp_path, monkeypatch):
     command("design.epsilon=0.25", *QUICK)
     command("-m", "design.epsilon=0.1,0.2", *QUICK)
     command("task=dataset", "plan=sobol", "plan.count=64", "dataset.path=d", *QUICK)
@@ -42,6 +42,7 @@ def test_runs_can_be_read(command, tmp_path):
     )
     (version,) = client.search_model_versions("name = 'snapjump-forward-model'")
     assert version.run_id == training.info.run_id
+    monkeypatch.chdir(tmp_path)  # where MLflow makes a store of its own
     check_model(version.source)
 
 
