@@ -22,7 +22,6 @@ CHANGES = {
     "two cores": "",
     "one core": "os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})",
     "it dies": "compile_ahead.PROGRAM = 'import sys; sys.exit(1)'",
-    "it cannot travel": "compile_ahead.pickle.dumps = lambda thing: open('/nowhere')",
 }
 
 
@@ -36,4 +35,4 @@ def test_outcomes_are_the_same_whoever_compiles(tmp_path):
         found[name] = run.stdout.split()
     assert len({x for x, *_ in found.values()}) == 1
     # On one core the time loop is compiled here, on two it is fetched from disk.
-    assert [found[name][1:] for name in CHANGES] == [["1", "0"], *3 * [["0", "1"]]]
+    assert [found[name][1:] for name in CHANGES] == [["1", "0"], *2 * [["0", "1"]]]
