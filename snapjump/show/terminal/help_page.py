@@ -49,7 +49,8 @@ Examples
 
 FLAGS = """\
 Flags
-  --help group=name  every key of a member, with its default, unit and range; of several, too
+  --help <group>=<member>
+                    every key of a member, with its default, unit and range
   -m, --multirun    every combination of the values that are given with commas; a sweep that is
                     started again does only the cells that are not finished
   --cfg job         print every key of this run, with its value, and stop
