@@ -13,9 +13,8 @@ from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.differentiate import motion_of, place_ends_at
 from snapjump.engine.march import march
 from snapjump.engine.model import with_numbers
-from snapjump.engine.stage import begin_stage, keep_stage, stage_motion
+from snapjump.engine.stage import begin_stage, commit_step, keep_stage, rates_of, stage_motion
 from snapjump.engine.status import OK
-from snapjump.engine.step import commit_step
 from snapjump.engine.tangent import make_tangent_state, view_tangent
 from snapjump.engine.view import view_memory, view_work
 from snapjump.linear_solver.right_hand_sides import FOUR
@@ -91,10 +90,13 @@ def finish_stage(template: Any, scheme: Any, masses: Any, memory: Any) -> bool:
     angles = model.clamp.angles(motion.time)
     model.frame.place_ends(work.mesh, model.discretization, angles, work.state)
     everyone = work.clock[c.STEP] > 0.0
-    keep_stage(scheme, work, motion, everyone)
+    keep_stage(scheme, work, motion, scheme.stage_count(), everyone)
     last = work.clock[c.STAGE] >= scheme.stage_count()
     if last:
-        commit_step(scheme, work, everyone)
+        step = work.clock[c.STEP]
+        commit_step(scheme, work, step, rates_of(motion), everyone)
+        work.clock[c.TIME] += step
+        work.clock[c.LAST_STEP] = step
         work.clock[c.STAGE] = 1.0
     else:
         work.clock[c.STAGE] += 1.0

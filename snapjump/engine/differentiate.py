@@ -15,6 +15,7 @@ from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.clock import LAST_STEP, STAGE, STEP, TIME
 from snapjump.engine.model import with_numbers
 from snapjump.engine.tangent import view_tangent
+from snapjump.integrator.base import Reached
 from snapjump.linear_solver.right_hand_sides import FOUR, solve_right_hand_sides
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.dual import constant, dual, slopes_of, value_of
@@ -148,9 +149,12 @@ def store(template: Any, scheme: Any, memory: Any, tangent: Any, lane: Any) -> N
     step = memory.clock[STEP, lane]
     ratio = ratio_of(memory, lane)
     rates = scheme.stage_rates(step, ratio)
+    slot = int(stage)
     for i in range(work.state.shape[0]):
         work.state[i] = dual(memory.state[i, lane], slopes_of(work.state[i]))
-    scheme.store_stage(work, stage, step, ratio, rates, True)
+        reached = scheme.reached(work, i, step, rates)
+        work.velocity[slot, i] = reached.velocity
+        work.acceleration[slot, i] = reached.acceleration
     if not scheme.ends_in_a_stage():
         if stage >= 1.0 * scheme.stage_count():
             model = tangent_model(template, tangent, lane)
@@ -163,8 +167,10 @@ def commit(scheme: Any, memory: Any, tangent: Any, lane: Any) -> None:
     """Make a lane's last stage the beginning of its next step; the clock has moved on already."""
     work = view_tangent(tangent, lane)
     last = scheme.stage_count()
-    scheme.keep_history(work, memory.clock[LAST_STEP, lane], True)
+    step = memory.clock[LAST_STEP, lane]
     for i in range(work.state.shape[0]):
+        reached = Reached(work.velocity[last, i], work.acceleration[last, i])
+        scheme.keep_history(work, i, step, reached, True)
         work.start[i] = work.state[i]
-        work.velocity[0, i] = work.velocity[last, i]
-        work.acceleration[0, i] = work.acceleration[last, i]
+        work.velocity[0, i] = reached.velocity
+        work.acceleration[0, i] = reached.acceleration

@@ -13,10 +13,19 @@ from snapjump.engine.model import with_numbers
 from snapjump.engine.newton import Allowed, newton_iteration
 from snapjump.engine.outcome import COLUMNS, ROWS_OF_CLOCK
 from snapjump.engine.queue import Queue, load_robot, refill
-from snapjump.engine.stage import begin_stage, keep_stage, stage_motion
+from snapjump.engine.stage import (
+    Ended,
+    begin_stage,
+    commit_step,
+    estimate_error,
+    keep_stage,
+    move_on,
+    rates_of,
+    stage_motion,
+)
 from snapjump.engine.start import follow_branch
 from snapjump.engine.status import ITERATION_LIMIT, STEP_UNDERFLOW
-from snapjump.engine.step import Method, finish_step
+from snapjump.engine.step import Method, judge_step
 from snapjump.engine.view import view_memory, view_work
 from snapjump.number.array import uncounted
 from snapjump.number.atomic import fetch_add
@@ -84,7 +93,10 @@ def march(
     width = store.clock.shape[1]
     work = view_work(memory, lanes)
     clock = work.clock
-    last_stage = 1.0 * scheme.stage_count()
+    stages = scheme.stage_count()
+    last_stage = 1.0 * stages
+    # What the last stage reached is used up at once, but for whoever watches.
+    kept = stages if recorder.watches() or not scheme.ends_in_a_stage() else stages - 1
     step = stepping.first_step()
     if queue.counts[0] < 0:
         queue.counts[0] = 0
@@ -125,6 +137,7 @@ def march(
         converged = correction.converged & active
         failed = correction.failed & active
         restage = failed
+        good = failed & converged  # none
         status = 0.0 * h
         if any_true(failed):
             smaller = stepping.step_after_failure(h)
@@ -135,12 +148,21 @@ def march(
             status = where(under, 1.0 * STEP_UNDERFLOW, status)
         if any_true(converged):
             restage = restage | converged
-            error = keep_stage(scheme, work, motion, converged)
+            error = estimate_error(scheme, work, motion)
+            keep_stage(scheme, work, motion, kept, converged)
             recorder.record_stage(model, masses, motion, scheme, work, converged)
             ended = converged & (clock[STAGE] >= last_stage)
             clock[STAGE] = where(converged, clock[STAGE] + 1.0, clock[STAGE])
             if any_true(ended):
-                status = finish_step(model, masses, method, recorder, work, ended, error, status)
+                good, status = judge_step(model, masses, method, work, ended, error, status)
+        if recorder.watches():
+            if any_true(good):
+                commit_step(scheme, work, h, rates_of(motion), good)
+                recorder.record_step(model, masses, scheme, work, good)
+        elif any_true(restage):
+            move_on(model, scheme, masses, work, Ended(h, rates_of(motion)), good, restage)
+        if any_true(good):
+            status = where(good, method.termination.terminate(model, masses, work, good), status)
         exhausted = active & (clock[ITERATIONS] >= method.most_in_march) & (status == 0.0)
         status = where(exhausted, 1.0 * ITERATION_LIMIT, status)
         leaving = active & (status > 0.0)
@@ -156,6 +178,9 @@ def march(
                     refill(store, lane, queue, recorder, step)
                     store.clock[STATUS, lane] = 0.0
             model = with_numbers(template, work.numbers)
-        if any_true(restage):
-            begin_stage(model, scheme, masses, work, restage)
+            if not recorder.watches():
+                begin_stage(model, scheme, masses, work, leaving)
+        if recorder.watches():
+            if any_true(restage):
+                begin_stage(model, scheme, masses, work, restage)
     return queue.counts[0] == 0

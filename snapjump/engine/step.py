@@ -67,38 +67,24 @@ def reach_end(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> Any
     return mask & (allowed < 1.0)
 
 
-@routine
-def commit_step(scheme: Any, work: Any, mask: Any) -> None:
-    """Make the last stage the beginning of the next step."""
-    last = scheme.stage_count()
-    clock = work.clock
-    scheme.keep_history(work, clock[STEP], mask)
-    clock[TIME] = where(mask, clock[TIME] + clock[STEP], clock[TIME])
-    clock[LAST_STEP] = where(mask, clock[STEP], clock[LAST_STEP])
-    for i in range(work.state.shape[0]):
-        work.start[i] = where(mask, work.state[i], work.start[i])
-        work.velocity[0, i] = where(mask, work.velocity[last, i], work.velocity[0, i])
-        work.acceleration[0, i] = where(mask, work.acceleration[last, i], work.acceleration[0, i])
-
-
 @kernel
 def contact_frequency(work: Any) -> Any:
     """Fastest contact frequency of the last assembly (1/T)."""
     return sqrt(work.clock[FASTEST])
 
 
+class Verdict(NamedTuple):
+    """Of steps that have ended: the mask of those that stand, and the status of every lane."""
+
+    good: Any
+    status: Any
+
+
 @routine
-def finish_step(
-    model: Any,
-    masses: Any,
-    method: Method,
-    recorder: Any,
-    work: Any,
-    ended: Any,
-    error: Any,
-    status: Any,
-) -> Any:
-    """Judge the steps that have just ended; returns the status of every lane."""
+def judge_step(
+    model: Any, masses: Any, method: Method, work: Any, ended: Any, error: Any, status: Any
+) -> Verdict:
+    """Judge the steps that have just ended, and choose the size of the next ones."""
     scheme = method.scheme
     stepping = method.stepping
     termination = method.termination
@@ -126,12 +112,10 @@ def finish_step(
     clock[FAILURES] = where(good, 0.0, clock[FAILURES])
     clock[STAGE] = where(ended, 1.0, clock[STAGE])
     clock[SMALLEST_GAP] = where(good, minimum(clock[SMALLEST_GAP], clock[GAP]), clock[SMALLEST_GAP])
-    commit_step(scheme, work, good)
-    recorder.record_step(model, masses, scheme, work, good)
+    clock[TIME] = where(good, clock[TIME] + h, clock[TIME])
+    clock[LAST_STEP] = where(good, h, clock[LAST_STEP])
     touching = good & (clock[GAP] < model.ground.clearance)
     clock[LAST_CONTACT] = where(touching, clock[TIME], clock[LAST_CONTACT])
-    verdict = termination.terminate(model, masses, work, good)
-    status = where(good, verdict, status)
     finite = clock[TIME] + error < 1e30
     status = where(ended & negate(finite), 1.0 * NOT_FINITE, status)
     proposed = stepping.next_step(error, scheme.error_power(), h, rate)
@@ -147,4 +131,4 @@ def finish_step(
     )
     clock[STEP] = where(ended, minimum(proposed, remaining), clock[STEP])
     under = bad & (clock[STEP] < stepping.smallest_step())
-    return where(under, 1.0 * STEP_UNDERFLOW, status)
+    return Verdict(good, where(under, 1.0 * STEP_UNDERFLOW, status))

@@ -25,8 +25,19 @@ class Rates(NamedTuple):
     inertia_rate: Any
 
 
+class Reached(NamedTuple):
+    """Velocity (L/T) and acceleration (L/T^2) of a coordinate at a stage."""
+
+    velocity: Any
+    acceleration: Any
+
+
 class TimeIntegrator(Contract):
-    """Time integrators: the contract that every one fulfils."""
+    """Time integrators: the contract that every one fulfils.
+
+    Methods of a coordinate ``i`` find its numbers in the parts of ``work``
+    (:mod:`snapjump.engine.work`).
+    """
 
     @required
     def slots(self) -> Any:
@@ -60,26 +71,29 @@ class TimeIntegrator(Contract):
     def predict(self, work: Any, i: Any, stage: Any, rates: Any) -> Any:
         """Predictors of position and velocity, and first guess, of coordinate ``i`` of a stage."""
 
+    def reached(self, work: Any, i: Any, step: Any, rates: Any) -> Reached:
+        """What coordinate ``i`` has :class:`Reached` at the stage whose position ``work.state``
+        holds. An explicit scheme finds the stage's acceleration in its slot."""
+        velocity = (work.state[i] - work.position_predictor[i]) * rates.rate_factor
+        spin_up = (velocity - work.velocity_predictor[i]) * rates.inertia_rate
+        return Reached(velocity, spin_up)
+
     @required
-    def store_stage(
-        self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
-    ) -> Any:
-        """Keep velocity and acceleration of the stage that has just converged.
+    def error(self, work: Any, i: Any, step: Any, ratio: Any, reached: Reached) -> Any:
+        """Estimated error in position of coordinate ``i`` at the step's end, over ``error_scale``,
+        given what its last stage has reached."""
 
-        In lanes outside ``mask`` slots that will be read again stay as they are; the last stage's
-        is used up at once, so that it may be overwritten in all of them. An explicit scheme finds
-        the stage's acceleration in its slot.
-
-        Returns the step's estimated error in position (L, root mean square over the coordinates)
-        for lanes whose last stage it was.
-        """
+    @required
+    def error_scale(self, step: Any, ratio: Any) -> Any:
+        """The unit (L) of ``error``."""
 
     def end_step(self, work: Any, step: Any, mask: Any) -> None:
         """Move state and last slot from the last stage to the step's end, where they differ."""
         pass
 
-    def keep_history(self, work: Any, step: Any, mask: Any) -> None:
-        """Update the slot of history of lanes whose step stands, before the step is committed."""
+    def keep_history(self, work: Any, i: Any, step: Any, reached: Reached, mask: Any) -> None:
+        """Update the slot of history of coordinate ``i`` in lanes whose step stands, before the
+        step is committed."""
         pass
 
     @required

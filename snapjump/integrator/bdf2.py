@@ -11,8 +11,8 @@ Slot 2 keeps D of position and velocity.
 
 from typing import Any, NamedTuple
 
-from snapjump.integrator.base import IntegratorOptions, Rates, TimeIntegrator
-from snapjump.number.functions import fma, sqrt, where
+from snapjump.integrator.base import IntegratorOptions, Rates, Reached, TimeIntegrator
+from snapjump.number.functions import fma, where
 
 HISTORY = 2
 
@@ -47,33 +47,24 @@ class Bdf2(IntegratorOptions):
                 position + share * (velocity + share * work.acceleration[0, i]),
             )
 
-        def store_stage(
-            self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
-        ) -> Any:
+        def error(self, work: Any, i: Any, step: Any, ratio: Any, reached: Reached) -> Any:
             # The local error (1 + w)^2 / (6 w (1 + 2 w)) h^3 q''' with q''' from the second
             # difference of v_{n+1}, v_n and D, the velocity half a step ago but for a known share
             # of q'''.
-            rate = rates.rate_factor
-            grown = 1.0 + ratio
-            scale = grown * grown / ((1.0 + 2.0 * ratio) * (2.0 + 3.0 * ratio))
-            total = 0.0 * rate
-            for i in range(work.state.shape[0]):
-                v = (work.state[i] - work.position_predictor[i]) * rate
-                before = work.velocity[0, i]
-                work.velocity[1, i] = v
-                work.acceleration[1, i] = (v - work.velocity_predictor[i]) * rate
-                past = 2.0 * ratio * (before - work.velocity[HISTORY, i])
-                error = v - before - past
-                total = fma(error, error, total)
-            return sqrt(total / work.state.shape[0]) * (scale * step)
+            before = work.velocity[0, i]
+            past = 2.0 * ratio * (before - work.velocity[HISTORY, i])
+            return reached.velocity - before - past
 
-        def keep_history(self, work: Any, step: Any, mask: Any) -> None:
+        def error_scale(self, step: Any, ratio: Any) -> Any:
+            grown = 1.0 + ratio
+            return grown * grown / ((1.0 + 2.0 * ratio) * (2.0 + 3.0 * ratio)) * step
+
+        def keep_history(self, work: Any, i: Any, step: Any, reached: Reached, mask: Any) -> None:
             over = 1.0 / step
-            for i in range(work.state.shape[0]):
-                moved = (work.state[i] - work.start[i]) * over
-                sped = (work.velocity[1, i] - work.velocity[0, i]) * over
-                work.velocity[HISTORY, i] = where(mask, moved, work.velocity[HISTORY, i])
-                work.acceleration[HISTORY, i] = where(mask, sped, work.acceleration[HISTORY, i])
+            moved = (work.state[i] - work.start[i]) * over
+            sped = (reached.velocity - work.velocity[0, i]) * over
+            work.velocity[HISTORY, i] = where(mask, moved, work.velocity[HISTORY, i])
+            work.acceleration[HISTORY, i] = where(mask, sped, work.acceleration[HISTORY, i])
 
         def error_power(self) -> float:
             return 3.0

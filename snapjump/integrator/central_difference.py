@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import Need
-from snapjump.integrator.base import IntegratorOptions, Rates, TimeIntegrator
-from snapjump.number.functions import fma, sqrt
+from snapjump.integrator.base import IntegratorOptions, Rates, Reached, TimeIntegrator
+from snapjump.number.functions import fma
 
 SMALLEST_STEP = 1.1e-6  # T: a jump in smaller ones leads nowhere
 
@@ -76,16 +76,16 @@ class CentralDifference(IntegratorOptions):
             # The assembly finds the predicted velocity as (aim - position) rate_factor.
             return aim - 0.25 * h * fma(h, a, velocity), velocity, aim
 
-        def store_stage(
-            self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
-        ) -> Any:
-            total = 0.0 * step
-            for i in range(work.state.shape[0]):
-                before = work.acceleration[0, i]
-                after = work.acceleration[1, i]
-                work.velocity[1, i] = fma(0.5 * step, before + after, work.velocity[0, i])
-                total = fma(after - before, after - before, total)
-            return sqrt(total / work.state.shape[0]) * (step * step / 6.0)
+        def reached(self, work: Any, i: Any, step: Any, rates: Any) -> Reached:
+            before = work.acceleration[0, i]
+            after = work.acceleration[1, i]
+            return Reached(fma(0.5 * step, before + after, work.velocity[0, i]), after)
+
+        def error(self, work: Any, i: Any, step: Any, ratio: Any, reached: Reached) -> Any:
+            return reached.acceleration - work.acceleration[0, i]
+
+        def error_scale(self, step: Any, ratio: Any) -> Any:
+            return step * step / 6.0
 
         def error_power(self) -> float:
             return 3.0

@@ -6,14 +6,14 @@
 
 Weighting the forces of both ends of a step, and not evaluating them between, means that contact
 guards the end of the step. Newmark's method is alpha_m = alpha_f = 0. Slot 1 holds v_1 and a_1,
-slot 2 the forces: s_0 among the accelerations, s_1 among the velocities until the step stands.
+slot 2 the forces s_0 among the accelerations.
 """
 
 from typing import Any, NamedTuple
 
 from snapjump.declare.fields import number
-from snapjump.integrator.base import IntegratorOptions, Rates, TimeIntegrator
-from snapjump.number.functions import absolute, fma, maximum, sqrt, where
+from snapjump.integrator.base import IntegratorOptions, Rates, Reached, TimeIntegrator
+from snapjump.number.functions import absolute, fma, maximum, where
 
 FORCES = 2
 
@@ -63,27 +63,23 @@ class GeneralizedAlpha(IntegratorOptions):
             velocity_predictor = known - h * self.gamma / (1.0 - self.alpha_m) * carried
             return position, velocity_predictor, fma(0.5 * h * h, a, coasting)
 
-        def store_stage(
-            self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
-        ) -> Any:
-            factor = maximum(absolute(self.beta - 1.0 / 6.0), SMALLEST_ERROR_FACTOR)
-            over = 1.0 / (self.gamma * step)
-            total = 0.0 * step
-            for i in range(work.state.shape[0]):
-                a = work.acceleration[0, i]
-                known = fma(step * (1.0 - self.gamma), a, work.velocity[0, i])
-                v = (work.state[i] - work.position_predictor[i]) * rates.rate_factor
-                after = (v - known) * over
-                work.velocity[1, i] = v
-                work.acceleration[1, i] = after
-                work.velocity[FORCES, i] = (v - work.velocity_predictor[i]) * rates.inertia_rate
-                total = fma(after - a, after - a, total)
-            return sqrt(total / work.state.shape[0]) * (factor * step * step)
+        def reached(self, work: Any, i: Any, step: Any, rates: Any) -> Reached:
+            before = work.acceleration[0, i]
+            known = fma(step * (1.0 - self.gamma), before, work.velocity[0, i])
+            velocity = (work.state[i] - work.position_predictor[i]) * rates.rate_factor
+            return Reached(velocity, (velocity - known) * (1.0 / (self.gamma * step)))
 
-        def keep_history(self, work: Any, step: Any, mask: Any) -> None:
-            for i in range(work.state.shape[0]):
-                forces = work.velocity[FORCES, i]
-                work.acceleration[FORCES, i] = where(mask, forces, work.acceleration[FORCES, i])
+        def error(self, work: Any, i: Any, step: Any, ratio: Any, reached: Reached) -> Any:
+            return reached.acceleration - work.acceleration[0, i]
+
+        def error_scale(self, step: Any, ratio: Any) -> Any:
+            factor = maximum(absolute(self.beta - 1.0 / 6.0), SMALLEST_ERROR_FACTOR)
+            return factor * step * step
+
+        def keep_history(self, work: Any, i: Any, step: Any, reached: Reached, mask: Any) -> None:
+            rate = self.stage_rates(step, 0.0).inertia_rate
+            forces = (reached.velocity - work.velocity_predictor[i]) * rate
+            work.acceleration[FORCES, i] = where(mask, forces, work.acceleration[FORCES, i])
 
         def error_power(self) -> float:
             return 3.0

@@ -11,8 +11,15 @@ from snapjump.contact.base import ContactLaw
 from snapjump.engine.clock import LAST_STEP, STABLE_STEP, STAGE, STEP
 from snapjump.engine.explicit import evaluate_forces
 from snapjump.engine.newton import Allowed, newton_iteration
-from snapjump.engine.stage import begin_stage, keep_stage, stage_motion
-from snapjump.engine.step import commit_step, reach_end
+from snapjump.engine.stage import (
+    begin_stage,
+    commit_step,
+    estimate_error,
+    keep_stage,
+    rates_of,
+    stage_motion,
+)
+from snapjump.engine.step import reach_end
 
 MEMBERS = FAMILIES["integrator"]
 VARIANTS = {
@@ -54,10 +61,12 @@ class Integration:
                 if outcome.converged:
                     break
             assert outcome.converged
-            error = keep_stage(self.scheme, work, motion, True)
+            error = estimate_error(self.scheme, work, motion)
+            keep_stage(self.scheme, work, motion, stage, True)
         if not self.scheme.ends_in_a_stage():
             assert not reach_end(self.model, self.scheme, MASSES, work, True)
-        commit_step(self.scheme, work, True)
+        commit_step(self.scheme, work, size, rates_of(motion), True)
+        clock[LAST_STEP] = size
         return error
 
 

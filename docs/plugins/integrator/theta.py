@@ -6,8 +6,8 @@ q_1 = q_0 + h ((1 - theta) v_0 + theta v_1),   v_1 = v_0 + h ((1 - theta) a_0 + 
 from typing import Any, NamedTuple
 
 from snapjump.declare.fields import number
-from snapjump.integrator.base import IntegratorOptions, Rates, TimeIntegrator
-from snapjump.number.functions import fma, sqrt
+from snapjump.integrator.base import IntegratorOptions, Rates, Reached, TimeIntegrator
+from snapjump.number.functions import fma
 
 
 class Theta(IntegratorOptions):
@@ -46,19 +46,12 @@ class Theta(IntegratorOptions):
             guess = velocity + share * work.acceleration[0, i]
             return position, velocity, position + share * guess
 
-        def store_stage(
-            self, work: Any, stage: Any, step: Any, ratio: Any, rates: Any, mask: Any
-        ) -> Any:
-            rate, total = rates.rate_factor, 0.0 * step
-            for i in range(work.state.shape[0]):
-                v = (work.state[i] - work.position_predictor[i]) * rate
-                a = (v - work.velocity_predictor[i]) * rate
-                slow = (self.theta - 0.5) * (v - work.velocity[0, i])
-                error = fma(step / 12.0, a - work.acceleration[0, i], slow)
-                work.velocity[1, i] = v
-                work.acceleration[1, i] = a
-                total = fma(error, error, total)
-            return sqrt(total / work.state.shape[0]) * step
+        def error(self, work: Any, i: Any, step: Any, ratio: Any, reached: Reached) -> Any:
+            slow = (self.theta - 0.5) * (reached.velocity - work.velocity[0, i])
+            return fma(step / 12.0, reached.acceleration - work.acceleration[0, i], slow)
+
+        def error_scale(self, step: Any, ratio: Any) -> Any:
+            return step
 
         def error_power(self) -> float:
             return 2.0

@@ -25,7 +25,7 @@ class ApexTermination(NamedTuple):
     def terminate(self, model: Any, masses: Any, work: Any, ended: Any) -> Any:
         clock = work.clock
         over = clock[TIME] >= self.duration * (1.0 - 1e-12)
-        x, y, vx, vy = centre_of_mass(model, masses, work.mesh, work.state, work.velocity[0])
+        x, y, vx, vy = centre_of_mass(model, masses, work.mesh, work.start, work.velocity[0])
         clock[COM_X] = where(ended, x, clock[COM_X])
         clock[COM_Y] = where(ended, y, clock[COM_Y])
         clock[COM_VX] = where(ended, vx, clock[COM_VX])

@@ -23,4 +23,5 @@ class Termination(Contract):
 
     @required
     def terminate(self, model: Any, masses: Any, work: Any, ended: Any) -> Any:
-        """Status (:mod:`snapjump.engine.status`) after an accepted step, 0 to go on."""
+        """Status (:mod:`snapjump.engine.status`) after an accepted step, which ``work.start`` and
+        slot 0 hold the end of; 0 to go on."""

@@ -54,7 +54,7 @@ class FlightTermination(NamedTuple):
         status = where(over, where(turned, 1.0 * NO_JUMP, 1.0 * TIME_LIMIT), 1.0 * RUNNING)
         known = ended & (airborne | over)
         if any_true(known):
-            x, y, vx, vy = centre_of_mass(model, masses, work.mesh, work.state, work.velocity[0])
+            x, y, vx, vy = centre_of_mass(model, masses, work.mesh, work.start, work.velocity[0])
             clock[COM_X] = where(known, x, clock[COM_X])
             clock[COM_Y] = where(known, y, clock[COM_Y])
             clock[COM_VX] = where(known, vx, clock[COM_VX])
@@ -77,7 +77,7 @@ def arch_height(model: Any, work: Any) -> Any:
 @kernel
 def clear_of_ground(model: Any, work: Any, com_x: Any, com_y: Any, along: Any, rise: Any) -> Any:
     """Whether the box cannot touch the ground before the apex (see the module's text)."""
-    frame = model.frame.box(work.mesh, work.state, work.velocity[0])
+    frame = model.frame.box(work.mesh, work.start, work.velocity[0])
     fall = model.load.gravity()
     reach = model.ground.clearance
     turn = frame.turn_rate
