@@ -19,11 +19,12 @@ from numba.extending import models, register_model
 
 from snapjump.discretization.base import HALF_BANDWIDTH
 from snapjump.engine.work import DIFFERENTIATED, FIELDS, WINDOWS, Memory, Sizes
-from snapjump.number.array import INDEX, NumberArray, View, contiguous, seen_as
+from snapjump.number.array import INDEX, SCOPES, NumberArray, View, contiguous, seen_as
 from snapjump.number.dual import DUAL
 from snapjump.number.lane import LaneType
 from snapjump.number.nowhere import NOWHERE
 
+SCOPES.extend(FIELDS)
 MESH = NumberArray(types.int64, 1)
 DOUBLES_A_DUAL = 8
 
@@ -54,7 +55,8 @@ class WorkType(types.Type):
         if name not in self.fields:
             return NOWHERE
         ndim = len(FIELDS[name]) + self.lanes
-        return NumberArray(self.number_of(name), ndim, "A" if self.strided else "C")
+        scope = "" if self.strided else name
+        return NumberArray(self.number_of(name), ndim, "A" if self.strided else "C", scope)
 
 
 @register_model(WorkType)

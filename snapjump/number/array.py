@@ -21,11 +21,18 @@ INDEX = ir.IntType(64)
 class NumberArray(types.Array):
     """An array of numbers (doubles, lanes, duals) whose indices count from its beginning.
 
-    C-contiguous ("C"), or with strides of its own ("A").
+    C-contiguous ("C"), or with strides of its own ("A"). ``scope``: a name of its memory, which no
+    array of another name shares; without a name it may be any.
     """
 
-    def __init__(self, dtype: types.Type, ndim: int, layout: str = "C"):
-        super().__init__(dtype, ndim, layout, name=f"Numbers({dtype}, {ndim}d, {layout})")
+    def __init__(self, dtype: types.Type, ndim: int, layout: str = "C", scope: str = ""):
+        self.scope = scope
+        super().__init__(dtype, ndim, layout, name=f"Numbers({dtype}, {ndim}d, {layout}, {scope})")
+
+    @property
+    def key(self) -> Any:
+        """What tells types apart."""
+        return (*super().key, self.scope)
 
     def copy(
         self, dtype: Any = None, ndim: Any = None, layout: Any = None, readonly: Any = None
@@ -35,6 +42,7 @@ class NumberArray(types.Array):
             self.dtype if dtype is None else dtype,
             self.ndim if ndim is None else ndim,
             self.layout if layout is None else layout,
+            self.scope,
         )
 
 
@@ -112,6 +120,23 @@ def contiguous(builder: Any, shape: list[ir.Value]) -> list[ir.Value]:
     return strides
 
 
+SCOPES: list[str] = []  # names of memory that do not share any
+
+
+def apart(builder: Any, array: NumberArray, access: Any) -> Any:
+    """A load or store, of which the compiler is told what memory it does not touch."""
+    if array.scope and isinstance(access, (ir.instructions.LoadInstr, ir.instructions.StoreInstr)):
+        module = builder.module
+        domain = module.add_metadata([ir.MetaDataString(module, "snapjump")])
+        scopes = {
+            name: module.add_metadata([ir.MetaDataString(module, name), domain]) for name in SCOPES
+        }
+        others = [node for name, node in scopes.items() if name != array.scope]
+        access.set_metadata("alias.scope", module.add_metadata([scopes[array.scope]]))
+        access.set_metadata("noalias", module.add_metadata(others))
+    return access
+
+
 class FirstTemplate(AbstractTemplate):
     """The typing of an operation that is asked before numba's own, of which there are a dozen."""
 
@@ -136,7 +161,7 @@ def _load(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     part = View.of(builder, array, args[0]).part(context, builder, index, args[1])
     if isinstance(sig.return_type, NumberArray):
         return part.packed(context, builder, sig.return_type)
-    return context.unpack_value(builder, array.dtype, part.data)
+    return apart(builder, array, context.unpack_value(builder, array.dtype, part.data))
 
 
 @lower_builtin(operator.setitem, NumberArray, types.Any, types.Array)
@@ -160,6 +185,7 @@ def _store(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         )
         value = builder.call(fence, [value])
     context.pack_value(builder, array.dtype, value, part.data)
+    apart(builder, array, builder.block.instructions[-1])
 
 
 def uncounted_type(kind: types.Type) -> types.Type:
