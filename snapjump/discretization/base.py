@@ -110,7 +110,7 @@ class Discretization(Contract):
         residual: Any,
         band: Any,
     ) -> Any:
-        """Complete the rows of a node (not the last one) in residual and band.
+        """Complete the rows of a node (not the last one): its own of residual and band, from 0 on.
 
         They hold masses on the band's diagonal and in the residual; the rest is written. Returns
         what the sweep carries on and the hinge at the next node, the right :class:`EndHinge` in the
@@ -118,8 +118,8 @@ class Discretization(Contract):
         """
 
     @required
-    def end_chain(self, chain: Any, node: Any, residual: Any, band: Any) -> Any:
-        """Complete the rows of the last node."""
+    def end_chain(self, chain: Any, residual: Any, band: Any) -> Any:
+        """Complete the rows of the last node, its own as above."""
 
     @required
     def internal_energy(self, position: Any, tangents: Any) -> Any:

@@ -132,9 +132,9 @@ class DiscreteElasticRod(DiscretizationOptions):
                 hinge_block(stiffness, edge),
             )
             coupling = hinge_coupling(stiffness, edge, after)
-            put_columns(node, chain.before, chain.coupling, own, coupling, band)
-            residual[2 * node] += chain.force_x - fx
-            residual[2 * node + 1] += chain.force_y - fy
+            put_columns(chain.before, chain.coupling, own, coupling, band)
+            residual[0] += chain.force_x - fx
+            residual[1] += chain.force_y - fy
             return Chain(
                 after,
                 moment,
@@ -146,9 +146,8 @@ class DiscreteElasticRod(DiscretizationOptions):
                 maximum(chain.largest, absolute(fx) + absolute(fy)),
             ), EndHinge(moment, stiffness, edge.slope_x, edge.slope_y)
 
-        def end_chain(self, chain: Any, node: Any, residual: Any, band: Any) -> Any:
-            end = (chain.force_x, chain.force_y)
-            put_last_node(node, chain.before, end, residual, band)
+        def end_chain(self, chain: Any, residual: Any, band: Any) -> Any:
+            put_last_node(chain.before, (chain.force_x, chain.force_y), residual, band)
 
         def internal_energy(self, position: Any, tangents: Any) -> Any:
             elements = position.shape[0] // 2 - 1

@@ -10,7 +10,7 @@ from snapjump.contact.base import Extremes
 from snapjump.discretization.base import ROTARY_INERTIA, NodeMotion
 from snapjump.engine.points import add_frame_contacts, add_node_contact
 from snapjump.frame.base import Rotations
-from snapjump.number.dispatch import kernel
+from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, maximum
 
 
@@ -53,28 +53,27 @@ def clear_border(work: Any, dofs: Any, node: Any, width: Any, zero: Any) -> None
 
 
 @kernel
-def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any) -> Any:
-    """Begin a node's columns with inertia, drag and weight; returns the inertial force."""
+def begin_node(
+    model: Any, motion: Any, mass: Any, node: Any, work: Any, residual: Any, band: Any
+) -> Any:
+    """Begin a node's own rows with inertia, drag and weight; returns the inertial force."""
     rate = motion.rate_factor
     drag = model.damping.drag()
     diagonal = mass * ((motion.inertia_rate + drag) * rate)
-    band = work.band
-    residual = work.residual
-    row = model.discretization.node_dofs() * node
-    i = row + model.frame.dofs(work.mesh)
+    i = model.discretization.node_dofs() * node + model.frame.dofs(work.mesh)
     vx = (work.state[i] - work.position_predictor[i]) * rate
     vy = (work.state[i + 1] - work.position_predictor[i + 1]) * rate
     ax = (vx - work.velocity_predictor[i]) * motion.inertia_rate
     ay = (vy - work.velocity_predictor[i + 1]) * motion.inertia_rate
-    residual[row] = mass * (ax + drag * vx - model.load.pull())
-    residual[row + 1] = mass * (ay + drag * vy + model.load.gravity())
-    band[row, 0] = diagonal
-    band[row + 1, 0] = diagonal
+    residual[0] = mass * (ax + drag * vx - model.load.pull())
+    residual[1] = mass * (ay + drag * vy + model.load.gravity())
+    band[0, 0] = diagonal
+    band[1, 0] = diagonal
     if model.discretization.node_dofs() == 3:
         turn_rate = (work.state[i + 2] - work.position_predictor[i + 2]) * rate
         spin = (turn_rate - work.velocity_predictor[i + 2]) * motion.inertia_rate
-        residual[row + 2] = ROTARY_INERTIA * mass * (spin + drag * turn_rate)
-        band[row + 2, 0] = ROTARY_INERTIA * diagonal
+        residual[2] = ROTARY_INERTIA * mass * (spin + drag * turn_rate)
+        band[2, 0] = ROTARY_INERTIA * diagonal
     return mass * (absolute(ax) + absolute(ay))
 
 
@@ -109,51 +108,85 @@ def begin_assembly(model: Any, motion: Any, masses: Any, work: Any) -> Sweep:
 
 
 @kernel
-def assemble_node(
-    model: Any, motion: Any, masses: Any, work: Any, node: Any, sweep: Sweep
+def add_node(
+    model: Any,
+    motion: Any,
+    masses: Any,
+    work: Any,
+    node: Any,
+    sweep: Sweep,
+    residual: Any,
+    band: Any,
 ) -> Sweep:
-    """Write the node's columns and residual; the first and the last one move onto the frame.
+    """Write a node's own rows of residual and band; not the last one's."""
+    mass = masses[node]
+    inertial = begin_node(model, motion, mass, node, work, residual, band)
+    extremes = with_force(sweep.extremes, inertial)
+    if model.contact.exists():
+        if mass > 0.0:
+            extremes = add_node_contact(model, motion, mass, node, work, residual, band, extremes)
+    chain, right = model.discretization.add_node_forces(
+        model.damping,
+        chain_motion(model, motion, work),
+        sweep.tangents,
+        sweep.chain,
+        node,
+        residual,
+        band,
+    )
+    return Sweep(sweep.tangents, chain, sweep.left, right, extremes)
+
+
+@kernel
+def add_last_node(model: Any, motion: Any, masses: Any, work: Any, sweep: Sweep) -> Sweep:
+    """Write the last node's rows."""
+    per_node = model.discretization.node_dofs()
+    node = masses.shape[0] - 1
+    mass = masses[node]
+    residual = work.residual[per_node * node :]
+    band = work.band[per_node * node :]
+    inertial = begin_node(model, motion, mass, node, work, residual, band)
+    extremes = with_force(sweep.extremes, inertial)
+    if model.contact.exists():
+        if mass > 0.0:
+            extremes = add_node_contact(model, motion, mass, node, work, residual, band, extremes)
+    model.discretization.end_chain(sweep.chain, residual, band)
+    force_x, force_y, moment = model.load.tip_load()
+    residual[0] -= force_x
+    residual[1] -= force_y
+    if per_node == 3:
+        residual[2] -= moment / model.discretization.rotation_length()
+    return Sweep(sweep.tangents, sweep.chain, sweep.left, sweep.right, extremes)
+
+
+@routine
+def assemble_nodes(
+    model: Any, motion: Any, masses: Any, work: Any, first: Any, end: Any, sweep: Sweep
+) -> Sweep:
+    """Write the columns and residuals of nodes from ``first`` up to ``end``; the first and the last
+    one of all move onto the frame.
 
     The border of a node is complete when the next two nodes have been assembled.
     """
     width = model.frame.border_width()
     per_node = model.discretization.node_dofs()
     last = masses.shape[0] - 1
-    mass = masses[node]
-    extremes = sweep.extremes
-    chain = sweep.chain
-    right = sweep.right
-    inertial = begin_node(model, motion, mass, node, work)
-    extremes = with_force(extremes, inertial)
-    if model.contact.exists():
-        if mass > 0.0:
-            extremes = add_node_contact(model, motion, mass, node, work, extremes)
-    if width > 0:
-        clear_border(work, per_node, node, width, 0.0 * motion.rate_factor)
-    if node < last:
-        chain, right = model.discretization.add_node_forces(
-            model.damping,
-            chain_motion(model, motion, work),
-            sweep.tangents,
-            chain,
-            node,
-            work.residual,
-            work.band,
-        )
-    else:
-        model.discretization.end_chain(chain, node, work.residual, work.band)
-        force_x, force_y, moment = model.load.tip_load()
+    for node in range(first, end):
         row = per_node * node
-        work.residual[row] -= force_x
-        work.residual[row + 1] -= force_y
-        if per_node == 3:
-            work.residual[row + 2] -= moment / model.discretization.rotation_length()
-    if model.discretization.has_elements():
-        if node == 2:
-            model.frame.condense_first(model, work, sweep.tangents, sweep.left)
-        if node == last:
-            model.frame.condense_last(model, work, sweep.tangents, right)
-    return Sweep(sweep.tangents, chain, sweep.left, right, extremes)
+        if node < last:
+            residual = work.residual[row:]
+            band = work.band[row:]
+            sweep = add_node(model, motion, masses, work, node, sweep, residual, band)
+        else:
+            sweep = add_last_node(model, motion, masses, work, sweep)
+        if width > 0:
+            clear_border(work, per_node, node, width, 0.0 * motion.rate_factor)
+        if model.discretization.has_elements():
+            if node == 2:
+                model.frame.condense_first(model, work, sweep.tangents, sweep.left)
+            if node == last:
+                model.frame.condense_last(model, work, sweep.tangents, sweep.right)
+    return sweep
 
 
 @kernel
@@ -166,6 +199,4 @@ def end_assembly(sweep: Sweep) -> Extremes:
 def assemble(model: Any, motion: Any, masses: Any, work: Any) -> Extremes:
     """Fill the linear system at the current state; ``masses`` is zero at slave nodes."""
     sweep = begin_assembly(model, motion, masses, work)
-    for node in range(masses.shape[0]):
-        sweep = assemble_node(model, motion, masses, work, node, sweep)
-    return end_assembly(sweep)
+    return end_assembly(assemble_nodes(model, motion, masses, work, 0, masses.shape[0], sweep))

@@ -4,15 +4,22 @@ from typing import Any, NamedTuple
 
 from snapjump.contact.base import Extremes
 from snapjump.discretization.base import NODES_COUPLED
-from snapjump.engine.assemble import Motion, assemble_node, begin_assembly, end_assembly
+from snapjump.engine.assemble import Motion, add_node, assemble_nodes, begin_assembly, end_assembly
 from snapjump.engine.clock import BACKTRACKS, FASTEST, GAP, ITERATION, RESIDUAL, SHARE, SIZE
 from snapjump.engine.gaps import gap_safe_share
 from snapjump.engine.sticking import settles_sliding, unsettled_sliding
-from snapjump.linear_solver.banded import begin_elimination, eliminate_node, substitute_back
+from snapjump.linear_solver.banded import (
+    Elimination,
+    begin_elimination,
+    eliminate_columns,
+    eliminate_node,
+    substitute_back,
+)
 from snapjump.linear_solver.banded_rotations import (
     eliminate_rotating_node,
     substitute_back_rotating,
 )
+from snapjump.number.array import own_rows
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, any_true, maximum, minimum, negate, where
 
@@ -24,6 +31,9 @@ LARGEST_CORRECTION = 0.3  # of the beam's length
 ROUNDING = 2.0**-50  # of the length: what rounding of a point's few coordinates adds up to
 LARGEST_SHAKE = 1e-6  # of the length: corrections beyond are more than rounding
 SHRINKING = 0.5  # of the last correction: a smaller one still converges
+
+
+ENDS = NODES_COUPLED + 1  # nodes at either end whose columns a clamp's own node reaches
 
 
 class Allowed(NamedTuple):
@@ -62,31 +72,50 @@ class Solution(NamedTuple):
 
 
 @routine
+def eliminate_nodes(
+    work: Any, rotations: Any, bordered: Any, first: Any, end: Any, done: Elimination
+) -> Elimination:
+    """Eliminate nodes from ``first`` up to ``end``, which stand in memory."""
+    for node in range(first, end):
+        if rotations:
+            done = eliminate_rotating_node(work, node, bordered, done)
+        else:
+            done = eliminate_node(work, node, bordered, done)
+    return done
+
+
+@routine
 def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solution:
     """Assemble the system and solve it, node by node, in one sweep and back.
 
-    A node is eliminated as soon as it is complete, while its columns are still in fast memory.
+    A node is eliminated as soon as it is complete. Three nodes at either end, which the clamps
+    reach, pass through memory; those between have rows that go no further than registers.
     """
     dofs = model.frame.dofs(work.mesh)
     bordered = model.frame.border_width() > 0
     rotations = model.discretization.node_dofs() == 3
     nodes = masses.shape[0]
+    begin = min(ENDS, nodes)
+    end = max(begin, nodes - ENDS)
+    if rotations or nodes < 2 * ENDS:
+        begin = end = nodes
     zero = 0.0 * motion.rate_factor
     sweep = begin_assembly(model, motion, masses, work)
-    done = begin_elimination(zero)
-    for node in range(nodes + NODES_COUPLED):
-        if node < nodes:
-            sweep = assemble_node(model, motion, masses, work, node, sweep)
-        if node >= NODES_COUPLED:
-            if rotations:
-                done = eliminate_rotating_node(work, node - NODES_COUPLED, bordered, done)
-            else:
-                done = eliminate_node(work, node - NODES_COUPLED, bordered, done)
-    residual = done.largest
+    sweep = assemble_nodes(model, motion, masses, work, 0, begin, sweep)
+    done = eliminate_nodes(work, rotations, bordered, 0, begin, begin_elimination(zero))
+    if not rotations:
+        nothing = ((zero, zero, zero), (zero, zero, zero))
+        residual, band = own_rows(zero)
+        for node in range(begin, end):
+            sweep = add_node(model, motion, masses, work, node, sweep, residual, band)
+            done = eliminate_columns(work, node, residual, band, nothing, bordered, done)
+    sweep = assemble_nodes(model, motion, masses, work, end, nodes, sweep)
+    done = eliminate_nodes(work, rotations, bordered, end, nodes, done)
+    remaining = done.largest
     negative = done.negative
     correction = zero
     if bordered:
-        residual = largest_of(work.frame_residual, dofs, residual)
+        remaining = largest_of(work.frame_residual, dofs, remaining)
         negative = negative + model.frame.solve(work, done)
         correction = largest_of(work.frame_residual, dofs, correction)
     remains = model.frame.border_width() == 3
@@ -94,7 +123,7 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
         correction = maximum(correction, substitute_back_rotating(work, remains, zero))
     else:
         correction = maximum(correction, substitute_back(work, remains, zero))
-    return Solution(end_assembly(sweep), residual, correction, negative)
+    return Solution(end_assembly(sweep), remaining, correction, negative)
 
 
 @routine

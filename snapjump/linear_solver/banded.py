@@ -36,57 +36,59 @@ def begin_elimination(zero: Any) -> Elimination:
 
 
 @kernel
-def eliminate_x_column(band: Any, j: Any) -> Any:
-    """Bring column j, of a node's x, up to date; returns the factors of the four columns before
-    it, nearest first."""
+def eliminate_x_column(band: Any, j: Any, own: Any) -> Any:
+    """Bring column j, of a node's x and so far in ``own``, up to date in the band; returns the
+    factors of the four columns before it, nearest first."""
     # The column just before comes last everywhere: its pivot is the one still being computed.
     f1 = band[j - 1, 1] * band[j - 1, 0]
     f2 = band[j - 2, 2] * band[j - 2, 0]
     f3 = band[j - 3, 3] * band[j - 3, 0]
     f4 = band[j - 4, 4] * band[j - 4, 0]
-    pivot = fma(-f4, band[j - 4, 4], band[j, 0])
+    pivot = fma(-f4, band[j - 4, 4], own[0])
     pivot = fma(-f3, band[j - 3, 3], pivot)
     pivot = fma(-f2, band[j - 2, 2], pivot)
     pivot = fma(-f1, band[j - 1, 1], pivot)
-    below = fma(-f4, band[j - 4, 5], band[j, 1])
+    below = fma(-f4, band[j - 4, 5], own[1])
     below = fma(-f3, band[j - 3, 4], below)
     below = fma(-f2, band[j - 2, 3], below)
     band[j, 0] = 1.0 / pivot
     band[j, 1] = fma(-f1, band[j - 1, 2], below)
-    band[j, 2] = fma(-f1, band[j - 1, 3], fma(-f2, band[j - 2, 4], band[j, 2]))
-    band[j, 3] = fma(-f1, band[j - 1, 4], fma(-f2, band[j - 2, 5], band[j, 3]))
+    band[j, 2] = fma(-f1, band[j - 1, 3], fma(-f2, band[j - 2, 4], own[2]))
+    band[j, 3] = fma(-f1, band[j - 1, 4], fma(-f2, band[j - 2, 5], own[3]))
+    band[j, 4] = own[4]
+    band[j, 5] = own[5]
     return f1, f2, f3, f4
 
 
 @kernel
-def eliminate_y_column(band: Any, j: Any) -> Any:
-    """Bring column j, of a node's y, up to date; returns the factors of the five columns before
-    it, nearest first."""
+def eliminate_y_column(band: Any, j: Any, own: Any) -> Any:
+    """The same for a column of a node's y; returns the factors of the five columns before it."""
     f1 = band[j - 1, 1] * band[j - 1, 0]
     f2 = band[j - 2, 2] * band[j - 2, 0]
     f3 = band[j - 3, 3] * band[j - 3, 0]
     f4 = band[j - 4, 4] * band[j - 4, 0]
     f5 = band[j - 5, 5] * band[j - 5, 0]
-    pivot = fma(-f5, band[j - 5, 5], band[j, 0])
+    pivot = fma(-f5, band[j - 5, 5], own[0])
     pivot = fma(-f4, band[j - 4, 4], pivot)
     pivot = fma(-f3, band[j - 3, 3], pivot)
     pivot = fma(-f2, band[j - 2, 2], pivot)
     pivot = fma(-f1, band[j - 1, 1], pivot)
-    next_x = fma(-f2, band[j - 2, 3], fma(-f3, band[j - 3, 4], band[j, 1]))
-    next_y = fma(-f2, band[j - 2, 4], fma(-f3, band[j - 3, 5], band[j, 2]))
+    next_x = fma(-f2, band[j - 2, 3], fma(-f3, band[j - 3, 4], own[1]))
+    next_y = fma(-f2, band[j - 2, 4], fma(-f3, band[j - 3, 5], own[2]))
     band[j, 0] = 1.0 / pivot
     band[j, 1] = fma(-f1, band[j - 1, 2], next_x)
     band[j, 2] = fma(-f1, band[j - 1, 3], next_y)
-    band[j, 3] = fma(-f1, band[j - 1, 4], band[j, 3])
-    band[j, 4] = fma(-f1, band[j - 1, 5], band[j, 4])
+    band[j, 3] = fma(-f1, band[j - 1, 4], own[3])
+    band[j, 4] = fma(-f1, band[j - 1, 5], own[4])
     return f1, f2, f3, f4, f5
 
 
 @kernel
-def reduce_x_entry(values: Any, j: Any, factors: Any) -> Any:
-    """Bring entry j of a right-hand side up to date with its column and return it."""
+def reduce_x_entry(values: Any, j: Any, own: Any, factors: Any) -> Any:
+    """Bring entry j of a right-hand side, so far ``own``, up to date with its column and return
+    it."""
     f1, f2, f3, f4 = factors
-    value = fma(-f4, values[j - 4], values[j])
+    value = fma(-f4, values[j - 4], own)
     value = fma(-f3, values[j - 3], value)
     value = fma(-f2, values[j - 2], value)
     value = fma(-f1, values[j - 1], value)
@@ -95,10 +97,10 @@ def reduce_x_entry(values: Any, j: Any, factors: Any) -> Any:
 
 
 @kernel
-def reduce_y_entry(values: Any, j: Any, factors: Any) -> Any:
+def reduce_y_entry(values: Any, j: Any, own: Any, factors: Any) -> Any:
     """The same for a column of a node's y."""
     f1, f2, f3, f4, f5 = factors
-    value = fma(-f5, values[j - 5], values[j])
+    value = fma(-f5, values[j - 5], own)
     value = fma(-f4, values[j - 4], value)
     value = fma(-f3, values[j - 3], value)
     value = fma(-f2, values[j - 2], value)
@@ -108,12 +110,12 @@ def reduce_y_entry(values: Any, j: Any, factors: Any) -> Any:
 
 
 @kernel
-def reduce_x_border(border: Any, j: Any, factors: Any) -> Any:
-    """Bring column j of the border's three rows up to date and return it."""
+def reduce_x_border(border: Any, j: Any, own: Any, factors: Any) -> Any:
+    """Bring column j of the border's three rows, so far ``own``, up to date and return it."""
     f1, f2, f3, f4 = factors
-    b0 = fma(-f3, border[j - 3, 0], fma(-f4, border[j - 4, 0], border[j, 0]))
-    b1 = fma(-f3, border[j - 3, 1], fma(-f4, border[j - 4, 1], border[j, 1]))
-    b2 = fma(-f3, border[j - 3, 2], fma(-f4, border[j - 4, 2], border[j, 2]))
+    b0 = fma(-f3, border[j - 3, 0], fma(-f4, border[j - 4, 0], own[0]))
+    b1 = fma(-f3, border[j - 3, 1], fma(-f4, border[j - 4, 1], own[1]))
+    b2 = fma(-f3, border[j - 3, 2], fma(-f4, border[j - 4, 2], own[2]))
     b0 = fma(-f1, border[j - 1, 0], fma(-f2, border[j - 2, 0], b0))
     b1 = fma(-f1, border[j - 1, 1], fma(-f2, border[j - 2, 1], b1))
     b2 = fma(-f1, border[j - 1, 2], fma(-f2, border[j - 2, 2], b2))
@@ -124,36 +126,54 @@ def reduce_x_border(border: Any, j: Any, factors: Any) -> Any:
 
 
 @kernel
-def reduce_y_border(border: Any, j: Any, factors: Any) -> Any:
+def reduce_y_border(border: Any, j: Any, own: Any, factors: Any) -> Any:
     """The same for a column of a node's y."""
     f1, f2, f3, f4, f5 = factors
-    border[j, 0] = fma(-f5, border[j - 5, 0], border[j, 0])
-    border[j, 1] = fma(-f5, border[j - 5, 1], border[j, 1])
-    border[j, 2] = fma(-f5, border[j - 5, 2], border[j, 2])
-    return reduce_x_border(border, j, (f1, f2, f3, f4))
+    b0 = fma(-f5, border[j - 5, 0], own[0])
+    b1 = fma(-f5, border[j - 5, 1], own[1])
+    b2 = fma(-f5, border[j - 5, 2], own[2])
+    return reduce_x_border(border, j, (b0, b1, b2), (f1, f2, f3, f4))
+
+
+@kernel
+def eliminate_columns(
+    work: Any, node: Any, residual: Any, band: Any, border: Any, bordered: Any, done: Elimination
+) -> Elimination:
+    """Eliminate a node whose own rows of residual and band, and its columns of the border as two
+    tuples of three, are complete."""
+    i = 2 * node + HALF_BANDWIDTH
+    j = i + 1
+    x, y = residual[0], residual[1]
+    largest = maximum(maximum(done.largest, absolute(x)), absolute(y))
+    of_x = eliminate_x_column(work.padded_band, i, band[0])
+    of_y = eliminate_y_column(work.padded_band, j, band[1])
+    ri = reduce_x_entry(work.padded_residual, i, x, of_x)
+    rj = reduce_y_entry(work.padded_residual, j, y, of_y)
+    over_i = work.padded_band[i, 0]
+    over_j = work.padded_band[j, 0]
+    negative = done.negative + where(over_i > 0.0, 0.0, 1.0) + where(over_j > 0.0, 0.0, 1.0)
+    schur = done.schur
+    if bordered:
+        rows = work.padded_border
+        schur = with_column(schur, reduce_x_border(rows, i, border[0], of_x), over_i, ri)
+        schur = with_column(schur, reduce_y_border(rows, j, border[1], of_y), over_j, rj)
+    return Elimination(negative, largest, schur)
+
+
+@kernel
+def border_column(border: Any, j: Any) -> Any:
+    """Column j of the border's three rows."""
+    return border[j, 0], border[j, 1], border[j, 2]
 
 
 @kernel
 def eliminate_node(work: Any, node: Any, bordered: Any, done: Elimination) -> Elimination:
-    """Eliminate a node whose columns, and whose share of the border, are complete."""
-    band = work.padded_band
-    rhs = work.padded_residual
-    border = work.padded_border
-    i = 2 * node + HALF_BANDWIDTH
-    j = i + 1
-    largest = maximum(maximum(done.largest, absolute(rhs[i])), absolute(rhs[j]))
-    of_x = eliminate_x_column(band, i)
-    of_y = eliminate_y_column(band, j)
-    ri = reduce_x_entry(rhs, i, of_x)
-    rj = reduce_y_entry(rhs, j, of_y)
-    over_i = band[i, 0]
-    over_j = band[j, 0]
-    negative = done.negative + where(over_i > 0.0, 0.0, 1.0) + where(over_j > 0.0, 0.0, 1.0)
-    schur = done.schur
-    if bordered:
-        schur = with_column(schur, reduce_x_border(border, i, of_x), over_i, ri)
-        schur = with_column(schur, reduce_y_border(border, j, of_y), over_j, rj)
-    return Elimination(negative, largest, schur)
+    """:func:`eliminate_columns` of a node whose rows and columns stand in memory."""
+    row = 2 * node
+    border = (border_column(work.border, row), border_column(work.border, row + 1))
+    return eliminate_columns(
+        work, node, work.residual[row:], work.band[row:], border, bordered, done
+    )
 
 
 @kernel

@@ -5,9 +5,11 @@ over; lets every index count from the end, which costs a comparison and a select
 counts references to its memory. Kernels need none of this, and compile in less time without.
 """
 
+import math
 import operator
 from typing import Any, NamedTuple
 
+import numpy as np
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.imputils import lower_builtin
@@ -120,7 +122,7 @@ def contiguous(builder: Any, shape: list[ir.Value]) -> list[ir.Value]:
     return strides
 
 
-SCOPES: list[str] = []  # names of memory that do not share any
+SCOPES = ["own"]  # names of memory that do not share any
 
 
 def apart(builder: Any, array: NumberArray, access: Any) -> Any:
@@ -249,3 +251,26 @@ class _Uncounting(AbstractTemplate):
 @lower_builtin(uncounted, types.Any)
 def _uncount(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     return _without_owner(context, builder, sig.args[0], args[0])
+
+
+def own_rows(number: Any) -> Any:
+    """Residual (3) and band (3, 6) of one node, of the type of a number, which no memory holds."""
+    return np.zeros(3, type(number)), np.zeros((3, 6), type(number))
+
+
+@infer_global(own_rows)
+class _OwnRows(AbstractTemplate):
+    def generic(self, args: Any, kws: Any) -> Any:
+        kinds = NumberArray(args[0], 1, scope="own"), NumberArray(args[0], 2, scope="own")
+        return signature(types.Tuple(kinds), *args)
+
+
+@lower_builtin(own_rows, types.Any)
+def _own_rows(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    arrays = []
+    for kind, shape in zip(sig.return_type.types, ((3,), (3, 6)), strict=True):
+        extents = [INDEX(extent) for extent in shape]
+        number = context.get_data_type(kind.dtype)
+        data = cgutils.alloca_once(builder, number, size=INDEX(math.prod(shape)))
+        arrays.append(View(data, extents, []).packed(context, builder, kind))
+    return context.make_tuple(builder, sig.return_type, arrays)

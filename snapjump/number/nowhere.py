@@ -14,7 +14,7 @@ from numba.extending import intrinsic, models, register_model
 
 
 class NowhereType(types.Type):
-    """The type of an array that forgets every entry; read, all are zero."""
+    """The type of an array that forgets every entry; read, all are zero, and its parts like it."""
 
     def __init__(self) -> None:
         super().__init__(name="Nowhere")
@@ -31,7 +31,9 @@ NOWHERE = NowhereType()
 @infer_global(operator.getitem)
 class _Reading(AbstractTemplate):
     def generic(self, args: Any, kws: Any) -> Any:
-        return signature(types.float64, *args) if args[0] is NOWHERE else None
+        if args[0] is not NOWHERE:
+            return None
+        return signature(NOWHERE if isinstance(args[1], types.SliceType) else types.float64, *args)
 
 
 @infer_global(operator.setitem)
@@ -42,6 +44,8 @@ class _Writing(AbstractTemplate):
 
 @lower_builtin(operator.getitem, NowhereType, types.Any)
 def _read(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    if sig.return_type is NOWHERE:
+        return context.get_dummy_value()
     return ir.Constant(ir.DoubleType(), 0.0)
 
 

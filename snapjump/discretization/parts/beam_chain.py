@@ -57,27 +57,26 @@ def no_element(zero: Any) -> Element:
 
 
 @kernel
-def put_node(node: Any, before: Element, after: Element, residual: Any, band: Any) -> None:
+def put_node(before: Element, after: Element, residual: Any, band: Any) -> None:
     """Complete a node's columns and its residual from the elements on either side."""
-    i = 3 * node
-    residual[i] += before.force_x - after.force_x
-    residual[i + 1] += before.force_y - after.force_y
-    residual[i + 2] += before.torque + before.moment + (after.torque - after.moment)
-    band[i, 0] += before.xx + after.xx
-    band[i, 1] = before.xy + after.xy
-    band[i, 2] = before.xs - after.xs
-    band[i, 3] = -after.xx
-    band[i, 4] = -after.xy
-    band[i, 5] = -after.xs
-    band[i + 1, 0] += before.yy + after.yy
-    band[i + 1, 1] = before.ys - after.ys
-    band[i + 1, 2] = -after.xy
-    band[i + 1, 3] = -after.yy
-    band[i + 1, 4] = -after.ys
-    band[i + 2, 0] += before.same + after.same
-    band[i + 2, 1] = after.xs
-    band[i + 2, 2] = after.ys
-    band[i + 2, 3] = after.cross
+    residual[0] += before.force_x - after.force_x
+    residual[1] += before.force_y - after.force_y
+    residual[2] += before.torque + before.moment + (after.torque - after.moment)
+    band[0, 0] += before.xx + after.xx
+    band[0, 1] = before.xy + after.xy
+    band[0, 2] = before.xs - after.xs
+    band[0, 3] = -after.xx
+    band[0, 4] = -after.xy
+    band[0, 5] = -after.xs
+    band[1, 0] += before.yy + after.yy
+    band[1, 1] = before.ys - after.ys
+    band[1, 2] = -after.xy
+    band[1, 3] = -after.yy
+    band[1, 4] = -after.ys
+    band[2, 0] += before.same + after.same
+    band[2, 1] = after.xs
+    band[2, 2] = after.ys
+    band[2, 3] = after.cross
 
 
 class BeamElements(Discretization):
@@ -120,12 +119,12 @@ class BeamElements(Discretization):
     ) -> Any:
         zero = 0.0 * nodes.rate_factor
         after = element_at(self, damping, node, nodes)
-        put_node(node, chain.before, after, residual, band)
+        put_node(chain.before, after, residual, band)
         force = absolute(after.force_x) + absolute(after.force_y)
         return BeamChain(after, maximum(chain.largest, force)), EndHinge(zero, zero, zero, zero)
 
-    def end_chain(self, chain: Any, node: Any, residual: Any, band: Any) -> None:
-        put_node(node, chain.before, no_element(0.0 * chain.largest), residual, band)
+    def end_chain(self, chain: Any, residual: Any, band: Any) -> None:
+        put_node(chain.before, no_element(0.0 * chain.largest), residual, band)
 
     def internal_energy(self, position: Any, tangents: Any) -> Any:
         over = 1.0 / self.element_length

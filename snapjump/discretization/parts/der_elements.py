@@ -154,25 +154,22 @@ def edge_block(
 
 
 @kernel
-def put_columns(
-    node: Any, before: Block, at: Coupling, own: Block, after: Coupling, band: Any
-) -> None:
-    """Complete the node's columns: edges before and after it, hinges at it and at the next one.
+def put_columns(before: Block, at: Coupling, own: Block, after: Coupling, band: Any) -> None:
+    """Complete a node's columns: edges before and after it, hinges at it and at the next one.
 
     An edge vector is the difference of its nodes: sums of the edges' blocks are the nodes'.
     """
-    i = 2 * node
-    band[i, 0] += before.xx + own.xx + 2.0 * at.xx
-    band[i, 1] = before.xy + own.xy + (at.xy + at.yx)
-    band[i, 2] = -own.xx - at.xx - after.xx
-    band[i, 3] = -own.xy - at.yx - after.yx
-    band[i, 4] = after.xx
-    band[i, 5] = after.yx
-    band[i + 1, 0] += before.yy + own.yy + 2.0 * at.yy
-    band[i + 1, 1] = -own.xy - at.xy - after.xy
-    band[i + 1, 2] = -own.yy - at.yy - after.yy
-    band[i + 1, 3] = after.xy
-    band[i + 1, 4] = after.yy
+    band[0, 0] += before.xx + own.xx + 2.0 * at.xx
+    band[0, 1] = before.xy + own.xy + (at.xy + at.yx)
+    band[0, 2] = -own.xx - at.xx - after.xx
+    band[0, 3] = -own.xy - at.yx - after.yx
+    band[0, 4] = after.xx
+    band[0, 5] = after.yx
+    band[1, 0] += before.yy + own.yy + 2.0 * at.yy
+    band[1, 1] = -own.xy - at.xy - after.xy
+    band[1, 2] = -own.yy - at.yy - after.yy
+    band[1, 3] = after.xy
+    band[1, 4] = after.yy
 
 
 @kernel
@@ -193,15 +190,14 @@ def edge_force(force: Any, turning: Any, edge: Any) -> Any:
 
 
 @kernel
-def put_last_node(node: Any, before: Block, force: Any, residual: Any, band: Any) -> None:
+def put_last_node(before: Block, force: Any, residual: Any, band: Any) -> None:
     """Complete the last node's columns and its residual: ``before`` and ``force`` (x, y) are those
     of the last edge."""
-    i = 2 * node
-    band[i, 0] += before.xx
-    band[i, 1] = before.xy
-    band[i + 1, 0] += before.yy
+    band[0, 0] += before.xx
+    band[0, 1] = before.xy
+    band[1, 0] += before.yy
     for k in range(2, 6):
-        band[i, k] = 0.0
-        band[i + 1, k - 1] = 0.0
-    residual[i] += force[0]
-    residual[i + 1] += force[1]
+        band[0, k] = 0.0
+        band[1, k - 1] = 0.0
+    residual[0] += force[0]
+    residual[1] += force[1]

@@ -31,11 +31,11 @@ class LooseNodes(NamedTuple):
         band: Any,
     ) -> Any:
         zero = 0.0 * nodes.rate_factor
-        leave_uncoupled(node, band)
+        leave_uncoupled(band)
         return chain, EndHinge(zero, zero, zero, zero)
 
-    def end_chain(self, chain: Any, node: Any, residual: Any, band: Any) -> Any:
-        leave_uncoupled(node, band)
+    def end_chain(self, chain: Any, residual: Any, band: Any) -> Any:
+        leave_uncoupled(band)
 
     def internal_energy(self, position: Any, tangents: Any) -> Any:
         return 0.0 * position[0]
@@ -52,8 +52,8 @@ class Nothing(NamedTuple):
 
 
 @kernel
-def leave_uncoupled(node: Any, band: Any) -> None:
+def leave_uncoupled(band: Any) -> None:
     """Write zeros beside the diagonal of a node's columns."""
     for k in range(1, 6):
-        band[2 * node, k] = 0.0
-        band[2 * node + 1, k] = 0.0
+        band[0, k] = 0.0
+        band[1, k] = 0.0

@@ -96,7 +96,7 @@ def add_chain_forces(
             hinge_block(stiffness, edge),
         )
         next_coupling = hinge_coupling(stiffness, edge, after)
-        put_columns(node, before, coupling, own, next_coupling, band)
+        put_columns(before, coupling, own, next_coupling, band[2 * node :])
         residual[2 * node] += before_x - fx
         residual[2 * node + 1] += before_y - fy
         largest = maximum(largest, absolute(fx) + absolute(fy))
@@ -107,7 +107,8 @@ def add_chain_forces(
         coupling = next_coupling
         moment = next_moment
         edge = after
-    put_last_node(count - 1, before, (before_x, before_y), residual, band)
+    last = 2 * (count - 1)
+    put_last_node(before, (before_x, before_y), residual[last:], band[last:])
     return largest
 
 

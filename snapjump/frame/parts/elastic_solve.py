@@ -158,10 +158,10 @@ def eliminate_chain(left: Any, work: Any) -> Any:
     negative = 0.0 * rhs[0]
     for i in range(HALF_BANDWIDTH, band.shape[0] - HALF_BANDWIDTH, 2):
         j = i + 1
-        f1, f2, f3, f4 = eliminate_x_column(band, i)
-        of_y = eliminate_y_column(band, j)
-        reduce_x_entry(rhs, i, (f1, f2, f3, f4))
-        reduce_y_entry(rhs, j, of_y)
+        f1, f2, f3, f4 = eliminate_x_column(band, i, band[i])
+        of_y = eliminate_y_column(band, j, band[j])
+        reduce_x_entry(rhs, i, rhs[i], (f1, f2, f3, f4))
+        reduce_y_entry(rhs, j, rhs[j], of_y)
         negative = negative + where(band[i, 0] > 0.0, 0.0, 1.0) + where(band[j, 0] > 0.0, 0.0, 1.0)
         if i >= left:
             reduce_border(work.padded_frame_border, i, (f1, f2, f3, f4, 0.0 * f1))
