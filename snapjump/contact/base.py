@@ -116,8 +116,8 @@ class ContactLaw(Contract):
     def bounce_rate_squared(self, stiffness: Any, mass: Any, speed: Any) -> Any:
         """Square of the frequency (1/T^2) that steps must resolve where a mass is in contact: k/m,
         less where contact rests."""
-        pace = speed / RESTING_SPEED
-        return stiffness / mass * minimum(pace * pace, 1.0 + 0.0 * pace)
+        pace = speed * (1.0 / RESTING_SPEED)
+        return stiffness * (1.0 / mass) * minimum(pace * pace, 1.0 + 0.0 * pace)
 
 
 @kernel

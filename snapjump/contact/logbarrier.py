@@ -62,17 +62,19 @@ class LogBarrier(ContactOptions):
 
         def energy(self, gap: Any) -> Any:
             depth = gap - self.distance
-            return -self.stiffness * depth * depth * log(gap / self.distance)
+            return -self.stiffness * depth * depth * log(gap * (1.0 / self.distance))
 
         def elastic(self, gap: Any) -> Any:
             """The force at rest, -dE/dd."""
             depth = gap - self.distance
-            return self.stiffness * depth * (2.0 * log(gap / self.distance) + depth / gap)
+            logarithm = log(gap * (1.0 / self.distance))
+            return self.stiffness * depth * (2.0 * logarithm + depth * (1.0 / gap))
 
         def curvature(self, gap: Any) -> Any:
             """d2E/dd2."""
-            ratio = (gap - self.distance) / gap
-            return self.stiffness * (ratio * ratio - 4.0 * ratio - 2.0 * log(gap / self.distance))
+            ratio = (gap - self.distance) * (1.0 / gap)
+            logarithm = log(gap * (1.0 / self.distance))
+            return self.stiffness * (ratio * ratio - 4.0 * ratio - 2.0 * logarithm)
 
         def total(self, gap: Any, state: Any) -> Any:
             """The force before it is kept from pulling."""
@@ -84,9 +86,10 @@ class LogBarrier(ContactOptions):
             return where(total > 0.0, total, 0.0)
 
         def slope(self, gap: Any, state: Any) -> Any:
-            ratio = (gap - self.distance) / gap
+            over = 1.0 / gap
+            ratio = (gap - self.distance) * over
             curvature = self.curvature(gap)
-            sharpening = 2.0 * self.stiffness * ((ratio - 2.0) * (1.0 - ratio) - 1.0) / gap
+            sharpening = 2.0 * self.stiffness * ((ratio - 2.0) * (1.0 - ratio) - 1.0) * over
             viscous = curvature * state.rate + sharpening * state.speed
             slope = curvature + self.relaxation_time * viscous
             return where(self.total(gap, state) > 0.0, slope, 0.0)

@@ -107,15 +107,19 @@ class Discretization(Contract):
         tangents: Any,
         chain: Any,
         node: Any,
+        held: Any,
         residual: Any,
         band: Any,
     ) -> Any:
         """Complete the rows of a node (not the last one): its own of residual and band, from 0 on.
 
-        They hold masses on the band's diagonal and in the residual; the rest is written. Returns
-        what the sweep carries on and the hinge at the next node, the right :class:`EndHinge` in the
-        end.
+        They hold masses on the band's diagonal and in the residual; the rest is written. ``held``:
+        whether the next node is the last. Returns what the sweep carries on.
         """
+
+    @required
+    def last_hinge(self, damping: Any, nodes: NodeMotion, tangents: Any) -> Any:
+        """The right :class:`EndHinge`."""
 
     @required
     def end_chain(self, chain: Any, residual: Any, band: Any) -> Any:

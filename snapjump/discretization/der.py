@@ -16,7 +16,6 @@ from snapjump.discretization.base import (
     ChainPowers,
     Discretization,
     DiscretizationOptions,
-    EndHinge,
     NodeMotion,
 )
 from snapjump.discretization.parts.der_elements import (
@@ -27,15 +26,19 @@ from snapjump.discretization.parts.der_elements import (
     edge_at,
     edge_block,
     edge_force,
-    held_end,
+    end_hinge,
+    held_edge,
+    held_hinge,
+    hinge_between,
     hinge_block,
     hinge_coupling,
     hinge_energy,
-    hinge_moment,
     hinge_power,
     moving_edge,
     put_columns,
     put_last_node,
+    right_clamp,
+    side_of,
     stretching_energy,
 )
 from snapjump.discretization.parts.edge import half_angle_tangent, make_edge
@@ -73,16 +76,15 @@ class DiscreteElasticRod(DiscretizationOptions):
 
         def begin_chain(self, damping: Any, nodes: NodeMotion, tangents: Any) -> Any:
             zero = 0.0 * nodes.rate_factor
-            edge = edge_at(0, nodes)
-            t = half_angle_tangent(tangents.left_x, tangents.left_y, edge.cx, edge.cy)
-            rate = edge.turn_rate - tangents.left_rate
+            clamp = held_edge(tangents.left_x, tangents.left_y, tangents.left_rate, zero)
             density = 1.0 / self.clamp_hinge_length
-            moment, stiffness = hinge_moment(damping, t, rate, density, nodes.rate_factor)
-            left = EndHinge(moment, stiffness, edge.slope_x, edge.slope_y)
+            first = side_of(self, damping, edge_at(0, nodes))
+            moment, stiffness = hinge_between(damping, clamp, first, density, nodes.rate_factor)
+            left = end_hinge(moment, stiffness, first)
             chain = Chain(
-                edge,
+                first,
                 moment,
-                hinge_block(stiffness, edge),
+                hinge_block(stiffness, first),
                 Coupling(zero, zero, zero, zero),
                 Block(zero, zero, zero),
                 zero,
@@ -98,34 +100,26 @@ class DiscreteElasticRod(DiscretizationOptions):
             tangents: Any,
             chain: Any,
             node: Any,
+            held: Any,
             residual: Any,
             band: Any,
         ) -> Any:
-            last = nodes.position.shape[0] // 2 - 2  # the last edge
-            zero = 0.0 * nodes.rate_factor
             edge = chain.edge
-            if node < last:
-                after = edge_at(node + 1, nodes)
-                density = 1.0 / self.element_length
+            if held:
+                after = right_clamp(tangents, 0.0 * nodes.rate_factor)
+                moment, stiffness = held_hinge(self, damping, edge, after, tangents, nodes)
             else:
-                after = held_end(tangents, zero)
-                density = 1.0 / self.clamp_hinge_length
-            t = half_angle_tangent(edge.cx, edge.cy, after.cx, after.cy)
-            rate = after.turn_rate - edge.turn_rate
-            moment, stiffness = hinge_moment(damping, t, rate, density, nodes.rate_factor)
-            if node == last:
-                held = 1.0 - tangents.right_free
-                moment = held * moment + tangents.right_free * tangents.right_moment
-                stiffness = held * stiffness
+                after = side_of(self, damping, edge_at(node + 1, nodes))
+                density = 1.0 / self.element_length
+                moment, stiffness = hinge_between(damping, edge, after, density, nodes.rate_factor)
 
             stretching = self.stretching_stiffness / self.element_length
-            force = axial_force(self, damping, stretching, edge)
             sideways = (chain.moment - moment) * edge.over
-            fx = force * edge.cx - sideways * edge.cy
-            fy = force * edge.cy + sideways * edge.cx
+            fx = edge.force * edge.cx - sideways * edge.cy
+            fy = edge.force * edge.cy + sideways * edge.cx
             own = edge_block(
                 stretching * damping.stiffening(nodes.rate_factor),
-                force * edge.over,
+                edge.force * edge.over,
                 sideways * edge.over,
                 edge,
                 chain.start,
@@ -144,7 +138,13 @@ class DiscreteElasticRod(DiscretizationOptions):
                 fx,
                 fy,
                 maximum(chain.largest, absolute(fx) + absolute(fy)),
-            ), EndHinge(moment, stiffness, edge.slope_x, edge.slope_y)
+            )
+
+        def last_hinge(self, damping: Any, nodes: NodeMotion, tangents: Any) -> Any:
+            edge = side_of(self, damping, edge_at(nodes.position.shape[0] // 2 - 2, nodes))
+            clamp = right_clamp(tangents, 0.0 * nodes.rate_factor)
+            moment, stiffness = held_hinge(self, damping, edge, clamp, tangents, nodes)
+            return end_hinge(moment, stiffness, edge)
 
         def end_chain(self, chain: Any, residual: Any, band: Any) -> Any:
             put_last_node(chain.before, (chain.force_x, chain.force_y), residual, band)

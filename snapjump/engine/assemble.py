@@ -26,13 +26,12 @@ class Motion(NamedTuple):
 class Sweep(NamedTuple):
     """An assembly under way, node by node: what it needs at every node, and its extremes so far.
 
-    tangents: of the clamps; chain: what the beam's sweep carries; left, right: its end hinges.
+    tangents: of the clamps; chain: what the beam's sweep carries; left: its first hinge.
     """
 
     tangents: Any
     chain: Any
     left: Any
-    right: Any
     extremes: Extremes
 
 
@@ -104,7 +103,7 @@ def begin_assembly(model: Any, motion: Any, masses: Any, work: Any) -> Sweep:
     tangents = model.frame.end_tangents(mesh, model.load, angles, work.state, rotations)
     nodes = chain_motion(model, motion, work)
     chain, left = model.discretization.begin_chain(model.damping, nodes, tangents)
-    return Sweep(tangents, chain, left, left, with_force(extremes, elastic))
+    return Sweep(tangents, chain, left, with_force(extremes, elastic))
 
 
 @kernel
@@ -114,27 +113,29 @@ def add_node(
     masses: Any,
     work: Any,
     node: Any,
+    held: Any,
     sweep: Sweep,
     residual: Any,
     band: Any,
 ) -> Sweep:
-    """Write a node's own rows of residual and band; not the last one's."""
+    """Write a node's own rows of residual and band; ``held``: whether the last node follows."""
     mass = masses[node]
     inertial = begin_node(model, motion, mass, node, work, residual, band)
     extremes = with_force(sweep.extremes, inertial)
     if model.contact.exists():
         if mass > 0.0:
             extremes = add_node_contact(model, motion, mass, node, work, residual, band, extremes)
-    chain, right = model.discretization.add_node_forces(
+    chain = model.discretization.add_node_forces(
         model.damping,
         chain_motion(model, motion, work),
         sweep.tangents,
         sweep.chain,
         node,
+        held,
         residual,
         band,
     )
-    return Sweep(sweep.tangents, chain, sweep.left, right, extremes)
+    return Sweep(sweep.tangents, chain, sweep.left, extremes)
 
 
 @kernel
@@ -156,7 +157,7 @@ def add_last_node(model: Any, motion: Any, masses: Any, work: Any, sweep: Sweep)
     residual[1] -= force_y
     if per_node == 3:
         residual[2] -= moment / model.discretization.rotation_length()
-    return Sweep(sweep.tangents, sweep.chain, sweep.left, sweep.right, extremes)
+    return Sweep(sweep.tangents, sweep.chain, sweep.left, extremes)
 
 
 @routine
@@ -176,7 +177,8 @@ def assemble_nodes(
         if node < last:
             residual = work.residual[row:]
             band = work.band[row:]
-            sweep = add_node(model, motion, masses, work, node, sweep, residual, band)
+            held = node == last - 1
+            sweep = add_node(model, motion, masses, work, node, held, sweep, residual, band)
         else:
             sweep = add_last_node(model, motion, masses, work, sweep)
         if width > 0:
@@ -185,7 +187,9 @@ def assemble_nodes(
             if node == 2:
                 model.frame.condense_first(model, work, sweep.tangents, sweep.left)
             if node == last:
-                model.frame.condense_last(model, work, sweep.tangents, sweep.right)
+                nodes = chain_motion(model, motion, work)
+                right = model.discretization.last_hinge(model.damping, nodes, sweep.tangents)
+                model.frame.condense_last(model, work, sweep.tangents, right)
     return sweep
 
 

@@ -68,11 +68,12 @@ def regularised_sign(velocity: Any, threshold: Any) -> Any:
 
     The factor 2, missing in the paper's print, makes it continuously differentiable at |v| = e.
     """
-    w = velocity / threshold
+    over = 1.0 / threshold  # of a robot: once for all its points
+    w = velocity * over
     size = absolute(w)
     slipping = size >= 1.0
     sign = where(slipping, where(w > 0.0, 1.0, -1.0), w * (2.0 - size))
-    slope = where(slipping, 0.0, (2.0 - 2.0 * size) / threshold)
+    slope = where(slipping, 0.0, (2.0 - 2.0 * size) * over)
     return sign, slope
 
 

@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 from snapjump.friction.base import regularised_sign
 from snapjump.friction.parts.smoothed_coulomb import SmoothedCoulomb, SmoothedCoulombOptions
-from snapjump.number.functions import absolute, maximum, where
+from snapjump.number.functions import absolute, any_true, maximum, where
 
 
 class ImplicitFriction(SmoothedCoulombOptions):
@@ -21,6 +21,8 @@ class ImplicitFriction(SmoothedCoulombOptions):
             sign, slope = regularised_sign(velocity, self.velocity_threshold)
             # Newton would jump to and fro across the stick zone: after a change of sign, take the
             # chord from rest.
-            chord = absolute(sign) / maximum(absolute(velocity), 1e-300 + 0.0 * velocity)
-            slope = where(velocity * previous < 0.0, maximum(chord, slope), slope)
+            turned = velocity * previous < 0.0
+            if any_true(turned):
+                chord = absolute(sign) / maximum(absolute(velocity), 1e-300 + 0.0 * velocity)
+                slope = where(turned, maximum(chord, slope), slope)
             return self.mu * slope

@@ -114,14 +114,18 @@ class BeamElements(Discretization):
         tangents: Any,
         chain: Any,
         node: Any,
+        held: Any,
         residual: Any,
         band: Any,
     ) -> Any:
-        zero = 0.0 * nodes.rate_factor
         after = element_at(self, damping, node, nodes)
         put_node(chain.before, after, residual, band)
         force = absolute(after.force_x) + absolute(after.force_y)
-        return BeamChain(after, maximum(chain.largest, force)), EndHinge(zero, zero, zero, zero)
+        return BeamChain(after, maximum(chain.largest, force))
+
+    def last_hinge(self, damping: Any, nodes: NodeMotion, tangents: Any) -> EndHinge:
+        zero = 0.0 * nodes.rate_factor
+        return EndHinge(zero, zero, zero, zero)
 
     def end_chain(self, chain: Any, residual: Any, band: Any) -> None:
         put_node(chain.before, no_element(0.0 * chain.largest), residual, band)

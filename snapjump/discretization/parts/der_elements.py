@@ -6,8 +6,8 @@ sums them along the chain.
 
 from typing import Any, NamedTuple
 
-from snapjump.discretization.base import NodeMotion
-from snapjump.discretization.parts.edge import Edge, make_edge
+from snapjump.discretization.base import EndHinge, NodeMotion
+from snapjump.discretization.parts.edge import Edge, half_angle_tangent, make_edge
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import fma
 
@@ -33,21 +33,6 @@ def moving_edge(j: Any, position: Any, velocity: Any) -> Edge:
         position[i + 3] - position[i + 1],
         velocity[i + 2] - velocity[i],
         velocity[i + 3] - velocity[i + 1],
-    )
-
-
-@kernel
-def held_end(tangents: Any, zero: Any) -> Edge:
-    """The clamp on the right as an edge that follows the last one and does not give way."""
-    return Edge(
-        zero + 1.0,
-        zero,
-        tangents.right_x + zero,
-        tangents.right_y + zero,
-        zero,
-        zero,
-        tangents.right_rate + zero,
-        zero,
     )
 
 
@@ -99,6 +84,17 @@ class Coupling(NamedTuple):
     yy: Any
 
 
+class Side(NamedTuple):
+    """An edge as its neighbours see it: one over its length (1/L), unit tangent, the rate of its
+    direction (rad/T) and its axial force (EI/L^2)."""
+
+    over: Any
+    cx: Any
+    cy: Any
+    turn_rate: Any
+    force: Any
+
+
 class Chain(NamedTuple):
     """State of a sweep from left to right: all about node j that its edges up to j tell.
 
@@ -107,7 +103,7 @@ class Chain(NamedTuple):
     force of edge j - 1; largest: force of an edge so far.
     """
 
-    edge: Edge
+    edge: Side
     moment: Any
     start: Block
     coupling: Coupling
@@ -118,24 +114,74 @@ class Chain(NamedTuple):
 
 
 @kernel
-def hinge_block(stiffness: Any, edge: Edge) -> Block:
-    """stiffness * g g^T, g being the gradient of an edge's direction."""
-    x = stiffness * edge.slope_x
-    y = stiffness * edge.slope_y
-    return Block(x * edge.slope_x, x * edge.slope_y, y * edge.slope_y)
+def side_of(rod: Any, damping: Any, edge: Edge) -> Side:
+    """What an edge contributes to the nodes and hinges on either side."""
+    stretching = rod.stretching_stiffness / rod.element_length
+    force = axial_force(rod, damping, stretching, edge)
+    return Side(edge.over, edge.cx, edge.cy, edge.turn_rate, force)
 
 
 @kernel
-def hinge_coupling(stiffness: Any, before: Edge, after: Edge) -> Coupling:
+def held_edge(x: Any, y: Any, rate: Any, zero: Any) -> Side:
+    """A clamp as an edge beyond the chain's end, of a given direction, that does not give way."""
+    return Side(zero, x + zero, y + zero, rate + zero, zero)
+
+
+@kernel
+def hinge_between(
+    damping: Any, before: Side, after: Side, density: Any, rate_factor: Any
+) -> Any:
+    """Moment and stiffness of the hinge between two edges; ``density``: one over its length."""
+    t = half_angle_tangent(before.cx, before.cy, after.cx, after.cy)
+    return hinge_moment(damping, t, after.turn_rate - before.turn_rate, density, rate_factor)
+
+
+@kernel
+def right_clamp(tangents: Any, zero: Any) -> Side:
+    """The clamp on the right."""
+    return held_edge(tangents.right_x, tangents.right_y, tangents.right_rate, zero)
+
+
+@kernel
+def held_hinge(
+    rod: Any, damping: Any, edge: Side, clamp: Side, tangents: Any, nodes: NodeMotion
+) -> Any:
+    """Moment and stiffness of the hinge at the clamp on the right, which may be free."""
+    density = 1.0 / rod.clamp_hinge_length
+    moment, stiffness = hinge_between(damping, edge, clamp, density, nodes.rate_factor)
+    share = 1.0 - tangents.right_free
+    return share * moment + tangents.right_free * tangents.right_moment, share * stiffness
+
+
+@kernel
+def end_hinge(moment: Any, stiffness: Any, edge: Side) -> EndHinge:
+    """The hinge at a clamp, of an end edge."""
+    return EndHinge(moment, stiffness, -edge.cy * edge.over, edge.cx * edge.over)
+
+
+@kernel
+def hinge_block(stiffness: Any, edge: Any) -> Block:
+    """stiffness * g g^T, g = (-cy, cx) / length being the gradient of an edge's direction."""
+    gx = -edge.cy * edge.over
+    gy = edge.cx * edge.over
+    x = stiffness * gx
+    y = stiffness * gy
+    return Block(x * gx, x * gy, y * gy)
+
+
+@kernel
+def hinge_coupling(stiffness: Any, before: Any, after: Any) -> Coupling:
     """stiffness * g h^T, g and h being the gradients of the two edges' directions."""
-    x = stiffness * after.slope_x
-    y = stiffness * after.slope_y
-    return Coupling(x * before.slope_x, x * before.slope_y, y * before.slope_x, y * before.slope_y)
+    gx = -before.cy * before.over
+    gy = before.cx * before.over
+    x = stiffness * (-after.cy * after.over)
+    y = stiffness * (after.cx * after.over)
+    return Coupling(x * gx, x * gy, y * gx, y * gy)
 
 
 @kernel
 def edge_block(
-    stiffness: Any, lateral: Any, twist: Any, edge: Edge, start: Block, end: Block
+    stiffness: Any, lateral: Any, twist: Any, edge: Any, start: Block, end: Block
 ) -> Block:
     """Hessian with respect to an edge vector: its stretching and turning, and both its hinges.
 

@@ -27,12 +27,16 @@ class LooseNodes(NamedTuple):
         tangents: Any,
         chain: Any,
         node: Any,
+        held: Any,
         residual: Any,
         band: Any,
     ) -> Any:
-        zero = 0.0 * nodes.rate_factor
         leave_uncoupled(band)
-        return chain, EndHinge(zero, zero, zero, zero)
+        return chain
+
+    def last_hinge(self, damping: Any, nodes: NodeMotion, tangents: Any) -> EndHinge:
+        zero = 0.0 * nodes.rate_factor
+        return EndHinge(zero, zero, zero, zero)
 
     def end_chain(self, chain: Any, residual: Any, band: Any) -> Any:
         leave_uncoupled(band)
