@@ -108,6 +108,7 @@ class Discretization(Contract):
         chain: Any,
         node: Any,
         held: Any,
+        inner: Any,
         residual: Any,
         band: Any,
     ) -> Any:

@@ -90,6 +90,7 @@ class DiscreteElasticRod(DiscretizationOptions):
                 zero,
                 zero,
                 absolute(moment),
+                side_of(self, damping, edge_at(1, nodes)),
             )
             return chain, left
 
@@ -101,17 +102,23 @@ class DiscreteElasticRod(DiscretizationOptions):
             chain: Any,
             node: Any,
             held: Any,
+            inner: Any,
             residual: Any,
             band: Any,
         ) -> Any:
             edge = chain.edge
+            after = chain.after
             if held:
-                after = right_clamp(tangents, 0.0 * nodes.rate_factor)
                 moment, stiffness = held_hinge(self, damping, edge, after, tangents, nodes)
             else:
-                after = side_of(self, damping, edge_at(node + 1, nodes))
                 density = 1.0 / self.element_length
                 moment, stiffness = hinge_between(damping, edge, after, density, nodes.rate_factor)
+            if inner:
+                next_after = side_of(self, damping, edge_at(node + 2, nodes))
+            elif node + 2 < nodes.position.shape[0] // 2 - 1:
+                next_after = side_of(self, damping, edge_at(node + 2, nodes))
+            else:
+                next_after = right_clamp(tangents, 0.0 * nodes.rate_factor)
 
             stretching = self.stretching_stiffness / self.element_length
             sideways = (chain.moment - moment) * edge.over
@@ -138,6 +145,7 @@ class DiscreteElasticRod(DiscretizationOptions):
                 fx,
                 fy,
                 maximum(chain.largest, absolute(fx) + absolute(fy)),
+                next_after,
             )
 
         def last_hinge(self, damping: Any, nodes: NodeMotion, tangents: Any) -> Any:

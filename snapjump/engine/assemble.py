@@ -114,6 +114,7 @@ def add_node(
     work: Any,
     node: Any,
     held: Any,
+    inner: Any,
     sweep: Sweep,
     residual: Any,
     band: Any,
@@ -132,6 +133,7 @@ def add_node(
         sweep.chain,
         node,
         held,
+        inner,
         residual,
         band,
     )
@@ -178,7 +180,7 @@ def assemble_nodes(
             residual = work.residual[row:]
             band = work.band[row:]
             held = node == last - 1
-            sweep = add_node(model, motion, masses, work, node, held, sweep, residual, band)
+            sweep = add_node(model, motion, masses, work, node, held, False, sweep, residual, band)
         else:
             sweep = add_last_node(model, motion, masses, work, sweep)
         if width > 0:

@@ -107,7 +107,7 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
         nothing = ((zero, zero, zero), (zero, zero, zero))
         residual, band = own_rows(zero)
         for node in range(begin, end):
-            sweep = add_node(model, motion, masses, work, node, False, sweep, residual, band)
+            sweep = add_node(model, motion, masses, work, node, False, True, sweep, residual, band)
             done = eliminate_columns(work, node, residual, band, nothing, bordered, done)
     sweep = assemble_nodes(model, motion, masses, work, end, nodes, sweep)
     done = eliminate_nodes(work, rotations, bordered, end, nodes, done)

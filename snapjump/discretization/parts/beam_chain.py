@@ -115,6 +115,7 @@ class BeamElements(Discretization):
         chain: Any,
         node: Any,
         held: Any,
+        inner: Any,
         residual: Any,
         band: Any,
     ) -> Any:

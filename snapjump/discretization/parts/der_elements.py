@@ -111,6 +111,7 @@ class Chain(NamedTuple):
     force_x: Any
     force_y: Any
     largest: Any
+    after: Side
 
 
 @kernel

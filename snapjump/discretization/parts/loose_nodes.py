@@ -28,6 +28,7 @@ class LooseNodes(NamedTuple):
         chain: Any,
         node: Any,
         held: Any,
+        inner: Any,
         residual: Any,
         band: Any,
     ) -> Any:
