@@ -107,15 +107,14 @@ class Discretization(Contract):
         tangents: Any,
         chain: Any,
         node: Any,
-        held: Any,
-        inner: Any,
-        residual: Any,
-        band: Any,
+        following: Any,
+        rows: Any,
     ) -> Any:
-        """Complete the rows of a node (not the last one): its own of residual and band, from 0 on.
+        """Complete the residual and the band of a node's own ``rows``, not the last one's.
 
-        They hold masses on the band's diagonal and in the residual; the rest is written. ``held``:
-        whether the next node is the last. Returns what the sweep carries on.
+        They hold masses on the band's diagonal and in the residual; the rest is written.
+        ``following``: how many elements follow the one that leaves the node, 2 standing for more.
+        Returns what the sweep carries on.
         """
 
     @required
@@ -123,7 +122,7 @@ class Discretization(Contract):
         """The right :class:`EndHinge`."""
 
     @required
-    def end_chain(self, chain: Any, residual: Any, band: Any) -> Any:
+    def end_chain(self, chain: Any, rows: Any) -> Any:
         """Complete the rows of the last node, its own as above."""
 
     @required

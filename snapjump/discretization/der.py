@@ -101,24 +101,21 @@ class DiscreteElasticRod(DiscretizationOptions):
             tangents: Any,
             chain: Any,
             node: Any,
-            held: Any,
-            inner: Any,
-            residual: Any,
-            band: Any,
+            following: Any,
+            rows: Any,
         ) -> Any:
             edge = chain.edge
             after = chain.after
-            if held:
-                moment, stiffness = held_hinge(self, damping, edge, after, tangents, nodes)
-            else:
+            if following > 0:
                 density = 1.0 / self.element_length
                 moment, stiffness = hinge_between(damping, edge, after, density, nodes.rate_factor)
-            if inner:
-                next_after = side_of(self, damping, edge_at(node + 2, nodes))
-            elif node + 2 < nodes.position.shape[0] // 2 - 1:
-                next_after = side_of(self, damping, edge_at(node + 2, nodes))
             else:
-                next_after = right_clamp(tangents, 0.0 * nodes.rate_factor)
+                moment, stiffness = held_hinge(self, damping, edge, after, tangents, nodes)
+            # Its root and quotient take long, and depend on nothing that is being eliminated.
+            if following > 1:
+                next_but_one = side_of(self, damping, edge_at(node + 2, nodes))
+            else:
+                next_but_one = right_clamp(tangents, 0.0 * nodes.rate_factor)
 
             stretching = self.stretching_stiffness / self.element_length
             sideways = (chain.moment - moment) * edge.over
@@ -133,9 +130,9 @@ class DiscreteElasticRod(DiscretizationOptions):
                 hinge_block(stiffness, edge),
             )
             coupling = hinge_coupling(stiffness, edge, after)
-            put_columns(chain.before, chain.coupling, own, coupling, band)
-            residual[0] += chain.force_x - fx
-            residual[1] += chain.force_y - fy
+            put_columns(chain.before, chain.coupling, own, coupling, rows.band)
+            rows.residual[0] += chain.force_x - fx
+            rows.residual[1] += chain.force_y - fy
             return Chain(
                 after,
                 moment,
@@ -145,7 +142,7 @@ class DiscreteElasticRod(DiscretizationOptions):
                 fx,
                 fy,
                 maximum(chain.largest, absolute(fx) + absolute(fy)),
-                next_after,
+                next_but_one,
             )
 
         def last_hinge(self, damping: Any, nodes: NodeMotion, tangents: Any) -> Any:
@@ -154,8 +151,8 @@ class DiscreteElasticRod(DiscretizationOptions):
             moment, stiffness = held_hinge(self, damping, edge, clamp, tangents, nodes)
             return end_hinge(moment, stiffness, edge)
 
-        def end_chain(self, chain: Any, residual: Any, band: Any) -> Any:
-            put_last_node(chain.before, (chain.force_x, chain.force_y), residual, band)
+        def end_chain(self, chain: Any, rows: Any) -> Any:
+            put_last_node(chain.before, (chain.force_x, chain.force_y), rows.residual, rows.band)
 
         def internal_energy(self, position: Any, tangents: Any) -> Any:
             elements = position.shape[0] // 2 - 1

@@ -10,6 +10,7 @@ from snapjump.contact.base import Extremes
 from snapjump.discretization.base import ROTARY_INERTIA, NodeMotion
 from snapjump.engine.points import add_frame_contacts, add_node_contact
 from snapjump.frame.base import Rotations
+from snapjump.linear_solver.contact_rows import NodeRows, rows_of
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, maximum
 
@@ -52,9 +53,7 @@ def clear_border(work: Any, dofs: Any, node: Any, width: Any, zero: Any) -> None
 
 
 @kernel
-def begin_node(
-    model: Any, motion: Any, mass: Any, node: Any, work: Any, residual: Any, band: Any
-) -> Any:
+def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any, rows: NodeRows) -> Any:
     """Begin a node's own rows with inertia, drag and weight; returns the inertial force."""
     rate = motion.rate_factor
     drag = model.damping.drag()
@@ -64,15 +63,15 @@ def begin_node(
     vy = (work.state[i + 1] - work.position_predictor[i + 1]) * rate
     ax = (vx - work.velocity_predictor[i]) * motion.inertia_rate
     ay = (vy - work.velocity_predictor[i + 1]) * motion.inertia_rate
-    residual[0] = mass * (ax + drag * vx - model.load.pull())
-    residual[1] = mass * (ay + drag * vy + model.load.gravity())
-    band[0, 0] = diagonal
-    band[1, 0] = diagonal
+    rows.residual[0] = mass * (ax + drag * vx - model.load.pull())
+    rows.residual[1] = mass * (ay + drag * vy + model.load.gravity())
+    rows.band[0, 0] = diagonal
+    rows.band[1, 0] = diagonal
     if model.discretization.node_dofs() == 3:
         turn_rate = (work.state[i + 2] - work.position_predictor[i + 2]) * rate
         spin = (turn_rate - work.velocity_predictor[i + 2]) * motion.inertia_rate
-        residual[2] = ROTARY_INERTIA * mass * (spin + drag * turn_rate)
-        band[2, 0] = ROTARY_INERTIA * diagonal
+        rows.residual[2] = ROTARY_INERTIA * mass * (spin + drag * turn_rate)
+        rows.band[2, 0] = ROTARY_INERTIA * diagonal
     return mass * (absolute(ax) + absolute(ay))
 
 
@@ -113,29 +112,26 @@ def add_node(
     masses: Any,
     work: Any,
     node: Any,
-    held: Any,
-    inner: Any,
+    following: Any,
     sweep: Sweep,
-    residual: Any,
-    band: Any,
+    rows: NodeRows,
 ) -> Sweep:
-    """Write a node's own rows of residual and band; ``held``: whether the last node follows."""
+    """Write a node's own rows, not the last one's; ``following``: how many
+    elements follow the one that leaves it, 2 standing for more."""
     mass = masses[node]
-    inertial = begin_node(model, motion, mass, node, work, residual, band)
+    inertial = begin_node(model, motion, mass, node, work, rows)
     extremes = with_force(sweep.extremes, inertial)
     if model.contact.exists():
         if mass > 0.0:
-            extremes = add_node_contact(model, motion, mass, node, work, residual, band, extremes)
+            extremes = add_node_contact(model, motion, mass, node, work, rows, extremes)
     chain = model.discretization.add_node_forces(
         model.damping,
         chain_motion(model, motion, work),
         sweep.tangents,
         sweep.chain,
         node,
-        held,
-        inner,
-        residual,
-        band,
+        following,
+        rows,
     )
     return Sweep(sweep.tangents, chain, sweep.left, extremes)
 
@@ -146,19 +142,18 @@ def add_last_node(model: Any, motion: Any, masses: Any, work: Any, sweep: Sweep)
     per_node = model.discretization.node_dofs()
     node = masses.shape[0] - 1
     mass = masses[node]
-    residual = work.residual[per_node * node :]
-    band = work.band[per_node * node :]
-    inertial = begin_node(model, motion, mass, node, work, residual, band)
+    rows = rows_of(work, per_node * node)
+    inertial = begin_node(model, motion, mass, node, work, rows)
     extremes = with_force(sweep.extremes, inertial)
     if model.contact.exists():
         if mass > 0.0:
-            extremes = add_node_contact(model, motion, mass, node, work, residual, band, extremes)
-    model.discretization.end_chain(sweep.chain, residual, band)
+            extremes = add_node_contact(model, motion, mass, node, work, rows, extremes)
+    model.discretization.end_chain(sweep.chain, rows)
     force_x, force_y, moment = model.load.tip_load()
-    residual[0] -= force_x
-    residual[1] -= force_y
+    rows.residual[0] -= force_x
+    rows.residual[1] -= force_y
     if per_node == 3:
-        residual[2] -= moment / model.discretization.rotation_length()
+        rows.residual[2] -= moment / model.discretization.rotation_length()
     return Sweep(sweep.tangents, sweep.chain, sweep.left, extremes)
 
 
@@ -175,12 +170,10 @@ def assemble_nodes(
     per_node = model.discretization.node_dofs()
     last = masses.shape[0] - 1
     for node in range(first, end):
-        row = per_node * node
         if node < last:
-            residual = work.residual[row:]
-            band = work.band[row:]
-            held = node == last - 1
-            sweep = add_node(model, motion, masses, work, node, held, False, sweep, residual, band)
+            rows = rows_of(work, per_node * node)
+            following = min(last - 1 - node, 2)
+            sweep = add_node(model, motion, masses, work, node, following, sweep, rows)
         else:
             sweep = add_last_node(model, motion, masses, work, sweep)
         if width > 0:

@@ -19,6 +19,7 @@ from snapjump.linear_solver.banded_rotations import (
     eliminate_rotating_node,
     substitute_back_rotating,
 )
+from snapjump.linear_solver.contact_rows import NodeRows
 from snapjump.number.array import own_rows
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, any_true, maximum, minimum, negate, where
@@ -105,10 +106,10 @@ def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solu
     done = eliminate_nodes(work, rotations, bordered, 0, begin, begin_elimination(zero))
     if not rotations:
         nothing = ((zero, zero, zero), (zero, zero, zero))
-        residual, band = own_rows(zero)
+        rows = NodeRows(*own_rows(zero), 0)
         for node in range(begin, end):
-            sweep = add_node(model, motion, masses, work, node, False, True, sweep, residual, band)
-            done = eliminate_columns(work, node, residual, band, nothing, bordered, done)
+            sweep = add_node(model, motion, masses, work, node, 2, sweep, rows)
+            done = eliminate_columns(work, node, rows, nothing, bordered, done)
     sweep = assemble_nodes(model, motion, masses, work, end, nodes, sweep)
     done = eliminate_nodes(work, rotations, bordered, end, nodes, done)
     remaining = done.largest

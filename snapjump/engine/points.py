@@ -158,14 +158,7 @@ def add_contact(
 
 @kernel
 def add_node_contact(
-    model: Any,
-    motion: Any,
-    mass: Any,
-    node: Any,
-    work: Any,
-    residual: Any,
-    band: Any,
-    extremes: Extremes,
+    model: Any, motion: Any, mass: Any, node: Any, work: Any, rows: NodeRows, extremes: Extremes
 ) -> Extremes:
     """Add contact and friction at a node of the beam that carries a mass to its own rows."""
     i = model.discretization.node_dofs() * node + model.frame.dofs(work.mesh)
@@ -177,7 +170,6 @@ def add_node_contact(
     )
     start = Point(work.start[i + 1], work.velocity[0, i], work.velocity[0, i + 1])
     touch = Touch(now, start, mass, model.ground.node_share)
-    rows = NodeRows(residual, band, 0)
     return add_contact(model, motion, work, node, touch, rows, extremes)
 
 

@@ -95,9 +95,7 @@ def commit_step(scheme: Any, work: Any, step: Any, rates: Rates, mask: Any) -> N
 
 
 @kernel
-def begin_coordinate(
-    scheme: Any, work: Any, i: Any, stage: Any, rates: Rates, mask: Any
-) -> None:
+def begin_coordinate(scheme: Any, work: Any, i: Any, stage: Any, rates: Rates, mask: Any) -> None:
     """Set the predictors of coordinate ``i`` and its guess, before that is kept from closing a gap;
     ``work.correction`` is how far the guess is from where it starts."""
     position, velocity, aim = scheme.predict(work, i, stage, rates)

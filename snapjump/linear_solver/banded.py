@@ -14,6 +14,7 @@ eliminated column, entry 0 is one over the pivot, the others are those of L D.
 from typing import Any, NamedTuple
 
 from snapjump.discretization.base import HALF_BANDWIDTH
+from snapjump.linear_solver.contact_rows import NodeRows, rows_of
 from snapjump.linear_solver.schur import Schur, solve_block, subtract_schur, with_column
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, fma, maximum, where
@@ -137,16 +138,16 @@ def reduce_y_border(border: Any, j: Any, own: Any, factors: Any) -> Any:
 
 @kernel
 def eliminate_columns(
-    work: Any, node: Any, residual: Any, band: Any, border: Any, bordered: Any, done: Elimination
+    work: Any, node: Any, own: NodeRows, border: Any, bordered: Any, done: Elimination
 ) -> Elimination:
-    """Eliminate a node whose own rows of residual and band, and its columns of the border as two
-    tuples of three, are complete."""
+    """Eliminate a node whose own rows, and its columns of the border as two tuples of three, are
+    complete."""
     i = 2 * node + HALF_BANDWIDTH
     j = i + 1
-    x, y = residual[0], residual[1]
+    x, y = own.residual[0], own.residual[1]
     largest = maximum(maximum(done.largest, absolute(x)), absolute(y))
-    of_x = eliminate_x_column(work.padded_band, i, band[0])
-    of_y = eliminate_y_column(work.padded_band, j, band[1])
+    of_x = eliminate_x_column(work.padded_band, i, own.band[0])
+    of_y = eliminate_y_column(work.padded_band, j, own.band[1])
     ri = reduce_x_entry(work.padded_residual, i, x, of_x)
     rj = reduce_y_entry(work.padded_residual, j, y, of_y)
     over_i = work.padded_band[i, 0]
@@ -171,9 +172,7 @@ def eliminate_node(work: Any, node: Any, bordered: Any, done: Elimination) -> El
     """:func:`eliminate_columns` of a node whose rows and columns stand in memory."""
     row = 2 * node
     border = (border_column(work.border, row), border_column(work.border, row + 1))
-    return eliminate_columns(
-        work, node, work.residual[row:], work.band[row:], border, bordered, done
-    )
+    return eliminate_columns(work, node, rows_of(work, row), border, bordered, done)
 
 
 @kernel

@@ -2,6 +2,7 @@
 
 from typing import Any, NamedTuple
 
+from snapjump.number.dispatch import kernel
 from snapjump.number.methods import Contract, required
 
 
@@ -40,6 +41,12 @@ class NodeRows(NamedTuple):
     def drag_slope(self, force: Any, by_velocity: Any, by_gap: Any, rate: Any) -> None:
         # The derivative by the gap alone would make the band unsymmetric.
         self.band[self.row, 0] += by_velocity * rate
+
+
+@kernel
+def rows_of(work: Any, row: Any) -> NodeRows:
+    """The rows of a node of the beam in memory."""
+    return NodeRows(work.residual[row:], work.band[row:], 0)
 
 
 @ContactRows.member

@@ -114,13 +114,11 @@ class BeamElements(Discretization):
         tangents: Any,
         chain: Any,
         node: Any,
-        held: Any,
-        inner: Any,
-        residual: Any,
-        band: Any,
+        following: Any,
+        rows: Any,
     ) -> Any:
         after = element_at(self, damping, node, nodes)
-        put_node(chain.before, after, residual, band)
+        put_node(chain.before, after, rows.residual, rows.band)
         force = absolute(after.force_x) + absolute(after.force_y)
         return BeamChain(after, maximum(chain.largest, force))
 
@@ -128,8 +126,8 @@ class BeamElements(Discretization):
         zero = 0.0 * nodes.rate_factor
         return EndHinge(zero, zero, zero, zero)
 
-    def end_chain(self, chain: Any, residual: Any, band: Any) -> None:
-        put_node(chain.before, no_element(0.0 * chain.largest), residual, band)
+    def end_chain(self, chain: Any, rows: Any) -> None:
+        put_node(chain.before, no_element(0.0 * chain.largest), rows.residual, rows.band)
 
     def internal_energy(self, position: Any, tangents: Any) -> Any:
         over = 1.0 / self.element_length

@@ -100,7 +100,7 @@ class Chain(NamedTuple):
 
     edge: edge j, which leaves the node; moment: of the hinge at the node; start: that hinge's
     stiffness on edge j; coupling: of the edges at the node; before, force_x, force_y: block and
-    force of edge j - 1; largest: force of an edge so far.
+    force of edge j - 1; largest: force of an edge so far; after: edge j + 1, or the clamp.
     """
 
     edge: Side
@@ -129,9 +129,7 @@ def held_edge(x: Any, y: Any, rate: Any, zero: Any) -> Side:
 
 
 @kernel
-def hinge_between(
-    damping: Any, before: Side, after: Side, density: Any, rate_factor: Any
-) -> Any:
+def hinge_between(damping: Any, before: Side, after: Side, density: Any, rate_factor: Any) -> Any:
     """Moment and stiffness of the hinge between two edges; ``density``: one over its length."""
     t = half_angle_tangent(before.cx, before.cy, after.cx, after.cy)
     return hinge_moment(damping, t, after.turn_rate - before.turn_rate, density, rate_factor)

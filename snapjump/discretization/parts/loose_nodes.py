@@ -27,20 +27,18 @@ class LooseNodes(NamedTuple):
         tangents: Any,
         chain: Any,
         node: Any,
-        held: Any,
-        inner: Any,
-        residual: Any,
-        band: Any,
+        following: Any,
+        rows: Any,
     ) -> Any:
-        leave_uncoupled(band)
+        leave_uncoupled(rows.band)
         return chain
 
     def last_hinge(self, damping: Any, nodes: NodeMotion, tangents: Any) -> EndHinge:
         zero = 0.0 * nodes.rate_factor
         return EndHinge(zero, zero, zero, zero)
 
-    def end_chain(self, chain: Any, residual: Any, band: Any) -> Any:
-        leave_uncoupled(band)
+    def end_chain(self, chain: Any, rows: Any) -> Any:
+        leave_uncoupled(rows.band)
 
     def internal_energy(self, position: Any, tangents: Any) -> Any:
         return 0.0 * position[0]
