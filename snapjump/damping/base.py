@@ -21,6 +21,10 @@ class DampingLaw(Contract):
         """d viscous_strain / d strain when d rate / d strain is ``rate_factor``."""
         return 1.0
 
+    def drags(self) -> Any:
+        """Whether masses are damped; a constant while compiling."""
+        return False
+
     def drag(self) -> Any:
         """Damping force over momentum (1/T)."""
         return 0.0

@@ -20,6 +20,9 @@ class MassProportional(DampingOptions):
 
         rate: float
 
+        def drags(self) -> bool:
+            return True
+
         def drag(self) -> Any:
             return self.rate
 

@@ -30,7 +30,6 @@ from snapjump.discretization.parts.der_elements import (
     held_edge,
     held_hinge,
     hinge_between,
-    hinge_block,
     hinge_coupling,
     hinge_energy,
     hinge_power,
@@ -84,7 +83,7 @@ class DiscreteElasticRod(DiscretizationOptions):
             chain = Chain(
                 first,
                 moment,
-                hinge_block(stiffness, first),
+                stiffness,
                 Coupling(zero, zero, zero, zero),
                 Block(zero, zero, zero),
                 zero,
@@ -121,14 +120,9 @@ class DiscreteElasticRod(DiscretizationOptions):
             sideways = (chain.moment - moment) * edge.over
             fx = edge.force * edge.cx - sideways * edge.cy
             fy = edge.force * edge.cy + sideways * edge.cx
-            own = edge_block(
-                stretching * damping.stiffening(nodes.rate_factor),
-                edge.force * edge.over,
-                sideways * edge.over,
-                edge,
-                chain.start,
-                hinge_block(stiffness, edge),
-            )
+            stretching = stretching * damping.stiffening(nodes.rate_factor)
+            hinges = chain.stiffness + stiffness
+            own = edge_block(stretching, edge.force, sideways, hinges, edge)
             coupling = hinge_coupling(stiffness, edge, after)
             put_columns(chain.before, chain.coupling, own, coupling, rows.band)
             rows.residual[0] += chain.force_x - fx
@@ -136,7 +130,7 @@ class DiscreteElasticRod(DiscretizationOptions):
             return Chain(
                 after,
                 moment,
-                hinge_block(stiffness, after),
+                stiffness,
                 coupling,
                 own,
                 fx,

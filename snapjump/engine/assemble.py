@@ -56,21 +56,31 @@ def clear_border(work: Any, dofs: Any, node: Any, width: Any, zero: Any) -> None
 def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any, rows: NodeRows) -> Any:
     """Begin a node's own rows with inertia, drag and weight; returns the inertial force."""
     rate = motion.rate_factor
-    drag = model.damping.drag()
-    diagonal = mass * ((motion.inertia_rate + drag) * rate)
     i = model.discretization.node_dofs() * node + model.frame.dofs(work.mesh)
     vx = (work.state[i] - work.position_predictor[i]) * rate
     vy = (work.state[i + 1] - work.position_predictor[i + 1]) * rate
     ax = (vx - work.velocity_predictor[i]) * motion.inertia_rate
     ay = (vy - work.velocity_predictor[i + 1]) * motion.inertia_rate
-    rows.residual[0] = mass * (ax + drag * vx - model.load.pull())
-    rows.residual[1] = mass * (ay + drag * vy + model.load.gravity())
+    gain = motion.inertia_rate  # of the force over the mass, by the velocity
+    force_x = ax
+    force_y = ay
+    if model.damping.drags():
+        drag = model.damping.drag()
+        gain = gain + drag
+        force_x = force_x + drag * vx
+        force_y = force_y + drag * vy
+    diagonal = mass * (gain * rate)
+    rows.residual[0] = mass * (force_x - model.load.pull())
+    rows.residual[1] = mass * (force_y + model.load.gravity())
     rows.band[0, 0] = diagonal
     rows.band[1, 0] = diagonal
     if model.discretization.node_dofs() == 3:
         turn_rate = (work.state[i + 2] - work.position_predictor[i + 2]) * rate
         spin = (turn_rate - work.velocity_predictor[i + 2]) * motion.inertia_rate
-        rows.residual[2] = ROTARY_INERTIA * mass * (spin + drag * turn_rate)
+        torque = spin
+        if model.damping.drags():
+            torque = torque + model.damping.drag() * turn_rate
+        rows.residual[2] = ROTARY_INERTIA * mass * torque
         rows.band[2, 0] = ROTARY_INERTIA * diagonal
     return mass * (absolute(ax) + absolute(ay))
 

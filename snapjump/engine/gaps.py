@@ -31,6 +31,25 @@ def limited(share: Any, gap: Any, fall: Any) -> Any:
 
 
 @kernel
+def keeps_gaps(model: Any) -> Any:
+    """Whether corrections must leave gaps open; a constant while compiling."""
+    return model.contact.exists() and model.contact.keeps_open()
+
+
+@kernel
+def frame_gap_share(model: Any, masses: Any, mesh: Any, state: Any, drop: Any) -> Any:
+    """Share (at most 1) of ``state -= drop`` of the frame's coordinates that keeps open the gaps of
+    its own points."""
+    share = 1.0 + 0.0 * state[0]
+    nodes = masses.shape[0]
+    for k in range(model.frame.contact_points(mesh)):
+        if any_true(share_of(model, masses, mesh, nodes + k) > 0.0):
+            gap, fall = model.frame.fall(mesh, k, state, drop)
+            share = limited(share, gap, fall)
+    return share
+
+
+@kernel
 def gap_safe_share(
     model: Any, masses: Any, mesh: Any, state: Any, frame_drop: Any, drop: Any
 ) -> Any:
@@ -39,16 +58,11 @@ def gap_safe_share(
     frame_drop: of the frame's coordinates, drop: of the nodes'.
     """
     share = 1.0 + 0.0 * state[0]
-    if model.contact.exists() and model.contact.keeps_open():
-        frame = model.frame
-        nodes = masses.shape[0]
-        for k in range(frame.contact_points(mesh)):
-            if any_true(share_of(model, masses, mesh, nodes + k) > 0.0):
-                gap, fall = frame.fall(mesh, k, state, frame_drop)
-                share = limited(share, gap, fall)
+    if keeps_gaps(model):
+        share = frame_gap_share(model, masses, mesh, state, frame_drop)
         stride = model.discretization.node_dofs()
-        for node in range(nodes):
+        for node in range(masses.shape[0]):
             if masses[node] > 0.0:
                 row = stride * node + 1
-                share = limited(share, state[row + frame.dofs(mesh)], drop[row])
+                share = limited(share, state[row + model.frame.dofs(mesh)], drop[row])
     return share

@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import BACKTRACKS, ITERATION, LAST_STEP, SHARE, SIZE, STAGE, STEP, TIME
-from snapjump.engine.gaps import gap_safe_share
+from snapjump.engine.gaps import frame_gap_share, keeps_gaps, limited
 from snapjump.integrator.base import Rates, Reached
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import any_true, fma, maximum, sqrt, where
@@ -95,69 +95,83 @@ def commit_step(scheme: Any, work: Any, step: Any, rates: Rates, mask: Any) -> N
 
 
 @kernel
-def begin_coordinate(scheme: Any, work: Any, i: Any, stage: Any, rates: Rates, mask: Any) -> None:
-    """Set the predictors of coordinate ``i`` and its guess, before that is kept from closing a gap;
-    ``work.correction`` is how far the guess is from where it starts."""
+def begin_coordinate(scheme: Any, work: Any, i: Any, stage: Any, rates: Rates, mask: Any) -> Any:
+    """Set the predictors of coordinate ``i`` and its guess; returns where that begins.
+
+    ``work.correction`` is how far the guess is from there, to be subtracted.
+    """
     position, velocity, aim = scheme.predict(work, i, stage, rates)
     restart = mask & (stage == 1.0)
-    state = where(restart, work.start[i], work.state[i])
+    origin = where(restart, work.start[i], work.state[i])
     work.position_predictor[i] = where(mask, position, work.position_predictor[i])
     work.velocity_predictor[i] = where(mask, velocity, work.velocity_predictor[i])
-    work.state[i] = state
-    work.correction[i] = where(mask, state - aim, work.correction[i])
+    work.correction[i] = where(mask, origin - aim, 0.0)
+    work.state[i] = where(mask, aim, origin)
+    return origin
 
 
 @routine
 def begin_stage(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> None:
     """Set both predictors and a gap-safe first guess of every masked lane's current stage."""
-    clock = work.clock
-    stage = clock[STAGE]
-    step = clock[STEP]
-    ratio = step_ratio(work)
-    rates = scheme.stage_rates(step, ratio)
-    scheme.stage_coefficients(stage, step, ratio, work.coefficients)
-    for i in range(work.state.shape[0]):
-        begin_coordinate(scheme, work, i, stage, rates, mask)
-    guess(model, scheme, masses, work, mask)
+    step = work.clock[STEP]
+    nothing = Ended(step, scheme.stage_rates(step, step_ratio(work)))
+    move_on(model, scheme, masses, work, nothing, mask & (step < 0.0), mask)
 
 
 @routine
 def move_on(
-    model: Any, scheme: Any, masses: Any, work: Any, ended: Any, good: Any, mask: Any
+    model: Any, scheme: Any, masses: Any, work: Any, ended: Ended, good: Any, mask: Any
 ) -> None:
-    """:func:`commit_step` of the lanes ``good`` and :func:`begin_stage` of those in ``mask``, in
-    one sweep; ``ended``: sizes and rates of the steps that end, the clock has moved on already."""
+    """:func:`commit_step` of the lanes ``good``, then :func:`begin_stage` of those in ``mask``, in
+    one sweep; ``ended``: the steps that have ended, after which the clock has moved on already."""
     clock = work.clock
+    mesh = work.mesh
     stage = clock[STAGE]
     step = clock[STEP]
     ratio = step_ratio(work)
     rates = scheme.stage_rates(step, ratio)
     scheme.stage_coefficients(stage, step, ratio, work.coefficients)
-    for i in range(work.state.shape[0]):
+    dofs = model.frame.dofs(mesh)
+    for i in range(dofs):
         commit_coordinate(scheme, work, i, ended.size, ended.rates, good)
-        begin_coordinate(scheme, work, i, stage, rates, mask)
-    guess(model, scheme, masses, work, mask)
+        work.state[i] = begin_coordinate(scheme, work, i, stage, rates, mask)
+    share = 1.0 + 0.0 * step
+    if keeps_gaps(model):
+        share = frame_gap_share(model, masses, mesh, work.state, work.correction)
+    for i in range(dofs):
+        work.state[i] = work.state[i] - work.correction[i]
+    per_node = model.discretization.node_dofs()
+    for node in range(masses.shape[0]):
+        for axis in range(per_node):
+            i = dofs + per_node * node + axis
+            commit_coordinate(scheme, work, i, ended.size, ended.rates, good)
+            origin = begin_coordinate(scheme, work, i, stage, rates, mask)
+            if axis == 1:
+                if keeps_gaps(model):
+                    if masses[node] > 0.0:
+                        share = limited(share, origin, work.correction[i])
+    if any_true(share < 1.0):
+        for i in range(work.state.shape[0]):
+            work.state[i] = work.state[i] + (1.0 - share) * work.correction[i]
+    forget_iterations(model, work, share, mask)
+    if model.discretization.has_elements():
+        time = clock[TIME] + scheme.abscissa(stage) * step
+        angles = model.clamp.angles(time)
+        model.frame.place_ends(mesh, model.discretization, angles, work.state)
 
 
 @kernel
-def guess(model: Any, scheme: Any, masses: Any, work: Any, mask: Any) -> None:
-    """Move the masked lanes to their guesses as far as every gap stays open, and forget what their
-    last stage knew of its iterations."""
+def forget_iterations(model: Any, work: Any, share: Any, mask: Any) -> None:
+    """Forget what the masked lanes' last stages knew of their iterations; ``share``: of the way to
+    the guess that is taken."""
     clock = work.clock
-    mesh = work.mesh
-    drop = work.correction[model.frame.dofs(mesh) :]
-    allowed = gap_safe_share(model, masses, mesh, work.state, work.correction, drop)
-    allowed = where(mask, allowed, 0.0)
-    for i in range(work.state.shape[0]):
-        work.state[i] = work.state[i] - allowed * work.correction[i]
-    for i in range(work.sliding_velocity.shape[0]):
-        work.sliding_velocity[i] = where(mask, 0.0, work.sliding_velocity[i])
-        work.active_set[i] = where(mask, 0.0, work.active_set[i])
+    if model.contact.exists() and model.friction.exists():
+        for i in range(work.sliding_velocity.shape[0]):
+            work.sliding_velocity[i] = where(mask, 0.0, work.sliding_velocity[i])
+    if model.contact.is_constraint():
+        for i in range(work.active_set.shape[0]):
+            work.active_set[i] = where(mask, 0.0, work.active_set[i])
     clock[ITERATION] = where(mask, 0.0, clock[ITERATION])
     clock[SIZE] = where(mask, 0.0, clock[SIZE])
-    clock[SHARE] = where(mask, allowed, clock[SHARE])
+    clock[SHARE] = where(mask, share, clock[SHARE])
     clock[BACKTRACKS] = where(mask, 0.0, clock[BACKTRACKS])
-    if model.discretization.has_elements():
-        time = clock[TIME] + scheme.abscissa(clock[STAGE]) * clock[STEP]
-        angles = model.clamp.angles(time)
-        model.frame.place_ends(mesh, model.discretization, angles, work.state)

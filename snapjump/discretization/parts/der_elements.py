@@ -63,7 +63,7 @@ def hinge_moment(damping: Any, t: Any, angle_rate: Any, density: Any, rate_facto
     """
     growth = fma(t, t, 1.0)  # d(2 t)/dphi
     curvature = damping.viscous_strain(2.0 * t, growth * angle_rate) * density
-    elastic = growth * damping.stiffening(rate_factor) * density
+    elastic = growth * (damping.stiffening(rate_factor) * density)
     return curvature * growth, growth * fma(curvature, t, elastic)
 
 
@@ -98,14 +98,14 @@ class Side(NamedTuple):
 class Chain(NamedTuple):
     """State of a sweep from left to right: all about node j that its edges up to j tell.
 
-    edge: edge j, which leaves the node; moment: of the hinge at the node; start: that hinge's
-    stiffness on edge j; coupling: of the edges at the node; before, force_x, force_y: block and
-    force of edge j - 1; largest: force of an edge so far; after: edge j + 1, or the clamp.
+    edge: edge j, which leaves the node; moment, stiffness: of the hinge at the node; coupling: of
+    the edges at the node; before, force_x, force_y: block and force of edge
+    j - 1; largest: force of an edge so far; after: edge j + 1, or the clamp.
     """
 
     edge: Side
     moment: Any
-    start: Block
+    stiffness: Any
     coupling: Coupling
     before: Block
     force_x: Any
@@ -159,43 +159,32 @@ def end_hinge(moment: Any, stiffness: Any, edge: Side) -> EndHinge:
 
 
 @kernel
-def hinge_block(stiffness: Any, edge: Any) -> Block:
-    """stiffness * g g^T, g = (-cy, cx) / length being the gradient of an edge's direction."""
-    gx = -edge.cy * edge.over
-    gy = edge.cx * edge.over
-    x = stiffness * gx
-    y = stiffness * gy
-    return Block(x * gx, x * gy, y * gy)
-
-
-@kernel
 def hinge_coupling(stiffness: Any, before: Any, after: Any) -> Coupling:
-    """stiffness * g h^T, g and h being the gradients of the two edges' directions."""
-    gx = -before.cy * before.over
-    gy = before.cx * before.over
-    x = stiffness * (-after.cy * after.over)
-    y = stiffness * (after.cx * after.over)
-    return Coupling(x * gx, x * gy, y * gx, y * gy)
+    """stiffness * g h^T, g and h being the gradients (-cy, cx) / length of the two edges'
+    directions."""
+    scale = stiffness * (before.over * after.over)
+    x = scale * after.cy
+    y = scale * after.cx
+    return Coupling(x * before.cy, -(x * before.cx), -(y * before.cy), y * before.cx)
 
 
 @kernel
-def edge_block(
-    stiffness: Any, lateral: Any, twist: Any, edge: Any, start: Block, end: Block
-) -> Block:
+def edge_block(stiffness: Any, force: Any, sideways: Any, hinges: Any, edge: Any) -> Block:
     """Hessian with respect to an edge vector: its stretching and turning, and both its hinges.
 
-    ``stiffness`` is d(force)/d(length), ``lateral`` force over length, ``twist`` moment over
-    length squared: Hess theta = [[2 cx cy, cy^2 - cx^2], [cy^2 - cx^2, -2 cx cy]] / |e|^2.
+    stiffness: d(force)/d(length); sideways: the force across; hinges: the sum of their stiffness.
+    With t along the edge and n across it this is stiffness t t^T + swing n n^T - twist (t n^T +
+    n t^T), since Hess theta = -(t n^T + n t^T) / |e|^2.
     """
-    cx = edge.cx
-    cy = edge.cy
-    along = stiffness - lateral
-    swing = 2.0 * twist * cx * cy
-    return Block(
-        fma(along * cx, cx, lateral + swing) + (start.xx + end.xx),
-        fma(along * cx, cy, twist * (cy * cy - cx * cx)) + (start.xy + end.xy),
-        fma(along * cy, cy, lateral - swing) + (start.yy + end.yy),
-    )
+    over = edge.over
+    swing = over * fma(hinges, over, force)
+    twist = sideways * over
+    along = stiffness - swing
+    square = edge.cx * edge.cx
+    product = edge.cx * edge.cy
+    xx = fma(along, square, fma(twist + twist, product, swing))
+    xy = fma(along, product, -(twist * (square + square - 1.0)))
+    return Block(xx, xy, (stiffness + swing) - xx)
 
 
 @kernel

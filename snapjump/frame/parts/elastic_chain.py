@@ -15,7 +15,6 @@ from snapjump.discretization.parts.der_elements import (
     Coupling,
     edge_at,
     edge_block,
-    hinge_block,
     hinge_coupling,
     moving_edge,
     put_columns,
@@ -69,7 +68,7 @@ def add_chain_forces(
     count = node_count(mesh)
     edge = edge_at(0, motion)
     moment = zero
-    start = Block(zero, zero, zero)
+    before_stiffness = zero
     coupling = Coupling(zero, zero, zero, zero)
     before = Block(zero, zero, zero)
     before_x = zero
@@ -87,14 +86,8 @@ def add_chain_forces(
         sideways = (moment - next_moment) * edge.over
         fx = force * edge.cx - sideways * edge.cy
         fy = force * edge.cy + sideways * edge.cx
-        own = edge_block(
-            stretching * damping.stiffening(rate_factor),
-            force * edge.over,
-            sideways * edge.over,
-            edge,
-            start,
-            hinge_block(stiffness, edge),
-        )
+        stretching = stretching * damping.stiffening(rate_factor)
+        own = edge_block(stretching, force, sideways, before_stiffness + stiffness, edge)
         next_coupling = hinge_coupling(stiffness, edge, after)
         put_columns(before, coupling, own, next_coupling, band[2 * node :])
         residual[2 * node] += before_x - fx
@@ -103,7 +96,7 @@ def add_chain_forces(
         before = own
         before_x = fx
         before_y = fy
-        start = hinge_block(stiffness, after)
+        before_stiffness = stiffness
         coupling = next_coupling
         moment = next_moment
         edge = after
