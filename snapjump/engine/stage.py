@@ -96,18 +96,17 @@ def commit_step(scheme: Any, work: Any, step: Any, rates: Rates, mask: Any) -> N
 
 @kernel
 def begin_coordinate(scheme: Any, work: Any, i: Any, stage: Any, rates: Rates, mask: Any) -> Any:
-    """Set the predictors of coordinate ``i`` and its guess; returns where that begins.
-
-    ``work.correction`` is how far the guess is from there, to be subtracted.
-    """
+    """Set the predictors of coordinate ``i`` and its guess; returns where that begins, and how far
+    it falls from there, which in masked lanes is ``work.correction`` too."""
     position, velocity, aim = scheme.predict(work, i, stage, rates)
     restart = mask & (stage == 1.0)
     origin = where(restart, work.start[i], work.state[i])
     work.position_predictor[i] = where(mask, position, work.position_predictor[i])
     work.velocity_predictor[i] = where(mask, velocity, work.velocity_predictor[i])
-    work.correction[i] = where(mask, origin - aim, 0.0)
+    fall = origin - aim
+    work.correction[i] = where(mask, fall, work.correction[i])
     work.state[i] = where(mask, aim, origin)
-    return origin
+    return origin, where(mask, fall, 0.0)
 
 
 @routine
@@ -134,22 +133,24 @@ def move_on(
     dofs = model.frame.dofs(mesh)
     for i in range(dofs):
         commit_coordinate(scheme, work, i, ended.size, ended.rates, good)
-        work.state[i] = begin_coordinate(scheme, work, i, stage, rates, mask)
+        origin, _ = begin_coordinate(scheme, work, i, stage, rates, mask)
+        work.state[i] = origin
     share = 1.0 + 0.0 * step
     if keeps_gaps(model):
         share = frame_gap_share(model, masses, mesh, work.state, work.correction)
+    share = where(mask, share, 1.0)
     for i in range(dofs):
-        work.state[i] = work.state[i] - work.correction[i]
+        work.state[i] = work.state[i] - where(mask, work.correction[i], 0.0)
     per_node = model.discretization.node_dofs()
     for node in range(masses.shape[0]):
         for axis in range(per_node):
             i = dofs + per_node * node + axis
             commit_coordinate(scheme, work, i, ended.size, ended.rates, good)
-            origin = begin_coordinate(scheme, work, i, stage, rates, mask)
+            origin, fall = begin_coordinate(scheme, work, i, stage, rates, mask)
             if axis == 1:
                 if keeps_gaps(model):
                     if masses[node] > 0.0:
-                        share = limited(share, origin, work.correction[i])
+                        share = limited(share, origin, fall)
     if any_true(share < 1.0):
         for i in range(work.state.shape[0]):
             work.state[i] = work.state[i] + (1.0 - share) * work.correction[i]
