@@ -8,7 +8,7 @@ from families import FAMILIES
 from plain_python import plain_work
 
 from snapjump.contact.base import ContactLaw
-from snapjump.engine.clock import LAST_STEP, STABLE_STEP, STAGE, STEP
+from snapjump.engine.clock import LAST_STEP, STABLE_STEP, STAGE, STEP, TIME
 from snapjump.engine.explicit import evaluate_forces
 from snapjump.engine.newton import Allowed, newton_iteration
 from snapjump.engine.stage import (
@@ -66,6 +66,7 @@ class Integration:
         if not self.scheme.ends_in_a_stage():
             assert not reach_end(self.model, self.scheme, MASSES, work, True)
         commit_step(self.scheme, work, size, rates_of(motion), True)
+        clock[TIME] += size
         clock[LAST_STEP] = size
         return error
 
@@ -123,4 +124,7 @@ def amplified(name, model, axis, size):
         memory(run)[len(columns)] += size
         run.step(1.0)
         columns.append(np.concatenate(memory(run)) / size)
-    return np.linalg.eigvals(np.array(columns).T), run.work.clock[STABLE_STEP]
+    matrix = np.array(columns).T
+    others = matrix - np.eye(parts)
+    used = others.any(axis=0) | others.any(axis=1)  # the others no step reads or writes
+    return np.linalg.eigvals(matrix[np.ix_(used, used)]), run.work.clock[STABLE_STEP]
