@@ -18,9 +18,10 @@ from snapjump.composition import Simulation
 from snapjump.contact.none import NoContact
 from snapjump.engine.assemble import assemble
 from snapjump.engine.clock import TIME
+from snapjump.engine.linearised import solve_in_registers
 from snapjump.engine.march import march as march_on
 from snapjump.engine.model import Model, with_numbers
-from snapjump.engine.newton import Allowed, newton_iteration, solve_linearised
+from snapjump.engine.newton import StageLimits, newton_iteration
 from snapjump.engine.stage import stage_motion
 from snapjump.engine.view import view_work
 from snapjump.engine.work import FIELDS, Memory, make_memory
@@ -30,7 +31,7 @@ from snapjump.scenes.runner import MOST_ITERATIONS, March
 MOMENTS = 8
 PASSES_BETWEEN = 250
 REPEATS, COUNT, PASSES = 9, 100, 20
-ENOUGH, MOST_NEWTON, MOST_BACKTRACKS = Allowed(1e-9, 0.1), 25.0, 4.0
+LIMITS = StageLimits(1e-9, 0.1, 25.0, 4.0)
 
 
 @njit(cache=True, error_model="numpy")
@@ -57,7 +58,7 @@ def solve_often(
     """Residual and tangent, and the solution of the linear system."""
     model, motion, work = frozen(template, scheme, memory, lanes)
     for _ in range(count):
-        solve_linearised(model, motion, masses, work)
+        solve_in_registers(model, motion, masses, work)
 
 
 @njit(cache=True, error_model="numpy")
@@ -68,7 +69,7 @@ def iterate_often(
     model, motion, work = frozen(template, scheme, memory, lanes)
     nobody = work.clock[TIME] < -1.0
     for _ in range(count):
-        newton_iteration(model, motion, masses, work, nobody, ENOUGH, MOST_NEWTON, MOST_BACKTRACKS)
+        newton_iteration(model, motion, masses, work, nobody, LIMITS)
 
 
 def typical(call: Callable[[int], object], count: int) -> float:

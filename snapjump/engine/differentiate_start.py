@@ -7,8 +7,8 @@ import numpy as np
 from snapjump.engine.assemble import Motion
 from snapjump.engine.differentiate import correct, place_ends_at, tangent_model, write_sides
 from snapjump.engine.equilibrium import solve_equilibrium
+from snapjump.engine.linearised import solve_linearised
 from snapjump.engine.model import with_numbers
-from snapjump.engine.newton import solve_linearised
 from snapjump.engine.start import DIFFERENCE_RAD, stay_in_place, with_angles
 from snapjump.engine.status import RUNNING
 from snapjump.engine.tangent import view_tangent

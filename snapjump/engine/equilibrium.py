@@ -4,13 +4,13 @@ from typing import Any
 
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import BACKTRACKS, ITERATION, SIZE
-from snapjump.engine.newton import Allowed, newton_iteration
+from snapjump.engine.newton import StaticLimits, newton_iteration
 from snapjump.number.dispatch import routine
 from snapjump.number.functions import any_true, negate, where
 
-ENOUGH = Allowed(1e-10, 1.0)  # of the last correction (L)
 ANCHOR = 1e3  # spring that holds the x that statics leaves undetermined (EI/L^3)
 MOST_ITERATIONS = 60
+LIMITS = StaticLimits(1e-10, 1.0, 1.0 * MOST_ITERATIONS, 0.0)
 
 
 @routine
@@ -35,9 +35,7 @@ def solve_equilibrium(model: Any, masses: Any, work: Any, time: Any) -> Any:
     failed = zero > 1.0
     for _ in range(MOST_ITERATIONS):
         # Lanes that are done stay as they are: their result must not depend on the others.
-        step = newton_iteration(
-            model, motion, masses, work, negate(done), ENOUGH, 1.0 * MOST_ITERATIONS, 0.0
-        )
+        step = newton_iteration(model, motion, masses, work, negate(done), LIMITS)
         negative = where(done, negative, step.negative_pivots)
         done = done | step.converged
         failed = failed | step.failed

@@ -10,7 +10,7 @@ from typing import Any
 from snapjump.engine.clock import ACTIVE, FAILURES, ITERATIONS, STAGE, STATUS, STEP
 from snapjump.engine.explicit import evaluate_forces
 from snapjump.engine.model import with_numbers
-from snapjump.engine.newton import Allowed, newton_iteration
+from snapjump.engine.newton import StageLimits, newton_iteration
 from snapjump.engine.outcome import COLUMNS, ROWS_OF_CLOCK
 from snapjump.engine.queue import Queue, load_robot, refill
 from snapjump.engine.stage import (
@@ -126,12 +126,12 @@ def march(
                 masses,
                 work,
                 active,
-                Allowed(
+                StageLimits(
                     method.termination.newton_tolerance(work, stepping.newton_tolerance()),
                     stepping.newton_stick_share(),
+                    method.most_in_stage,
+                    MOST_BACKTRACKS,
                 ),
-                method.most_in_stage,
-                MOST_BACKTRACKS,
             )
         clock[ITERATIONS] = clock[ITERATIONS] + where(active, 1.0, 0.0)
         converged = correction.converged & active

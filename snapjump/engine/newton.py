@@ -2,27 +2,14 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.contact.base import Extremes
-from snapjump.discretization.base import NODES_COUPLED
-from snapjump.engine.assemble import Motion, add_node, assemble_nodes, begin_assembly, end_assembly
+from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import BACKTRACKS, FASTEST, GAP, ITERATION, RESIDUAL, SHARE, SIZE
 from snapjump.engine.gaps import gap_safe_share
+from snapjump.engine.linearised import Solution, solve_in_registers, solve_linearised
 from snapjump.engine.sticking import settles_sliding, unsettled_sliding
-from snapjump.linear_solver.banded import (
-    Elimination,
-    begin_elimination,
-    eliminate_columns,
-    eliminate_node,
-    substitute_back,
-)
-from snapjump.linear_solver.banded_rotations import (
-    eliminate_rotating_node,
-    substitute_back_rotating,
-)
-from snapjump.linear_solver.contact_rows import NodeRows
-from snapjump.number.array import own_rows
-from snapjump.number.dispatch import kernel, routine
-from snapjump.number.functions import absolute, any_true, maximum, minimum, negate, where
+from snapjump.number.dispatch import routine
+from snapjump.number.functions import any_true, maximum, minimum, negate, where
+from snapjump.number.methods import Contract
 
 # Rate of convergence that a stage's first iteration is credited with: its guess follows the motion.
 # Measured rates of jumps lie below.
@@ -34,15 +21,42 @@ LARGEST_SHAKE = 1e-6  # of the length: corrections beyond are more than rounding
 SHRINKING = 0.5  # of the last correction: a smaller one still converges
 
 
-ENDS = NODES_COUPLED + 1  # nodes at either end whose columns a clamp's own node reaches
-
-
-class Allowed(NamedTuple):
-    """What an iteration may leave: an error (L), and of a foot's sliding a share of the speed below
-    which friction sticks."""
+class Limits(Contract):
+    """What Newton's iterations may leave, and how many there may be: an error (L); of a foot's
+    sliding a share of the speed below which friction sticks; iterations and backtracks of a stage.
+    """
 
     error: Any
     stick_share: Any
+    most_iterations: Any
+    most_backtracks: Any
+
+    def solve_system(self, model: Any, motion: Motion, masses: Any, work: Any) -> Solution:
+        """Assemble the system of an iteration and solve it."""
+        return solve_linearised(model, motion, masses, work)
+
+
+@Limits.member
+class StaticLimits(NamedTuple):
+    """Of an equilibrium."""
+
+    error: Any
+    stick_share: Any
+    most_iterations: Any
+    most_backtracks: Any
+
+
+@Limits.member
+class StageLimits(NamedTuple):
+    """Of a stage of a march, which has most of a jump's iterations: worth a program of its own."""
+
+    error: Any
+    stick_share: Any
+    most_iterations: Any
+    most_backtracks: Any
+
+    def solve_system(self, model: Any, motion: Motion, masses: Any, work: Any) -> Solution:
+        return solve_in_registers(model, motion, masses, work)
 
 
 class Correction(NamedTuple):
@@ -54,89 +68,9 @@ class Correction(NamedTuple):
     negative_pivots: Any
 
 
-@kernel
-def largest_of(values: Any, count: Any, largest: Any) -> Any:
-    """The largest absolute value of the first few, or ``largest`` if that is larger."""
-    for k in range(count):
-        largest = maximum(largest, absolute(values[k]))
-    return largest
-
-
-class Solution(NamedTuple):
-    """Figures of a solved work: those of its assembly, the largest residual (EI/L^2) and
-    correction (L), and the number of pivots that are not positive."""
-
-    extremes: Extremes
-    residual: Any
-    correction: Any
-    negative_pivots: Any
-
-
-@routine
-def eliminate_nodes(
-    work: Any, rotations: Any, bordered: Any, first: Any, end: Any, done: Elimination
-) -> Elimination:
-    """Eliminate nodes from ``first`` up to ``end``, which stand in memory."""
-    for node in range(first, end):
-        if rotations:
-            done = eliminate_rotating_node(work, node, bordered, done)
-        else:
-            done = eliminate_node(work, node, bordered, done)
-    return done
-
-
-@routine
-def solve_linearised(model: Any, motion: Motion, masses: Any, work: Any) -> Solution:
-    """Assemble the system and solve it, node by node, in one sweep and back.
-
-    A node is eliminated as soon as it is complete. Three nodes at either end, which the clamps
-    reach, pass through memory; those between have rows that go no further than registers.
-    """
-    dofs = model.frame.dofs(work.mesh)
-    bordered = model.frame.border_width() > 0
-    rotations = model.discretization.node_dofs() == 3
-    nodes = masses.shape[0]
-    begin = min(ENDS, nodes)
-    end = max(begin, nodes - ENDS)
-    if rotations or nodes < 2 * ENDS:
-        begin = end = nodes
-    zero = 0.0 * motion.rate_factor
-    sweep = begin_assembly(model, motion, masses, work)
-    sweep = assemble_nodes(model, motion, masses, work, 0, begin, sweep)
-    done = eliminate_nodes(work, rotations, bordered, 0, begin, begin_elimination(zero))
-    if not rotations:
-        nothing = ((zero, zero, zero), (zero, zero, zero))
-        rows = NodeRows(*own_rows(zero), 0)
-        for node in range(begin, end):
-            sweep = add_node(model, motion, masses, work, node, 2, sweep, rows)
-            done = eliminate_columns(work, node, rows, nothing, bordered, done)
-    sweep = assemble_nodes(model, motion, masses, work, end, nodes, sweep)
-    done = eliminate_nodes(work, rotations, bordered, end, nodes, done)
-    remaining = done.largest
-    negative = done.negative
-    correction = zero
-    if bordered:
-        remaining = largest_of(work.frame_residual, dofs, remaining)
-        negative = negative + model.frame.solve(work, done)
-        correction = largest_of(work.frame_residual, dofs, correction)
-    remains = model.frame.border_width() == 3
-    if rotations:
-        correction = maximum(correction, substitute_back_rotating(work, remains, zero))
-    else:
-        correction = maximum(correction, substitute_back(work, remains, zero))
-    return Solution(end_assembly(sweep), remaining, correction, negative)
-
-
 @routine
 def newton_iteration(
-    model: Any,
-    motion: Motion,
-    masses: Any,
-    work: Any,
-    mask: Any,
-    allowed: Allowed,
-    most_iterations: Any,
-    most_backtracks: Any,
+    model: Any, motion: Motion, masses: Any, work: Any, mask: Any, limits: Any
 ) -> Correction:
     """Correct ``work.state`` in the masked lanes; what is returned of the others is void."""
     clock = work.clock
@@ -145,7 +79,7 @@ def newton_iteration(
     tiny = 1e-300 + 0.0 * motion.rate_factor
     x = work.residual
     y = work.frame_residual
-    solution = solve_linearised(model, motion, masses, work)
+    solution = limits.solve_system(model, motion, masses, work)
     extremes = solution.extremes
     correction = solution.correction
     clock[GAP] = extremes.smallest_gap
@@ -157,7 +91,7 @@ def newton_iteration(
     finite = correction < 1e30
     first = clock[ITERATION] == 0.0
     grew = (correction > GROWTH_LIMIT * clock[SIZE]) & negate(first)
-    back = grew & (clock[BACKTRACKS] < most_backtracks) & finite & mask
+    back = grew & (clock[BACKTRACKS] < limits.most_backtracks) & finite & mask
     # A correction that outgrows the last one tells that the last one went too far: halve that.
     half = 0.5 * clock[SHARE]
     share = minimum(
@@ -187,14 +121,14 @@ def newton_iteration(
     # and straightens it in turn.
     shaken = (larger * force <= ROUNDING * model.discretization.axial_stiffness()) & negate(first)
     shaken = shaken & (correction >= SHRINKING * clock[SIZE]) & (correction <= LARGEST_SHAKE)
-    exact = (rate * correction <= allowed.error) | shaken
+    exact = (rate * correction <= limits.error) | shaken
     if settles_sliding(model):
         if any_true(exact & mask):
             left = rate * unsettled_sliding(model, motion.rate_factor, masses, work)
-            exact = exact & (left <= allowed.stick_share * model.friction.stick_speed())
+            exact = exact & (left <= limits.stick_share * model.friction.stick_speed())
     converged = exact & (share >= 1.0) & negate(back) & finite
     iteration = clock[ITERATION] + 1.0
-    failed = (iteration >= most_iterations) & negate(converged) | negate(finite)
+    failed = (iteration >= limits.most_iterations) & negate(converged) | negate(finite)
     clock[ITERATION] = iteration
     clock[SIZE] = where(back, clock[SIZE], correction)
     clock[SHARE] = where(back, half, share)

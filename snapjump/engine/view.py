@@ -26,22 +26,24 @@ from snapjump.number.nowhere import NOWHERE
 
 SCOPES.extend(FIELDS)
 MESH = NumberArray(types.int64, 1)
-DOUBLES_A_DUAL = 8
+MATRIX = ("padded_band", "padded_border", "corner_block")
 
 
 class WorkType(types.Type):
     """The type of a march's memory in kernels, of one number type.
 
     lanes: whether its parts are doubles, lanes last; strided: whether neighbours are apart, as one
-    thread's numbers are on a card. Where numbers are duals only what is differentiated is kept.
+    thread's numbers are on a card; matrix: whether what is written to the matrix is kept. Where
+    numbers are duals only what is differentiated is kept.
     """
 
-    def __init__(self, number: types.Type, lanes: bool, strided: bool):
+    def __init__(self, number: types.Type, lanes: bool, strided: bool, matrix: bool = True):
         self.number = number
         self.lanes = lanes
         self.strided = strided
+        self.matrix = matrix
         self.fields = DIFFERENTIATED if number is DUAL else FIELDS
-        super().__init__(name=f"Work({number}, {lanes}, {strided})")
+        super().__init__(name=f"Work({number}, {lanes}, {strided}, {matrix})")
 
     def number_of(self, name: str) -> types.Type:
         """The numbers of a part: coefficients of a scheme have no derivatives."""
@@ -52,7 +54,7 @@ class WorkType(types.Type):
         name = WINDOWS.get(name, name)
         if name not in FIELDS:
             return MESH if name == "mesh" else None
-        if name not in self.fields:
+        if name not in self.fields or (name in MATRIX and not self.matrix):
             return NOWHERE
         ndim = len(FIELDS[name]) + self.lanes
         scope = "" if self.strided else name
@@ -187,3 +189,20 @@ def _view_work(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     block = builder.bitcast(view.data, context.get_value_type(types.CPointer(kind.number)))
     apart = view.strides[0] if kind.strided else INDEX(1)
     return taken_apart(context, builder, kind, block, apart, sizes, mesh)
+
+
+def without_matrix(work: Any) -> Any:
+    """The same memory for an assembly of the residual alone."""
+    return work
+
+
+@infer_global(without_matrix)
+class _ForgettingMatrix(AbstractTemplate):
+    def generic(self, args: Any, kws: Any) -> Any:
+        kind = args[0]
+        return signature(WorkType(kind.number, kind.lanes, kind.strided, matrix=False), kind)
+
+
+@lower_builtin(without_matrix, WorkType)
+def _without_matrix(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    return args[0]

@@ -12,9 +12,9 @@ from snapjump.contact.logbarrier import LogBarrier
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clamp.constant_rate import ConstantRate
+from snapjump.engine.linearised import solve_linearised
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.model import Model, numbers_of, with_numbers
-from snapjump.engine.newton import solve_linearised
 from snapjump.engine.view import view_work
 from snapjump.engine.work import make_memory, sizes_of
 from snapjump.frame.rigid import RigidFrame

@@ -21,7 +21,7 @@ from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.gaps import gap_safe_share
-from snapjump.engine.newton import solve_linearised
+from snapjump.engine.linearised import solve_linearised
 from snapjump.engine.powers import powers
 from snapjump.frame.base import STILL
 from snapjump.frame.elastic import ElasticFrame

@@ -10,7 +10,7 @@ from plain_python import plain_work
 from snapjump.contact.base import ContactLaw
 from snapjump.engine.clock import LAST_STEP, STABLE_STEP, STAGE, STEP, TIME
 from snapjump.engine.explicit import evaluate_forces
-from snapjump.engine.newton import Allowed, newton_iteration
+from snapjump.engine.newton import StageLimits, newton_iteration
 from snapjump.engine.stage import (
     begin_stage,
     commit_step,
@@ -57,7 +57,7 @@ class Integration:
                 if self.scheme.is_explicit():
                     outcome = evaluate_forces(*now)
                 else:
-                    outcome = newton_iteration(*now, Allowed(1e-13, 0.1), 30.0, 4.0)
+                    outcome = newton_iteration(*now, StageLimits(1e-13, 0.1, 30.0, 4.0))
                 if outcome.converged:
                     break
             assert outcome.converged

@@ -13,6 +13,7 @@ from snapjump.engine.assemble import Motion, assemble
 from snapjump.engine.clock import LARGEST_RESIDUAL, STAGE, STEP, TIME
 from snapjump.engine.powers import powers
 from snapjump.engine.recorder.base import Recorder
+from snapjump.engine.view import without_matrix
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, any_true, maximum
 
@@ -52,7 +53,7 @@ class TrajectoryRecorder(NamedTuple):
         self, model: Any, masses: Any, motion: Any, scheme: Any, work: Any, converged: Any
     ) -> None:
         if not scheme.is_explicit():
-            assembly = assemble(model, motion, masses, work)
+            assembly = assemble(model, motion, masses, without_matrix(work))
             left = 0.0
             if model.frame.border_width() > 0:
                 left = largest_entry(work.frame_residual, left)
