@@ -30,7 +30,7 @@ class GeneralizedAlpha(IntegratorOptions):
 
     order = 2
 
-    spectral_radius: float = number(0.0, least=0.0, most=1.0)
+    spectral_radius: float = number(0.5, least=0.0, most=1.0)
 
     @TimeIntegrator.member
     class Scheme(NamedTuple):
