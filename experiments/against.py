@@ -2,9 +2,12 @@
 
 Both are measured in turns, in one run and by their own ``python -m experiments.speed``, so that a
 busy machine slows both. Factors are medians over the rounds, with the least and the most.
+``--history docs/speed.csv`` adds a row with the factors of this revision, so that a slower one is
+seen.
 """
 
 import json
+import platform
 import statistics
 import subprocess
 import sys
@@ -14,6 +17,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from snapjump.files.atomic import write_text
 from snapjump.tiers import TIERS
 
 from .command import measured
@@ -21,6 +25,8 @@ from .command import measured
 HERE = Path(__file__).parents[1]
 FIGURES = ("ms_per_jump_core", "newton_iterations", "us_per_newton_iteration")
 ALONE = "single_jump_kernel_seconds"
+OUTCOME = "single_jump_outcome_ms"  # alone, without a recorder
+HEADER = ["date", "revision", "against", "processor", *TIERS, "alone_outcome", "alone_recorded"]
 
 
 @contextmanager
@@ -44,7 +50,10 @@ def speed(folder: Path, designs: int) -> dict[str, Any]:
     """What the sources of a folder say of their speed."""
     command = [sys.executable, "-m", "experiments.speed", "--designs", str(designs)]
     done = subprocess.run(command, cwd=folder, check=True, stdout=subprocess.PIPE, text=True)
-    return dict(json.loads(done.stdout))
+    said = dict(json.loads(done.stdout))
+    batch = said["standard"]
+    said[OUTCOME] = said["lanes_over_scalar"] * batch["ms_per_jump_core"]
+    return said
 
 
 def factor(theirs: list[float], ours: list[float]) -> dict[str, Any]:
@@ -58,8 +67,24 @@ def factor(theirs: list[float], ours: list[float]) -> dict[str, Any]:
     }
 
 
-def report(revision: str = "57270aa", designs: int = 64, rounds: int = 5) -> Any:
-    """Factors of each tier, and of one robot alone at ``standard``."""
+def row(found: dict[str, Any], revision: str) -> list[str]:
+    """A line of the history."""
+    tiers = [found[tier]["ms_per_jump_core"]["factor"] for tier in TIERS]
+    alone = [found[OUTCOME]["factor"], found[ALONE]["factor"]]
+    processor = platform.processor() or platform.machine()
+    here = ["git", "log", "-1", "--format=%cs,%h"]
+    date, now = subprocess.check_output(here, cwd=HERE, text=True).strip().split(",")
+    return [date, now, revision, processor, *(str(factor) for factor in (*tiers, *alone))]
+
+
+def remember(path: Path, line: list[str]) -> None:
+    """Add a line to the history."""
+    begun = path.read_text(encoding="utf-8") if path.exists() else ",".join(HEADER) + "\n"
+    write_text(path, begun + ",".join(line) + "\n")
+
+
+def report(revision: str = "57270aa", designs: int = 64, rounds: int = 5, history: str = "") -> Any:
+    """Factors of each tier, and of a robot alone at ``standard``; ``history``: a table of them."""
     with checked_out(revision) as before:
         pairs = [(speed(before, designs), speed(HERE, designs)) for _ in range(rounds)]
     sides = tuple(zip(*pairs, strict=True))
@@ -70,8 +95,11 @@ def report(revision: str = "57270aa", designs: int = 64, rounds: int = 5) -> Any
         }
         for tier in TIERS
     }
-    alone = factor(*([one[ALONE] for one in side] for side in sides))
-    return {"revision": revision, "rounds": rounds, **found, ALONE: alone}
+    for figure in (OUTCOME, ALONE):
+        found[figure] = factor(*([one[figure] for one in side] for side in sides))
+    if history:
+        remember(Path(history), row(found, revision))
+    return {"revision": revision, "rounds": rounds, **found}
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ from snapjump.statics.threshold_curve import ThresholdCurve
 from ..command import measured
 from ..designs import HIGH, LOW, spread_designs
 from ..grid import RELEASED_SECONDS
+from .clock_rate import cycles_per_microsecond
 from .measure import measure
 from .split import split
 from .table import page
@@ -66,10 +67,20 @@ def report(
         "jumps_per_second_core": crew.jumps_per_second_core,
         "released_over_ours": RELEASED_SECONDS * crew.jumps_per_second_core,
         "us_of_a_lane_and_pass": parts,
+        "cycles_of_a_node": cycles(parts, len(base.discretization.masses())),
     }
     if table:
         write_text(Path(table), page(figures))
     return figures
+
+
+def cycles(parts: dict[str, dict[str, float]], nodes: int) -> dict[str, dict[str, int]]:
+    """Cycles of a core for a node of all lanes together, by width and part of a pass."""
+    rate = cycles_per_microsecond()
+    return {
+        width: {part: round(rate * us * int(width) / nodes) for part, us in row.items()}
+        for width, row in parts.items()
+    }
 
 
 if __name__ == "__main__":

@@ -14,11 +14,15 @@ PARTS = {
     "stages": "stages and steps: begin, end, judge",
     "pass": "a pass in all",
 }
+NODES = "cycles a node"
 
 
-def split_rows(parts: dict[str, dict[str, float]]) -> list[dict[str, Any]]:
-    """A row a part: microseconds of a lane and pass at both widths, and their ratio."""
+def split_rows(figures: dict[str, Any]) -> list[dict[str, Any]]:
+    """A row a part: microseconds of a lane and pass at both widths, their ratio, and cycles that a
+    node of all lanes takes."""
+    parts = figures["us_of_a_lane_and_pass"]
     scalar, lanes = parts.values()
+    of_one, of_many = figures["cycles_of_a_node"].values()
     one, many = (f"us, {width} lanes" for width in parts)
     return [
         {
@@ -27,6 +31,8 @@ def split_rows(parts: dict[str, dict[str, float]]) -> list[dict[str, Any]]:
             many: lanes[key],
             "ratio": round(scalar[key] / lanes[key], 2) if lanes[key] > 0.0 else float("nan"),
             "share_percent": round(100.0 * lanes[key] / lanes["pass"], 1),
+            f"{NODES}, {one[4:]}": of_one[key],
+            f"{NODES}, {many[4:]}": of_many[key],
         }
         for key, name in PARTS.items()
     ]
@@ -51,6 +57,6 @@ def page(figures: dict[str, Any]) -> str:
         markdown(Table("Throughput", figures["throughput"])),
         "A pass is a Newton iteration of all lanes; times are of one lane, that is of one robot. "
         "Lanes without a robot are in the throughput's idle share, not in these.",
-        markdown(Table("Where a pass goes", split_rows(figures["us_of_a_lane_and_pass"]))),
+        markdown(Table("Where a pass goes", split_rows(figures))),
     ]
     return "\n\n".join(lines) + "\n"

@@ -1,0 +1,29 @@
+"""Cycles a second of a core, by a chain of integer operations that take one cycle each."""
+
+import statistics
+import time
+
+from numba import njit
+
+ROUNDS, STEPS = 5, 50_000_000
+CYCLES = 2  # of a step: a sum and an exclusive or, each waiting for the one before
+
+
+@njit(cache=True)
+def chain(steps: int) -> int:
+    """What a compiler cannot shorten."""
+    value = 0
+    for k in range(steps):
+        value = (value + 1) ^ k
+    return value
+
+
+def cycles_per_microsecond() -> float:
+    """The median of several rounds."""
+    chain(1)
+    seconds = []
+    for _ in range(ROUNDS):
+        begun = time.thread_time()
+        chain(STEPS)
+        seconds.append(time.thread_time() - begun)
+    return 1e-6 * CYCLES * STEPS / statistics.median(seconds)
