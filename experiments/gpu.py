@@ -53,9 +53,7 @@ def prepared(base: Simulation, designs: Sequence[tuple[float, ...]]) -> March:
     curve = ThresholdCurve.through(base.robot, base.discretization, *COMPRESSIONS)
     ready = prepare_designs(base, np.array(designs), curve)
     backend = base.backend
-    [(_, march)] = marches(
-        ready.simulations, ready.models, backend.width, backend.thread_count, MOST_ITERATIONS
-    )
+    [(_, march)] = marches(ready, backend.width, backend.thread_count, MOST_ITERATIONS)
     return march
 
 

@@ -73,7 +73,7 @@ def starts() -> str:
     """States, velocities and accelerations that the drafts' jumps begin with."""
     ready = prepare_designs(with_tier("draft"), np.array(spread_designs(DRAFTS)))
     arrays: list[Any] = []
-    for _, march in marches(ready.simulations, ready.models, LANES, 1, MOST_ITERATIONS):
+    for _, march in marches(ready, LANES, 1, MOST_ITERATIONS):
         march.find_starts()
         arrays += [march.numbers, *march.queue[1:5]]
     return digest(arrays)

@@ -13,7 +13,6 @@ from typing import Any
 
 from numba import njit
 
-from snapjump.batch.simulate import marches
 from snapjump.composition import Simulation
 from snapjump.contact.none import NoContact
 from snapjump.engine.assemble import assemble
@@ -26,7 +25,8 @@ from snapjump.engine.stage import stage_motion
 from snapjump.engine.view import view_work
 from snapjump.engine.work import FIELDS, Memory, make_memory
 from snapjump.friction.none import NoFriction
-from snapjump.scenes.runner import MOST_ITERATIONS, March
+from snapjump.scenes.jump_march import jump_march
+from snapjump.scenes.runner import March
 
 MOMENTS = 8
 PASSES_BETWEEN = 250
@@ -134,7 +134,7 @@ def split(simulations: Sequence[Simulation], models: Sequence[Model], lanes: int
     ``stages``: what a pass does besides the Newton iteration (stages and steps that begin and
     end, error estimates, the ending, refilling).
     """
-    march = marches(simulations, models, lanes, 1, MOST_ITERATIONS)[0][1]
+    march = jump_march(simulations, models, lanes=lanes)
     march.find_starts()
     worker = march.crew[0]
     march_on(*march.arguments(worker), 1)

@@ -8,8 +8,8 @@ import numpy as np
 
 from snapjump.batch import model_derivatives, prepare_designs, simulate_designs
 from snapjump.batch.derivatives import place, threshold_slopes
-from snapjump.batch.prepare import thresholds
 from snapjump.batch.sensitivities import Slopes, apex_sensitivities
+from snapjump.batch.thresholds import thresholds
 from snapjump.batch.variants import variant
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from snapjump.arrays import Array
-from snapjump.batch.prepare import beam_of, check_curve, covered, thresholds
+from snapjump.batch.thresholds import beam_of, check_curve, covered, thresholds
 from snapjump.batch.variants import variant
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation

@@ -4,8 +4,6 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
-
 from snapjump.arrays import Array
 from snapjump.batch.prepare import Prepared
 from snapjump.batch.sensitivities import Sensitivities, Slopes, apex_sensitivities
@@ -53,9 +51,9 @@ class Batch(Shown, JumpOutputs):
     @cached_property
     def scales(self) -> Any:
         """Each robot's own."""
-        scales = [simulation.robot.scales for simulation in self.ready.simulations]
-        columns = ((s.length_m, s.time_s, s.mass_kg) for s in scales)
-        spread: Any = [self.ready.spread(np.array(each)) for each in zip(*columns, strict=True)]
+        scales = self.ready.scales
+        units: Any = (scales.length_m, scales.time_s, scales.mass_kg)
+        spread: Any = [self.ready.spread(each) for each in units]
         return Scales(*spread)
 
 

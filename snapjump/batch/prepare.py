@@ -2,22 +2,24 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.arrays import Array
-from snapjump.batch.variants import variant
-from snapjump.checks import ParameterError
+from snapjump.batch.alone import prepare_alone
+from snapjump.batch.thresholds import check_curve
+from snapjump.batch.together import many, prepare_together
+from snapjump.batch.variants import Variants
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS
-from snapjump.engine.model import Model
-from snapjump.engine.status import BAD_DESIGN, NO_THRESHOLD, RUNNING
+from snapjump.engine.models import Models
+from snapjump.engine.status import RUNNING
 from snapjump.scenes.frame_body import compression
-from snapjump.scenes.jump_start import NoThresholdError, jump_model
-from snapjump.statics.threshold import Threshold
 from snapjump.statics.threshold_curve import ThresholdCurve
+from snapjump.units import Scales
 
 
 @dataclass(frozen=True)
@@ -26,14 +28,16 @@ class Prepared:
 
     simulations, models (M); chosen (M): which designs they are; status (R): RUNNING, or why a
     design cannot be simulated (see :mod:`snapjump.engine.status`); refusals: why in one line, by
-    the number of the design.
+    the number of the design. alike: the simulations as one, whose inputs are arrays (M), where
+    their robots have the same scales and frames of the same mesh; else None.
     """
 
-    simulations: list[Simulation]
-    models: list[Model]
+    simulations: Sequence[Simulation]
+    models: Models
     chosen: NDArray[np.int64]
     status: NDArray[np.int64]
     refusals: dict[int, str] = field(default_factory=dict)
+    alike: Simulation | None = None
 
     def spread(self, values: Array, otherwise: float = np.nan) -> Array:
         """Values (M, ...) of the designs that are simulated among those of all (R, ...)."""
@@ -41,43 +45,20 @@ class Prepared:
         everyone[self.chosen] = values
         return everyone
 
+    @cached_property
+    def compressions(self) -> Array:
+        """End shortenings (M) of their beams."""
+        if self.alike is not None:
+            return np.broadcast_to(compression(self.alike), self.chosen.shape)
+        return np.array([compression(simulation) for simulation in self.simulations])
 
-def beam_of(simulation: Simulation) -> Any:
-    """The dimensionless beam, which thresholds are of."""
-    return simulation.discretization.beam(simulation.robot)
-
-
-def check_curve(base: Simulation, curve: ThresholdCurve | None) -> None:
-    """Require a curve of a beam like the simulation's. Raises ParameterError."""
-    if curve is None:
-        return
-    given = curve.discretization.beam(curve.robot)
-    needed = beam_of(base)
-    if given != needed:
-        raise ParameterError("curve", given, f"one of this robot and mesh, {needed}")
-
-
-def covered(simulation: Simulation, curve: ThresholdCurve | None) -> bool:
-    """Whether the curve is of the simulation's beam, and reaches its pre-compression."""
-    if curve is None:
-        return False
-    own = beam_of(simulation) == curve.discretization.beam(curve.robot)
-    return own and bool(curve.covers(compression(simulation)))
-
-
-def thresholds(
-    simulations: list[Simulation], curve: ThresholdCurve | None
-) -> list[Threshold | None]:
-    """The threshold of each from the curve; None where that does not reach, or is of another
-    beam."""
-    if curve is None:
-        return [None] * len(simulations)
-    shortenings = np.array([compression(simulation) for simulation in simulations])
-    angles, depths = curve.values(np.clip(shortenings, curve.low, curve.high))
-    return [
-        Threshold(float(angle), float(depth), curve.angle_error) if covered(one, curve) else None
-        for one, angle, depth in zip(simulations, angles, depths, strict=True)
-    ]
+    @cached_property
+    def scales(self) -> Scales:
+        """Units (M each) of their numbers."""
+        robots = [self.alike] if self.alike is not None else self.simulations
+        scales = [simulation.robot.scales for simulation in robots]
+        units: Any = np.array([(one.length_m, one.time_s, one.mass_kg) for one in scales])
+        return Scales(*np.broadcast_to(units.reshape(-1, 3), (len(self.chosen), 3)).T)
 
 
 def prepare_designs(
@@ -92,26 +73,17 @@ def prepare_designs(
     get a status. Raises ParameterError for a curve of another robot or mesh.
     """
     check_curve(base, curve)
+    together = prepare_together(base, designs, curve, inputs)
+    left = np.delete(np.arange(len(designs)), together.rows)
+    alone = prepare_alone(base, designs, left.tolist(), curve, inputs)
     status = np.full(len(designs), RUNNING)
-    possible: dict[int, Simulation] = {}
-    refusals: dict[int, str] = {}
-    for k, design in enumerate(designs):
-        try:
-            simulation = variant(base, design, inputs)
-            compression(simulation)
-        except ParameterError as error:
-            status[k], refusals[k] = BAD_DESIGN, str(error)
-        else:
-            possible[k] = simulation
-    models: dict[int, Model] = {}
-    known = thresholds(list(possible.values()), curve)
-    for (k, simulation), threshold in zip(possible.items(), known, strict=True):
-        try:
-            models[k] = jump_model(simulation, threshold)
-        except NoThresholdError as error:
-            status[k], refusals[k] = NO_THRESHOLD, str(error)
-        except ParameterError as error:
-            status[k], refusals[k] = BAD_DESIGN, str(error)
-    chosen = np.array(list(models), dtype=np.int64)
-    kept = [possible[k] for k in models]
-    return Prepared(kept, list(models.values()), chosen, status, refusals)
+    status[list(alone.refused)] = [code for code, _ in alone.refused.values()]
+    refusals = {row: line for row, (_, line) in alone.refused.items()}
+    chosen, others = np.flatnonzero(status == RUNNING), list(alone.models.values())
+    if not len(together.rows):
+        simulations = list(alone.simulations.values())
+        return Prepared(simulations, Models.of(others), chosen, status, refusals)
+    order = np.argsort(np.concatenate([together.rows, np.array([*alone.models], dtype=np.int64)]))
+    models, kept = together.models.followed_by(others)[order], designs[chosen]
+    alike = many(base, kept, inputs)
+    return Prepared(Variants(base, kept, inputs), models, chosen, status, refusals, alike)

@@ -27,35 +27,38 @@ from snapjump.declare.inputs import (
 from snapjump.declare.scenes import Progress
 from snapjump.declare.tables import rows_of
 from snapjump.engine import outcome as c
-from snapjump.engine.model import Model
+from snapjump.engine.models import Models
 from snapjump.engine.status import RUNNING
 from snapjump.scenes.card_march import check_backend
-from snapjump.scenes.jump_march import jump_march
+from snapjump.scenes.jump_march import march_from_rest
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.runner import MOST_ITERATIONS, March
 from snapjump.scenes.sensitivities import check_differentiable, record_sensitivities
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 
-def marches(
-    simulations: Sequence[Simulation],
-    models: Sequence[Model],
-    lanes: int,
-    threads: int,
-    most_iterations: float,
-) -> list[tuple[list[int], March]]:
-    """Marches of jumps that go together: those with one mesh of the frame and one step control."""
+def groups_of(ready: Prepared) -> list[list[int]]:
+    """Jumps that go together: those with one mesh of the frame and one step control."""
+    if ready.alike is not None:
+        return [list(range(len(ready.models)))]
     groups: dict[tuple[Any, ...], list[int]] = {}
-    for k, (simulation, model) in enumerate(zip(simulations, models, strict=True)):
+    for k, (simulation, model) in enumerate(zip(ready.simulations, ready.models, strict=True)):
         # A fixed step in seconds is another one for a robot of another scale of time.
         stepping = simulation.stepping.control(simulation.robot.scales)
         kind = (stepping, *simulation.frame.mesh(model.frame))
         groups.setdefault(kind, []).append(k)
+    return list(groups.values())
+
+
+def marches(
+    ready: Prepared, lanes: int, threads: int, most_iterations: float
+) -> list[tuple[list[int], March]]:
+    """Marches of prepared jumps, and which of them each is of."""
     crew: dict[str, Any] = {"lanes": lanes, "threads": threads, "most_iterations": most_iterations}
     found = []
-    for alike in groups.values():
-        together = [simulations[k] for k in alike], [models[k] for k in alike]
-        found.append((alike, jump_march(*together, **crew)))
+    for group in groups_of(ready):
+        robots = ready.simulations[group[0]], ready.models[group], ready.compressions[group]
+        found.append((group, march_from_rest(*robots, **crew)))
     return found
 
 
@@ -78,16 +81,16 @@ def march_all(
         )
     told = BatchProgress(count, progress or (lambda share, text: None))
     kernel_seconds, lane_passes = 0.0, 0
-    for alike, march in marches(ready.simulations, ready.models, lanes, threads, most_iterations):
-        march.find_starts(told.starts(len(alike)))
+    for group, march in marches(ready, lanes, threads, most_iterations):
+        march.find_starts(told.starts(len(group)))
         recorded = None
         if numbers is not None:
-            recorded = record_sensitivities(march, numbers[alike])
-        outcome[alike] = march.run(told.jumps(len(alike)))
+            recorded = record_sensitivities(march, numbers[group])
+        outcome[group] = march.run(told.jumps(len(group)))
         if slopes is not None and recorded is not None:
-            slopes.flights[alike] = recorded[0][:, :, : slopes.flights.shape[2]]
-            slopes.grazes[alike] = recorded[1]
-        told.finish(len(alike))
+            slopes.flights[group] = recorded[0][:, :, : slopes.flights.shape[2]]
+            slopes.grazes[group] = recorded[1]
+        told.finish(len(group))
         kernel_seconds += march.kernel_seconds
         lane_passes += march.lanes * march.passes
     return Marched(outcome, kernel_seconds, lane_passes, slopes)
@@ -124,7 +127,7 @@ def simulate_batch(
     check_width(lanes, threads)
     check_number("most_iterations", most_iterations, 1.0)
     count = len(simulations)
-    models = [jump_model(simulation) for simulation in simulations]
+    models = Models.of([jump_model(simulation) for simulation in simulations])
     ready = Prepared(list(simulations), models, np.arange(count), np.full(count, RUNNING))
     marched = march_all(ready, lanes, threads, most_iterations, progress)
     given = {p: np.array([value_at(s, p) for s in simulations], float) for p in DEFAULT_INPUTS}

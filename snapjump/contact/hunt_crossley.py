@@ -50,10 +50,12 @@ class HuntCrossley(ContactOptions):
         doc="speed that the restitution is of",
         symbol="v_e",
         plan=(2.0, 10.0),
+        takes_arrays=True,
     )
     stiffness_N_m: float = number(
-        1.0e5, above=0.0, unit="N/m", doc="force over penetration", symbol="k", plan=(5e4, 2e5)
-    )
+        1.0e5, above=0.0, unit="N/m", doc="force over penetration", symbol="k", plan=(5e4, 2e5),
+        takes_arrays=True,
+    )  # fmt: skip
     penetration_m: float = number(
         2.0e-5,
         above=0.0,

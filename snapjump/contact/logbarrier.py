@@ -25,8 +25,9 @@ class LogBarrier(ContactOptions):
     """
 
     stiffness_N_m: float = number(
-        1.0e4, above=0.0, unit="N/m", doc="barrier stiffness", symbol="K_c", plan=(5e3, 2e4)
-    )
+        1.0e4, above=0.0, unit="N/m", doc="barrier stiffness", symbol="K_c", plan=(5e3, 2e4),
+        takes_arrays=True,
+    )  # fmt: skip
     distance_m: float = number(
         5.0e-4,
         above=0.0,
@@ -35,6 +36,7 @@ class LogBarrier(ContactOptions):
         symbol="d̂",
         plan=(2e-4, 1e-3),
         usual=(1e-9, 0.1),
+        takes_arrays=True,
     )
     damping_s: float = number(
         0.0,
@@ -43,6 +45,7 @@ class LogBarrier(ContactOptions):
         doc="of a viscous share of the stiffness",
         symbol="η_c",
         plan=(0.0, 1e-6),
+        takes_arrays=True,
     )
     weighting: str = weighting()
 

@@ -17,8 +17,9 @@ class Penalty(ContactOptions):
     """
 
     stiffness_N_m: float = number(
-        1.0e5, above=0.0, unit="N/m", doc="stiffness of the ground", symbol="k", plan=(5e4, 2e5)
-    )
+        1.0e5, above=0.0, unit="N/m", doc="stiffness of the ground", symbol="k", plan=(5e4, 2e5),
+        takes_arrays=True,
+    )  # fmt: skip
     weighting: str = weighting()
 
     @ContactLaw.member

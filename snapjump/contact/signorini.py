@@ -42,8 +42,9 @@ class Signorini(ContactOptions):
     )
 
     restitution: float = number(
-        1.0, least=0.0, most=1.0, doc="of every impact", symbol="e", plan=(0.0, 1.0)
-    )
+        1.0, least=0.0, most=1.0, doc="of every impact", symbol="e", plan=(0.0, 1.0),
+        takes_arrays=True,
+    )  # fmt: skip
 
     @ContactLaw.member
     class Law(NamedTuple):

@@ -21,6 +21,7 @@ class KelvinVoigt(DampingOptions):
         symbol="η",
         plan=(1e-6, 2e-5),
         usual=(0.0, 0.01),
+        takes_arrays=True,
     )
 
     @DampingLaw.member

@@ -11,8 +11,9 @@ class MassProportional(DampingOptions):
     """A drag on every mass (the released program: 0.01 1/s)."""
 
     rate_1_s: float = number(
-        0.01, least=0.0, unit="1/s", doc="drag over momentum", symbol="c", plan=(0.0, 1.0)
-    )
+        0.01, least=0.0, unit="1/s", doc="drag over momentum", symbol="c", plan=(0.0, 1.0),
+        takes_arrays=True,
+    )  # fmt: skip
 
     @DampingLaw.member
     class Law(NamedTuple):

@@ -9,6 +9,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, dataclass, field, fields, replace
 from typing import Any, ClassVar, NamedTuple, Self, TypedDict, Unpack, dataclass_transform
 
+import numpy as np
+from numpy.typing import NDArray
+
 from snapjump.checks import ParameterError, check_group, check_integer, check_number
 
 
@@ -31,6 +34,11 @@ class Number(NamedTuple):
                 raise ParameterError(key, value, allowed)
             return
         check_number(key, value, self.low, self.high, above=self.above, unit=self.unit)
+
+    def allows(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Which of many numbers (R) ``check`` lets pass."""
+        enough = values > self.low if self.above else values >= self.low
+        return np.isfinite(values) & enough & (values <= self.high)
 
     def plain(self, value: Any) -> Any:
         """A float for every number: a program is compiled for each kind of number it is given."""
@@ -80,6 +88,8 @@ class About(TypedDict, total=False):
     ``symbol`` as in formulas; ``plan``: low and high of a dataset; ``kind``: of whom it is, one of
     control, environment, property; ``column``: its name in files, where that is not the field's;
     ``usual``: least and largest of what is built, beyond which another unit may be meant.
+    ``takes_arrays``: whether models are made of it by arithmetic alone, which makes those of many
+    robots of an array, and nothing but its range is checked.
     """
 
     symbol: str
@@ -87,6 +97,7 @@ class About(TypedDict, total=False):
     kind: str
     column: str
     usual: tuple[float, float]
+    takes_arrays: bool
 
 
 def number(

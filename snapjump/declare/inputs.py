@@ -5,6 +5,7 @@ time. Numerical settings (mesh, tolerance, steps) are none.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, fields, replace
 from typing import Any, TypeVar
 
@@ -23,7 +24,8 @@ class Input:
 
     ``path``; ``column``: its name in files; ``allowed``: its range of validity and unit;
     ``meaning``, ``symbol``: for people; ``plan``: low and high of a dataset, None if it has to be
-    said; ``kind``: control, environment or property, of the robot; ``default``.
+    said; ``kind``: control, environment or property, of the robot; ``default``; ``takes_arrays``:
+    whether models of many robots are made of an array of it.
     """
 
     path: str
@@ -34,6 +36,7 @@ class Input:
     plan: tuple[float, float] | None
     kind: str
     default: Any
+    takes_arrays: bool
 
     @property
     def name(self) -> str:
@@ -56,8 +59,8 @@ def inputs_of(parts: Mapping[str, Any] | Any) -> dict[str, Input]:
                 path, name, get = f"{group}.{field.name}", field.name, field.metadata["about"].get
                 told = field.metadata["doc"] or name, get("symbol", name)
                 kind = get("plan"), get("kind", "property")
-                column = get("column", name)
-                found[path] = Input(path, column, allowed, *told, *kind, field.default)
+                column, many = get("column", name), get("takes_arrays", False)
+                found[path] = Input(path, column, allowed, *told, *kind, field.default, many)
     return found
 
 
@@ -100,6 +103,21 @@ def with_inputs(simulation: S, values: Mapping[str, float]) -> S:
         changes.setdefault(group, {})[name] = float(value)
     parts = {group: replace(getattr(simulation, group), **new) for group, new in changes.items()}
     return replace(simulation, **parts)  # type: ignore[type-var]
+
+
+def with_columns(simulation: S, columns: Mapping[str, Any]) -> S:
+    """Many simulations as one, in which some inputs, by path, are arrays (R).
+
+    Here alone nothing is checked: fields know single numbers. Whoever calls sees to it that all
+    values are allowed, and that whatever is asked of the simulation takes arrays.
+    """
+    many = copy(simulation)
+    for path, values in columns.items():
+        group, _, name = path.partition(".")
+        part = copy(getattr(many, group))
+        object.__setattr__(part, name, values)
+        object.__setattr__(many, group, part)
+    return many
 
 
 def unusual(simulation: Any) -> list[str]:

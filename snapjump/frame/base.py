@@ -192,6 +192,7 @@ class FrameOptions(Part):
     flies: ClassVar[bool] = True
     held: ClassVar[bool] = False  # in space, for scenes without a flight
     explicit: ClassVar[bool] = True  # whether explicit steps lead anywhere
+    takes_arrays: ClassVar[bool] = False  # whether many outlines make one body, all of one mesh
     inset_m = 0.0  # distance of the beam's ends from the legs
 
     @required

@@ -20,6 +20,8 @@ LIFTED = 0.05  # of the anchor's stiffness, against rise and turn
 class RigidFrame(FrameOptions):
     """A rigid body of three coordinates that carries both clamps and can touch the ground."""
 
+    takes_arrays = True
+
     @Frame.member
     class Body(NamedTuple):
         """Half the width; heights of mounts, feet and top against the centre of mass (in L); mass

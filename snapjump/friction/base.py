@@ -82,6 +82,7 @@ class FrictionOptions(Part):
 
     group = "friction"
     absent: ClassVar[bool] = False
+    takes_arrays: ClassVar[bool] = False  # whether one law is made of many coefficients
 
     @required
     def law(self, scales: Scales, mu: float) -> Any:

@@ -10,6 +10,7 @@ class NoFriction(FrictionOptions):
     """A perfectly slippery ground."""
 
     absent = True
+    takes_arrays = True
 
     @FrictionLaw.member
     class Law(NamedTuple):

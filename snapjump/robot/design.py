@@ -9,9 +9,10 @@ class Design(Part):
     group = "design"
 
     epsilon: float = number(
-        0.2, above=0.0, most=0.4, doc="pre-compression", symbol="ε", plan=(0.1, 0.3), kind="control"
-    )
+        0.2, above=0.0, most=0.4, doc="pre-compression", symbol="ε", plan=(0.1, 0.3),
+        kind="control", takes_arrays=True,
+    )  # fmt: skip
     delta_alpha: float = number(
         0.1, least=-0.5, most=0.5, unit="rad", doc="mismatch: the right clamp lags by it",
-        symbol="Δα", plan=(0.01, 0.19), kind="control", column="delta_alpha_rad",
+        symbol="Δα", plan=(0.01, 0.19), kind="control", column="delta_alpha_rad", takes_arrays=True,
     )  # fmt: skip

@@ -59,11 +59,11 @@ class Robot(Part):
         symbol="l₂",
         plan=(0.005, 0.02),
         usual=(1e-5, 2.0),
+        takes_arrays=True,
     )
     gravity_m_s2: float = number(
         10.0, least=0.0, most=LARGEST, unit="m/s^2", doc="gravity", symbol="g", plan=(1.6, 10.0),
-        kind="environment",
-        usual=(0.0, 300.0),
+        kind="environment", usual=(0.0, 300.0), takes_arrays=True,
     )  # fmt: skip
     rotation_rate_rad_s: float = positive(
         20.0,
@@ -73,10 +73,11 @@ class Robot(Part):
         plan=(5.0, 40.0),
         kind="control",
         usual=(1e-4, 1e4),
+        takes_arrays=True,
     )
     rotation_end_rad: float = number(
         1.5, least=0.0, most=math.pi / 2, unit="rad", doc="angle at which the clamps stop",
-        symbol="α₁", plan=(1.3, 1.55), kind="control",
+        symbol="α₁", plan=(1.3, 1.55), kind="control", takes_arrays=True,
     )  # fmt: skip
     mount_height: float | Literal["optimal", "fitted"] = number(
         "optimal", above=0.0, unit="m", words=("optimal", "fitted"), symbol="h",

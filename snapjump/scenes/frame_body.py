@@ -2,19 +2,22 @@
 
 from typing import Any
 
+import numpy as np
+
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.frame.base import Outline
 
 
-def compression(simulation: Simulation) -> float:
-    """End shortening of the beam over its length: epsilon, and what the inset adds to it.
+def compression(simulation: Simulation) -> Any:
+    """End shortening of the beam over its length: epsilon, and what the inset adds to it; of many
+    robots an array.
 
     Raises ParameterError if that is more than a beam is computed for.
     """
     epsilon, length_m = simulation.design.epsilon, simulation.robot.length_m
     total = epsilon + 2.0 * (simulation.frame.inset_m / length_m)
-    if total > 0.4:
+    if np.any(total > 0.4):
         half = 0.5 * (0.4 - epsilon) * length_m
         raise ParameterError(
             "frame.inset_m",
@@ -24,7 +27,7 @@ def compression(simulation: Simulation) -> float:
     return total
 
 
-def frame_model(simulation: Simulation, mount_height_bar: float) -> Any:
+def frame_model(simulation: Simulation, mount_height_bar: Any) -> Any:
     """The dimensionless frame whose clamps are ``mount_height_bar`` (in L) above its feet."""
     robot = simulation.robot
     return simulation.frame.body(

@@ -1,7 +1,12 @@
-"""A robot at the beginning of its jump: its model, and what refuses to jump."""
+"""A robot at the beginning of its jump: its model, and what refuses to jump.
+
+The formulas take one robot, or many as one simulation whose numbers are arrays (R).
+"""
 
 import math
 from typing import Any
+
+import numpy as np
 
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
@@ -61,7 +66,7 @@ def fitted_mount_height_bar(epsilon: Any) -> Any:
     return 1.01 * (0.02951 + 0.3156 * epsilon - 0.3707 * epsilon * epsilon)
 
 
-def mount_height_bar(simulation: Simulation, threshold: Threshold | None = None) -> float:
+def mount_height_bar(simulation: Simulation, threshold: Threshold | None = None) -> Any:
     """Height of the clamps above the feet (in L): given, or h1(epsilon) of our static solution."""
     robot = simulation.robot
     if robot.mount_height == "fitted":
@@ -71,7 +76,7 @@ def mount_height_bar(simulation: Simulation, threshold: Threshold | None = None)
     return (threshold or critical(simulation)).h1_bar
 
 
-def start_angle_rad(simulation: Simulation, threshold: Threshold | None = None) -> float:
+def start_angle_rad(simulation: Simulation, threshold: Threshold | None = None) -> Any:
     """Left clamp angle at which the motion starts: the clamp that leads, left or right, is then at
     the same share of the critical angle."""
     share = simulation.sim.start_fraction
@@ -79,21 +84,31 @@ def start_angle_rad(simulation: Simulation, threshold: Threshold | None = None) 
     return share * alpha - ahead(simulation)
 
 
-def ahead(simulation: Simulation) -> float:
+def positive_part(value: Any) -> Any:
+    """What a number has above 0."""
+    return 0.5 * (abs(value) + value)
+
+
+def ahead(simulation: Simulation) -> Any:
     """How far the right clamp leads the left one (rad), 0 where it lags."""
-    return max(0.0, -simulation.design.delta_alpha)
+    return positive_part(-simulation.design.delta_alpha)
 
 
-def loading_time(simulation: Simulation, start: float, threshold: Threshold) -> float:
+def loading_time(simulation: Simulation, start: Any, threshold: Threshold) -> Any:
     """Time (T) from the start of the motion until the leading clamp is at the critical angle."""
     angle = threshold.alpha_rad - ahead(simulation) - start
     return angle / (simulation.robot.rotation_rate_rad_s * simulation.robot.scales.time_s)
 
 
-def leading_start(simulation: Simulation, threshold: Threshold, loading: float) -> float:
+def leading_start(simulation: Simulation, threshold: Threshold, loading: Any) -> Any:
     """Left clamp angle a time (T) before the leading clamp is at the critical angle."""
     turned = simulation.robot.rotation_rate_rad_s * simulation.robot.scales.time_s * loading
     return threshold.alpha_rad - ahead(simulation) - turned
+
+
+def least_end_rad(simulation: Simulation, threshold: Threshold, start: Any) -> Any:
+    """Angle beyond which the left clamp must turn: to make the arch snap, and to turn at all."""
+    return np.maximum(start, TURNED_FAR * threshold.alpha_rad - ahead(simulation))
 
 
 def check_mount_height(simulation: Simulation, start: float) -> None:
@@ -123,19 +138,17 @@ def jump_model(simulation: Simulation, threshold: Threshold | None = None) -> Mo
     threshold = threshold or critical(simulation)
     start = start_angle_rad(simulation, threshold)
     check_mount_height(simulation, start)
-    least = max(start, TURNED_FAR * threshold.alpha_rad - ahead(simulation))
-    if least >= robot.rotation_end_rad:
+    least = least_end_rad(simulation, threshold, start)
+    if np.any(least >= robot.rotation_end_rad):
         why = "to make the arch snap, and beyond the start of the motion (sim.start_fraction)"
         allowed = f"above {least:.4g} rad, {why}"
         raise ParameterError("robot.rotation_end_rad", robot.rotation_end_rad, allowed)
     loading_s = loading_time(simulation, start, threshold) * robot.scales.time_s
-    limit_s = max(0.0, loading_s) + simulation.sim.time_limit_s
+    limit_s = positive_part(loading_s) + simulation.sim.time_limit_s
     return composed_model(simulation, start, mount_height_bar(simulation, threshold), limit_s)
 
 
-def composed_model(
-    simulation: Simulation, start: float, mount_height: float, limit_s: float
-) -> Model:
+def composed_model(simulation: Simulation, start: Any, mount_height: Any, limit_s: Any) -> Model:
     """The dimensionless robot that starts at an angle (rad), its clamps at a height (in L); its
     march gives up after ``limit_s``."""
     robot, scales = simulation.robot, simulation.robot.scales

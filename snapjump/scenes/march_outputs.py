@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from snapjump.composition import Simulation
 from snapjump.declare.outputs import INTEGER, WORD, Outputs, output
 from snapjump.engine import outcome as c
-from snapjump.engine.model import Model
+from snapjump.engine.model import Model, with_numbers
+from snapjump.engine.models import Models
 from snapjump.engine.status import NAMES, OK, REASONS
 from snapjump.results import Result
 from snapjump.units import Scales
@@ -26,17 +27,11 @@ def side_by_side(models: Sequence[Model], chosen: Any = (0,), rows: int = 1) -> 
     chosen: the row of each model; the others are NaN.
     """
 
-    def spread(values: tuple[float, ...]) -> Array:
-        everyone = np.full(rows, np.nan)
-        everyone[np.asarray(chosen, dtype=np.int64)] = values
-        return everyone
-
-    return Model(
-        *(
-            type(members[0])(*(spread(values) for values in zip(*members, strict=True)))
-            for members in zip(*models, strict=True)
-        )
-    )
+    numbers = Models.of(models).numbers
+    columns = np.full((numbers.shape[1], rows), np.nan)
+    columns[:, np.asarray(chosen, dtype=np.int64)] = numbers.T
+    model: Model = with_numbers(models[0], columns)
+    return model
 
 
 @dataclass(frozen=True)

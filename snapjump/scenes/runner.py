@@ -1,6 +1,6 @@
 """Running a march from Python: slices of it, so that progress shows and Ctrl-C works."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from snapjump.composition import Simulation
 from snapjump.engine.clock import TIME
 from snapjump.engine.march import find_starts, march
-from snapjump.engine.model import Model, numbers_of
+from snapjump.engine.model import Model
+from snapjump.engine.models import Models
 from snapjump.engine.outcome import COLUMNS
 from snapjump.engine.queue import Queue
 from snapjump.engine.recorder.none import NoRecorder
@@ -39,7 +40,7 @@ class March:
     first thread.
     """
 
-    models: list[Model]
+    models: Sequence[Model]
     masses: Array
     states: Array
     simulation: Simulation
@@ -56,7 +57,7 @@ class March:
     def __post_init__(self) -> None:
         robots, size = self.states.shape
         zeros = np.zeros((robots, size))
-        self.numbers = np.array([numbers_of(m) for m in self.models])
+        self.numbers = Models.of(self.models).numbers.copy()
         shared = Queue(
             numbers=self.numbers,
             state=self.states.copy(),

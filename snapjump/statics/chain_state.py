@@ -25,12 +25,14 @@ def chord_angles(x: Any, y: Any) -> Any:
 
 
 def chain_state(discretization: Any, x: Array, y: Array) -> Array:
-    """State of nodes at places x, y (in L) between flat clamps; nodes that turn lie along the
-    chords of their neighbours."""
+    """States (..., D) of nodes at places x, y (..., N; in L) between flat clamps; nodes that turn
+    lie along the chords of their neighbours."""
     dofs = discretization.node_dofs()
-    state = np.zeros(dofs * len(x))
-    state[0::dofs] = x
-    state[1::dofs] = y
+    state = np.zeros((*x.shape[:-1], dofs * x.shape[-1]))
+    state[..., 0::dofs] = x
+    state[..., 1::dofs] = y
     if dofs == 3:
-        state[5:-3:3] = discretization.rotation_length() * chord_angles(x, y)
+        length = discretization.rotation_length()
+        for k in np.ndindex(x.shape[:-1]):
+            state[k][5:-3:3] = length * chord_angles(x[k], y[k])
     return state

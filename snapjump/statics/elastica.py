@@ -48,15 +48,20 @@ def place_arch(epsilon: float, x: Any, y: Any) -> None:
             low = m
     m = 0.5 * (low + high)
     landen(m, a, c)
+    # sn(4 K s) by descending Landen transformations (Abramowitz and Stegun 16.4), each of all
+    # elements, which the processor then takes several at a time.
+    phase = np.empty(elements)
+    for j in range(elements):
+        phase[j] = 2.0 ** (LANDEN_STEPS + 1) * np.pi * ((j + 0.5) / elements)
+    for n in range(LANDEN_STEPS, 0, -1):
+        share = c[n] / a[n]
+        for j in range(elements):
+            t = share * sin(phase[j])
+            phase[j] = 0.5 * (phase[j] + arctan(t / sqrt(1.0 - t * t)))
     x[0] = 0.0
     y[0] = 0.0
     for j in range(elements):
-        # sn(4 K s) by descending Landen transformations (Abramowitz and Stegun 16.4).
-        phase = 2.0 ** (LANDEN_STEPS + 1) * np.pi * ((j + 0.5) / elements)
-        for n in range(LANDEN_STEPS, 0, -1):
-            t = c[n] / a[n] * sin(phase)
-            phase = 0.5 * (phase + arctan(t / sqrt(1.0 - t * t)))
-        half = sqrt(m) * sin(phase)  # sine of half the tangent's angle
+        half = sqrt(m) * sin(phase[j])  # sine of half the tangent's angle
         x[j + 1] = x[j] + (1.0 - 2.0 * half * half) / elements
         y[j + 1] = y[j] + 2.0 * half * sqrt(1.0 - half * half) / elements
     stretch = (1.0 - epsilon) / x[elements]

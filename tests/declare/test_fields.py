@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from snapjump.checks import ParameterError
+from snapjump.composition import with_tier
 from snapjump.declare.fields import Part, choice, flag, integer, number
+from snapjump.declare.inputs import inputs_of
 from snapjump.declare.outputs import INTEGER, Outputs, output
 
 
@@ -113,3 +115,20 @@ def test_figures_of_one_are_plain():
     (figures,) = Spun(np.array([10.0]), ("ok",)).rows()
     assert figures == {"spin_rad_s": 2.5, "height_m": 5.0, "number": 0, "status": "ok"}
     assert [type(figures[key]) for key in ("spin_rad_s", "number", "status")] == [float, int, str]
+
+
+@pytest.mark.parametrize("path", inputs_of(with_tier("draft")))
+def test_many_numbers_are_held_to_the_range_of_one(path):
+    allowed = inputs_of(with_tier("draft"))[path].allowed
+    ends = [end for end in (allowed.low, allowed.high) if np.isfinite(end)]
+    near = [*ends, *np.nextafter(ends, -np.inf), *np.nextafter(ends, np.inf)]
+    values = np.array([*near, 0.0, -0.0, 1.0, np.nan, np.inf, -np.inf, -1e300])
+
+    def passes(value):
+        try:
+            allowed.check(path, value)
+        except ParameterError:
+            return False
+        return True
+
+    assert allowed.allows(values).tolist() == [passes(value) for value in values.tolist()]

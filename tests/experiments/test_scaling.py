@@ -10,12 +10,11 @@ from experiments.scaling import table
 from experiments.scaling.measure import measure
 from experiments.scaling.split import pieces, split, untouched
 from snapjump.batch import variants
-from snapjump.batch.simulate import marches
 from snapjump.composition import with_tier
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.engine.march import march as march_on
+from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
-from snapjump.scenes.runner import MOST_ITERATIONS
 from snapjump.statics.threshold_curve import ThresholdCurve
 
 BASE = replace(with_tier("draft"), discretization=DiscreteElasticRod(24))
@@ -29,7 +28,7 @@ def robots():
 
 
 def started(robots):
-    march = marches(*robots, 1, 1, MOST_ITERATIONS)[0][1]
+    march = jump_march(*robots)
     march.find_starts()
     return march
 

@@ -12,13 +12,13 @@ from plain_march import without_compiling
 from pytest import MonkeyPatch
 
 from snapjump.batch.derivatives import place
-from snapjump.batch.simulate import marches
 from snapjump.composition import Simulation
 from snapjump.engine import clock as c
 from snapjump.engine.gaps import smallest_gap
 from snapjump.scenes import flight_check, runner
+from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import jump_model
-from snapjump.scenes.runner import MOST_ITERATIONS, March
+from snapjump.scenes.runner import March
 
 STRIKING = 0.5  # L/T: a node that falls so fast is in the strike or just before it
 MOST_PASSES = 2000
@@ -72,7 +72,7 @@ def upwards(march: March) -> Any:
 
 @cache
 def way(usual: Simulation, find_starts: Any) -> Way:
-    ((_, march),) = marches([usual], [jump_model(usual)], 1, 1, MOST_ITERATIONS)
+    march = jump_march([usual], [jump_model(usual)])
     find_starts(march)
     return to_the_strike(march)
 

@@ -28,20 +28,24 @@ def shaken(values: Any, seed: int) -> Any:
 def perturb(seed: int) -> None:
     """Shake whatever is computed in this process from now on."""
     from snapjump.batch import derivatives
-    from snapjump.engine import model
-    from snapjump.scenes import resting, runner
+    from snapjump.engine import model, models
+    from snapjump.scenes import resting
     from snapjump.statics import arch, elastica
 
-    plain = model.numbers_of, elastica.buckled_arch
+    plain = model.numbers_of, models.numbers_of_columns, elastica.buckled_arch
 
     def numbers_of(parts: Any) -> Any:
         return shaken(plain[0](parts), seed)
 
-    def buckled_arch(*arguments: Any) -> Any:
-        return tuple(shaken(values, seed) for values in plain[1](*arguments))
+    def numbers_of_columns(*arguments: Any) -> Any:
+        return shaken(plain[1](*arguments), seed)
 
-    for module in (model, runner, arch, derivatives):
+    def buckled_arch(*arguments: Any) -> Any:
+        return tuple(shaken(values, seed) for values in plain[2](*arguments))
+
+    for module in (model, models, arch, derivatives):
         module.numbers_of = numbers_of
+    models.numbers_of_columns = numbers_of_columns
     for module in (elastica, arch, resting):
         module.buckled_arch = buckled_arch
 

@@ -37,6 +37,7 @@ class SmoothedCoulombOptions(FrictionOptions):
     """Smoothed Coulomb friction: the half width of its stick zone."""
 
     Law: ClassVar[Any]
+    takes_arrays = True
 
     velocity_threshold_m_s: float = number(
         1.0e-3,
@@ -47,6 +48,7 @@ class SmoothedCoulombOptions(FrictionOptions):
         doc="half width of the stick zone",
         symbol="ε_v",
         plan=(1e-4, 1e-2),
+        takes_arrays=True,
     )
 
     def law(self, scales: Scales, mu: float) -> Any:
