@@ -28,9 +28,9 @@ from snapjump.linear_solver.banded_rotations import (
     substitute_back_rotating,
 )
 from snapjump.linear_solver.contact_rows import NodeRows
-from snapjump.number.array import own_rows
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, maximum
+from snapjump.number.own_rows import own_rows
 
 ENDS = NODES_COUPLED + 1  # nodes at either end whose columns a clamp's own node reaches
 

@@ -19,10 +19,11 @@ from numba.extending import models, register_model
 
 from snapjump.discretization.base import HALF_BANDWIDTH
 from snapjump.engine.work import DIFFERENTIATED, FIELDS, WINDOWS, Memory, Sizes
-from snapjump.number.array import INDEX, SCOPES, NumberArray, View, contiguous, seen_as
+from snapjump.number.array import INDEX, NumberArray, View, contiguous, seen_as
 from snapjump.number.dual import DUAL
 from snapjump.number.lane import LaneType
 from snapjump.number.nowhere import NOWHERE
+from snapjump.number.scopes import SCOPES
 
 SCOPES.extend(FIELDS)
 MESH = NumberArray(types.int64, 1)

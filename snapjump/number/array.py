@@ -5,17 +5,17 @@ over; lets every index count from the end, which costs a comparison and a select
 counts references to its memory. Kernels need none of this, and compile in less time without.
 """
 
-import math
 import operator
 from typing import Any, NamedTuple
 
-import numpy as np
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.imputils import lower_builtin
 from numba.core.typing.arraydecl import GetItemBuffer, SetItemBuffer
 from numba.core.typing.templates import AbstractTemplate, infer_global, signature
 from numba.extending import models, register_model
+
+from snapjump.number.scopes import apart
 
 INDEX = ir.IntType(64)
 
@@ -122,32 +122,6 @@ def contiguous(builder: Any, shape: list[ir.Value]) -> list[ir.Value]:
     return strides
 
 
-SCOPES = ["own"]  # names of memory that do not share any
-
-
-def scope_lists(module: Any, scope: str) -> Any:
-    """In the metadata of a module: the memory of a name, and that of all the others."""
-    known = module.__dict__.setdefault("scope_lists", {})
-    if scope not in known:
-        domain = module.add_metadata([ir.MetaDataString(module, "snapjump")])
-        scopes = {
-            name: module.add_metadata([ir.MetaDataString(module, name), domain]) for name in SCOPES
-        }
-        others = [node for name, node in scopes.items() if name != scope]
-        known[scope] = module.add_metadata([scopes[scope]]), module.add_metadata(others)
-    return known[scope]
-
-
-def apart(builder: Any, array: NumberArray, access: Any) -> Any:
-    """A load or store, of which the compiler is told what memory it does not touch."""
-    memory = isinstance(access, (ir.instructions.LoadInstr, ir.instructions.StoreInstr))
-    if array.scope and memory and not builder.module.triple.startswith("nvptx"):
-        own, others = scope_lists(builder.module, array.scope)
-        access.set_metadata("alias.scope", own)
-        access.set_metadata("noalias", others)
-    return access
-
-
 class FirstTemplate(AbstractTemplate):
     """The typing of an operation that is asked before numba's own, of which there are a dozen."""
 
@@ -172,7 +146,7 @@ def _load(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     part = View.of(builder, array, args[0]).part(context, builder, index, args[1])
     if isinstance(sig.return_type, NumberArray):
         return part.packed(context, builder, sig.return_type)
-    return apart(builder, array, context.unpack_value(builder, array.dtype, part.data))
+    return apart(builder, array.scope, context.unpack_value(builder, array.dtype, part.data))
 
 
 @lower_builtin(operator.setitem, NumberArray, types.Any, types.Array)
@@ -196,7 +170,7 @@ def _store(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         )
         value = builder.call(fence, [value])
     context.pack_value(builder, array.dtype, value, part.data)
-    apart(builder, array, builder.block.instructions[-1])
+    apart(builder, array.scope, builder.block.instructions[-1])
 
 
 def uncounted_type(kind: types.Type) -> types.Type:
@@ -260,26 +234,3 @@ class _Uncounting(AbstractTemplate):
 @lower_builtin(uncounted, types.Any)
 def _uncount(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     return _without_owner(context, builder, sig.args[0], args[0])
-
-
-def own_rows(number: Any) -> Any:
-    """Residual (3) and band (3, 6) of one node, of the type of a number, which no memory holds."""
-    return np.zeros(3, type(number)), np.zeros((3, 6), type(number))
-
-
-@infer_global(own_rows)
-class _OwnRows(AbstractTemplate):
-    def generic(self, args: Any, kws: Any) -> Any:
-        kinds = NumberArray(args[0], 1, scope="own"), NumberArray(args[0], 2, scope="own")
-        return signature(types.Tuple(kinds), *args)
-
-
-@lower_builtin(own_rows, types.Any)
-def _own_rows(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-    arrays = []
-    for kind, shape in zip(sig.return_type.types, ((3,), (3, 6)), strict=True):
-        extents = [INDEX(extent) for extent in shape]
-        number = context.get_data_type(kind.dtype)
-        data = cgutils.alloca_once(builder, number, size=INDEX(math.prod(shape)))
-        arrays.append(View(data, extents, []).packed(context, builder, kind))
-    return context.make_tuple(builder, sig.return_type, arrays)

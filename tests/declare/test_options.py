@@ -179,7 +179,7 @@ def test_a_new_runge_kutta_method_is_its_tableau_alone():
     simulation = build({"integrator": values})
     assert simulation.integrator.name == "alexander3"
     scheme = simulation.integrator.scheme()
-    assert len(scheme.error) == 4
+    assert len(scheme.comparison) == 4
     assert scheme.nodes @ scheme.weights == pytest.approx(0.5)
     assert scheme.nodes**2 @ scheme.weights == pytest.approx(1.0 / 3.0)
     with pytest.raises(ParameterError, match="integrator.rows"):

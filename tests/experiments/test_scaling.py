@@ -69,9 +69,10 @@ def test_the_page():
         "threads_over_one_undisturbed": 1.96875, "jumps_per_second_core": 80.0,
         "released_over_ours": 2080.0,
         "us_of_a_lane_and_pass": {"1": {**parts, "pass": 5.0}, "8": {**parts, "pass": 2.5}},
+        "cycles_of_a_node": {"1": {**parts, "pass": 120}, "8": {**parts, "pass": 480}},
     }  # fmt: skip
     page = table.page(figures)
     assert "8 lanes over 1, in time of a Newton iteration: 3.12 times" in page
     assert "2 threads over 1, in jumps per second: 1.94 times" in page
     assert "2080 times the released program's" in page
-    assert "| a pass in all | 5 | 2.5 | 2 | 100 |" in page
+    assert "| a pass in all | 5 | 2.5 | 2 | 100 | 120 | 480 |" in page

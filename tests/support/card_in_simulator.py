@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from plain_march import without_compiling
 from pytest import MonkeyPatch
-from robots import DESIGNS, small_march
+from robots import DESIGNS, QUIET, small_march
 
 from snapjump.engine.cuda.plan import Plan
 from snapjump.engine.outcome import STATUS
@@ -22,7 +22,7 @@ NO_START = 7.0
 
 def on_card(designs: Any, threads: int, robots_a_chunk: int, duration: float = 20.0) -> Any:
     """The robots in so many threads, so many of them in the queue at a time."""
-    march: Any = small_march(designs, 1, duration=duration, backend="cuda")
+    march: Any = small_march(designs, 1, duration=duration, backend="cuda", **QUIET)
     march.plan = march.card.plan = Plan(1, threads, robots_a_chunk)
     return march
 
@@ -45,7 +45,7 @@ def main() -> None:
         getattr(refilled.queue, name)[:] = values
     refilled.run(lambda share, word: told.append(share))
 
-    short = small_march(DESIGNS[:3], 1, duration=0.02)
+    short = small_march(DESIGNS[:3], 1, duration=0.02, **QUIET)
     chunked = on_card(DESIGNS[:3], threads=2, robots_a_chunk=2, duration=0.02)
     for march in (short, chunked):
         march.find_starts()

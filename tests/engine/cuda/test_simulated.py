@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from before_the_strike import go_on, to_the_strike
 from command_line import ROOT, python
-from robots import DESIGNS, small_march
+from robots import DESIGNS, QUIET, small_march
 
 from snapjump.engine import outcome as c
 from snapjump.engine.status import NO_EQUILIBRIUM, OK, TIME_LIMIT
@@ -22,11 +22,12 @@ APART = 2e-8
 @pytest.fixture(scope="module")
 def striking():
     """The robots in one queue, each just before its strike, and the states they started from."""
-    march = small_march(ROBOTS, 1)
+    march = small_march(ROBOTS, 1, **QUIET)
     march.find_starts()
     starts = march.queue.state.copy()
     for robot, design in enumerate(ROBOTS):
-        alone = small_march([design], 1, [values[[robot]] for values in march.queue[1:4]])
+        start = [values[[robot]] for values in march.queue[1:4]]
+        alone = small_march([design], 1, start, **QUIET)
         way = to_the_strike(alone)
         go_on(alone, way)
         for values, found in zip(march.queue[:4], alone.queue[:4], strict=True):

@@ -1,0 +1,36 @@
+"""Rows of a linear system that are one node's own, and never stand in memory."""
+
+import math
+from typing import Any
+
+import numpy as np
+from numba.core import cgutils, types
+from numba.core.imputils import lower_builtin
+from numba.core.typing.templates import AbstractTemplate, infer_global, signature
+
+from snapjump.number.array import INDEX, NumberArray, View
+
+RESIDUAL, BAND = (3,), (3, 6)
+
+
+def own_rows(number: Any) -> Any:
+    """Residual (3) and band (3, 6) of one node, of the type of a number, which no memory holds."""
+    return np.zeros(RESIDUAL, type(number)), np.zeros(BAND, type(number))
+
+
+@infer_global(own_rows)
+class _OwnRows(AbstractTemplate):
+    def generic(self, args: Any, kws: Any) -> Any:
+        kinds = NumberArray(args[0], 1, scope="own"), NumberArray(args[0], 2, scope="own")
+        return signature(types.Tuple(kinds), *args)
+
+
+@lower_builtin(own_rows, types.Any)
+def _own_rows(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    arrays = []
+    for kind, shape in zip(sig.return_type.types, (RESIDUAL, BAND), strict=True):
+        extents = [INDEX(extent) for extent in shape]
+        number = context.get_data_type(kind.dtype)
+        data = cgutils.alloca_once(builder, number, size=INDEX(math.prod(shape)))
+        arrays.append(View(data, extents, []).packed(context, builder, kind))
+    return context.make_tuple(builder, sig.return_type, arrays)
