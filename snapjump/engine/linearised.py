@@ -120,7 +120,8 @@ def solve_in_registers(model: Any, motion: Motion, masses: Any, work: Any) -> So
     sweep = begin_assembly(model, motion, masses, work)
     sweep = assemble_nodes(model, motion, masses, work, 0, ENDS, sweep)
     done = eliminate_nodes(model, work, 0, ENDS, begin_elimination(zero))
-    rows = NodeRows(*own_rows(zero), 0)
+    residual, band = own_rows(zero)
+    rows = NodeRows(residual, band, 0)
     for node in range(ENDS, end):
         sweep = add_node(model, motion, masses, work, node, 2, sweep, rows)
         done = eliminate_columns(work, node, rows, nothing, bordered(model), done)
