@@ -32,7 +32,7 @@ from snapjump.tiers import TIERS
 
 # Percent of x per L of summed estimates, with fixed and with adaptive steps.
 FACTORS = {
-    "generalized_alpha": (360.0, 100.0),
+    "generalized_alpha": (360.0, 130.0),
     "tr_bdf2": (1.1e3, 290.0),
     "sdirk2": (1.4e4, 950.0),
     "esdirk3": (1.8e4, 1.4e3),
