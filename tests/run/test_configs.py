@@ -200,9 +200,9 @@ def test_what_is_given_wins_over_the_tier():
     own = AdaptiveStep(tolerance=AdaptiveStep().tolerance)
     assert with_tier("reference", stepping=own).stepping.tolerance == own.tolerance
     assert with_tier("reference", stepping=own).stepping.contact_steps == 1.0
-    assert with_tier("reference", stepping=AdaptiveStep()).stepping.tolerance == 6e-8
+    assert with_tier("reference", stepping=AdaptiveStep()).stepping.tolerance == 4e-8
     changed = AdaptiveStep().changed(contact_steps=0.5)
-    assert with_tier("reference", stepping=changed).stepping == AdaptiveStep(6e-8, 0.5, 2.0)
+    assert with_tier("reference", stepping=changed).stepping == AdaptiveStep(4e-8, 0.5, 2.0)
 
 
 def test_a_scene_chooses_what_goes_with_it():
