@@ -18,6 +18,7 @@ from snapjump.batch import simulate_designs
 from snapjump.composition import Simulation, with_tier
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.friction.implicit import ImplicitFriction
+from snapjump.integrator.generalized_alpha import GeneralizedAlpha
 from snapjump.statics.threshold_curve import ThresholdCurve
 from snapjump.stepping.adaptive import AdaptiveStep
 
@@ -31,7 +32,8 @@ RESOLVED_M_S = 1e-2
 COARSE = with_tier(
     "draft",
     discretization=DiscreteElasticRod(16),
-    stepping=AdaptiveStep(2e-5, 2.0),
+    integrator=GeneralizedAlpha(spectral_radius=0.0),
+    stepping=AdaptiveStep(2e-5, 2.0, 16.0),
     friction=ImplicitFriction(velocity_threshold_m_s=1.0),
 )
 

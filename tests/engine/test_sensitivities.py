@@ -10,13 +10,15 @@ from snapjump.contact.logbarrier import LogBarrier
 from snapjump.declare.inputs import DEFAULT_INPUTS, inputs_of, value_at
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.friction.implicit import ImplicitFriction
+from snapjump.integrator.generalized_alpha import GeneralizedAlpha
 from snapjump.statics.threshold_curve import ThresholdCurve
 from snapjump.stepping.adaptive import AdaptiveStep
 
 BASE = with_tier(
     "draft",
     discretization=DiscreteElasticRod(16),
-    stepping=AdaptiveStep(2e-5, 2.0),
+    integrator=GeneralizedAlpha(spectral_radius=0.0),
+    stepping=AdaptiveStep(2e-5, 2.0, 16.0),
     contact=LogBarrier(distance_m=1e-3),
     # The kinks of friction, at its true 1e-4 m/s, leave nothing of differences.
     friction=ImplicitFriction(velocity_threshold_m_s=1.0),

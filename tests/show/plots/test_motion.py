@@ -61,7 +61,8 @@ def test_middle_height_is_measured_in_the_frame(jump):
     """Turning and moving everything changes nothing."""
     motion = motion_of(jump)
     height = middle_height(motion)
-    assert height[0] == pytest.approx(motion.nodes[0, motion.nodes.shape[1] // 2, 1] - motion.nodes[0, 0, 1])
+    middle = motion.nodes.shape[1] // 2
+    assert height[0] == pytest.approx(motion.nodes[0, middle, 1] - motion.nodes[0, 0, 1])
     flown = poses(motion, np.array([motion.time[-1], motion.time[-1] + 50.0]))
     both = motion_of(jump)
     object.__setattr__(both, "nodes", flown.nodes)
