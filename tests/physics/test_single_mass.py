@@ -8,7 +8,7 @@ import pytest
 from families import FAMILIES
 from scipy.optimize import brentq
 
-from snapjump.composition import Simulation
+from snapjump.composition import Simulation, with_tier
 from snapjump.robot.environment import Environment
 from snapjump.robot.robot import Robot
 from snapjump.scenes.mass_units import depth_of, stick_speed, units_of_impact, units_of_sliding
@@ -95,6 +95,12 @@ def flips(result):
     return int(np.count_nonzero(np.diff(signs)))
 
 
+def ringing(tier):
+    """Steps in which the tier's integrator brings the fastest oscillation down to a hundredth."""
+    left = with_tier(tier).integrator.damping_at_infinity
+    return math.log(1e-2) / math.log(left) if left > 0.0 else 0.0
+
+
 def stopping_distance_m(mu, speed, eps):
     """Of smoothed Coulomb friction: v^2 / (2 mu g) down to eps, from there what is left."""
     outside = max(speed**2 - eps**2, 0.0) / (2.0 * mu * G)
@@ -115,7 +121,7 @@ def test_slides_stop_where_they_should(tier):
         duration = (3.0 * speed + 20.0 * eps) / (mu * G)
         times = {"duration_s": duration, "sample_interval_s": duration / 1e5}
         result = slide(tier, mu=mu, eps=eps, speed_m_s=speed, mass_kg=mass, **times)
-        assert result.status == "ok" and flips(result) <= 2
+        assert result.status == "ok" and flips(result) <= 2 + ringing(tier)
         exact = stopping_distance_m(mu, speed, eps)
         assert result.distance_m == pytest.approx(exact, rel=PROMISES[tier])
         assert abs(result.final_speed_m_s) < 1e-6 * eps
