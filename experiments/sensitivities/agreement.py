@@ -75,7 +75,7 @@ def derivatives(jump: March, numbers: Any, steps: Any, solutions: Any, correctio
     """Derivatives (I, 2) that are recorded along the same solutions; ``numbers`` (1, P, I)."""
     flights, grazes = record_sensitivities(jump, numbers, corrections)
     jump.stepping = jump.stepping._replace(
-        tolerance=1e9, contact_steps=1e9, newton_share=1e-9, largest=1e9
+        tolerance=1e9, contact_steps=1e9, newton_share=1e-9, largest=1e9, stick_share=1e30
     )
     jump.termination = TimedTermination(float(np.sum(steps)) * (1.0 - 1e-12))
     frozen.march_along(jump, steps, solutions)
@@ -116,7 +116,7 @@ def frozen_errors(
         found = derivatives(jump_at(design), numbers, steps, solutions, count)
         found *= np.asarray(design)[:, None]
         both = [np.abs(found - one) / scale for one in expected]
-        errors.append(np.minimum(*both).max(axis=1))
+        errors.append(np.min(both, axis=0).max(axis=1))
     return np.array(errors)
 
 

@@ -8,23 +8,24 @@ from numba import njit
 
 from snapjump.engine import clock as c
 from snapjump.engine import outcome as outcomes
-from snapjump.engine.assemble import Motion, assemble
+from snapjump.engine.assemble import assemble
 from snapjump.engine.centre_of_mass import centre_of_mass
-from snapjump.engine.differentiate import motion_of, place_ends_at
+from snapjump.engine.differentiate import known, place_ends_at
 from snapjump.engine.march import march
 from snapjump.engine.model import with_numbers
 from snapjump.engine.stage import begin_stage, commit_step, keep_stage, rates_of, stage_motion
 from snapjump.engine.status import OK
 from snapjump.engine.tangent import make_tangent_state, view_tangent
-from snapjump.engine.view import view_memory, view_work
-from snapjump.linear_solver.right_hand_sides import FOUR
-from snapjump.number.dual import PARAMETERS, constant, dual, slope_at, slopes_of, value_of
+from snapjump.engine.view import view_work
+from snapjump.number.dual import PARAMETERS, constant, dual, slope_at, slopes_of
 from snapjump.number.lane import view_numbers
+from snapjump.number.memory import aligned_zeros
 from snapjump.scenes.flight import flight
 from snapjump.scenes.runner import March
 
 MOST_ITERATIONS, TOLERANCE = 200, 1e-14
 GAP_LEFT = 0.15
+CALM = 3  # corrections that shrink as they should, after which they grow again
 
 
 def adaptive_steps(jump: March) -> Any:
@@ -48,35 +49,39 @@ def guess_stage(template: Any, scheme: Any, masses: Any, memory: Any) -> None:
 
 @njit(error_model="numpy")
 def linearise(
-    template: Any, scheme: Any, masses: Any, memory: Any, tangent: Any, residual: Any, jacobian: Any
+    template: Any,
+    scheme: Any,
+    masses: Any,
+    memory: Any,
+    tangent: Any,
+    seeds: Any,
+    residual: Any,
+    jacobian: Any,
 ) -> None:
-    """Residual (D) and Jacobian (D, D) at ``memory.state``, four columns at a time."""
-    memory, twin = view_memory(memory), view_tangent(tangent, 0)
-    seeds = view_numbers(tangent.slopes[0], FOUR)
-    tangent.slopes[0, :PARAMETERS] = np.eye(PARAMETERS)
-    size = memory.state.shape[0]
-    for k in range(memory.numbers.shape[0]):
-        twin.numbers[k] = constant(memory.numbers[k, 0])
+    """Residual (D) and Jacobian (D, D) at ``memory.state``, four columns at a time, along
+    ``seeds`` (4, 4)."""
+    work = view_work(memory, (0,))
+    twin = view_tangent(work, tangent)
+    seeds = view_numbers(seeds, (0, 0, 0, 0))
+    size = work.state.shape[0]
+    plain = with_numbers(template, work.numbers)
     model = with_numbers(template, twin.numbers)
-    plain = motion_of(scheme, memory, 0)
-    motion = Motion(constant(plain.time), constant(plain.rate_factor),
-                    constant(plain.inertia_rate), constant(plain.anchor))  # fmt: skip
+    motion = stage_motion(scheme, work)
+    angles = plain.clamp.angles(motion.time)
+    plain.frame.place_ends(work.mesh, plain.discretization, angles, work.state)
+    assemble(plain, motion, masses, work)
     for i in range(size):
-        twin.position_predictor[i] = constant(memory.position_predictor[i, 0])
-        twin.velocity_predictor[i] = constant(memory.velocity_predictor[i, 0])
-        twin.start[i] = constant(memory.start[i, 0])
-        twin.velocity[0, i] = constant(memory.velocity[0, i, 0])
+        residual[i] = work.frame_residual[i] if i < 3 else work.residual[i - 3]
     for first in range(0, size, PARAMETERS):
         count = min(PARAMETERS, size - first)
         for i in range(size):
-            twin.state[i] = constant(memory.state[i, 0])
+            twin.state[i] = constant(work.state[i])
         for k in range(count):
-            twin.state[first + k] = dual(memory.state[first + k, 0], seeds[k])
-        place_ends_at(model, plain.time, twin)
-        assemble(model, motion, masses, twin)
+            twin.state[first + k] = dual(work.state[first + k], seeds[k])
+        place_ends_at(model, motion.time, twin)
+        assemble(model, known(motion), masses, twin)
         for i in range(size):
             row = twin.frame_residual[i] if i < 3 else twin.residual[i - 3]
-            residual[i] = value_of(row)
             for k in range(count):
                 jacobian[i, first + k] = slope_at(slopes_of(row), k)
 
@@ -119,18 +124,25 @@ def solve_stage(jump: March, tangent: Any) -> None:
     memory = jump.memory
     size = len(memory.state)
     residual, jacobian = np.zeros(size), np.zeros((size, size))
-    free = np.r_[0:3, 5 : size - 2]
-    before, damping = np.inf, 1.0
+    dofs = jump.models[0].discretization.node_dofs()
+    free = np.r_[0:3, 3 + dofs : size - dofs]
+    before, damping, share, calm = np.inf, 1.0, 1.0, 0
+    seeds = aligned_zeros((PARAMETERS, PARAMETERS))
+    seeds[:] = np.eye(PARAMETERS)
     for count in range(MOST_ITERATIONS):
-        linearise(jump.models[0], jump.scheme, jump.masses, memory, tangent, residual, jacobian)
+        where = (jump.models[0], jump.scheme, jump.masses, memory, tangent)
+        linearise(*where, seeds, residual, jacobian)
         change = np.linalg.solve(jacobian[np.ix_(free, free)], residual[free])
         largest = float(np.abs(change).max())
         # Across the kinks of friction full corrections may go to and fro for ever.
         if count > 15:
-            restless = largest > 0.9 * before
-            damping = max(0.5 * damping, 0.02) if restless else min(1.4 * damping, 1.0)
+            calm = calm + 1 if largest < (1.0 - 0.5 * share) * before else 0
+            if calm == 0:
+                damping = max(0.5 * damping, 0.02)
+            elif calm > CALM:
+                damping = min(1.4 * damping, 1.0)
         share = min(damping, 1e-3 / largest)
-        gaps, falls = memory.state[6 : size - 2 : 2, 0], change[4::2]
+        gaps, falls = memory.state[4 + dofs : size - dofs : dofs, 0], change[4::dofs]
         closing = falls > (1.0 - GAP_LEFT) * gaps
         if closing.any():
             share = min(share, float(((1.0 - GAP_LEFT) * gaps[closing] / falls[closing]).min()))

@@ -17,10 +17,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.declare.fields import Part, integer
+from snapjump.number.dispatch import kernel
 from snapjump.number.methods import Contract, required
 from snapjump.robot.robot import Robot
 
 HALF_BANDWIDTH = 5
+# What the band lacks of a row j, its ``skew``: entry k of the row j + k and the column j, and from
+# RIGHT on, entry HALF_BANDWIDTH + k of the row j and the column j + k.
+RIGHT = HALF_BANDWIDTH + 1
+SKEW = 2 * HALF_BANDWIDTH + 1
 NODES_COUPLED = 2  # a node couples to that many on either side, to one if nodes turn
 # Rotary inertia of a node over its mass, in the unit of its third coordinate: two rigid half
 # elements of l/2 turn about the node with 2 l^3/24, in theta, and a free end has half of both.
@@ -55,14 +60,25 @@ class EndTangents(NamedTuple):
 class EndHinge(NamedTuple):
     """A hinge between a prescribed tangent and an end edge.
 
-    ``moment`` is dE/dphi, ``stiffness`` its derivative, and (``slope_x``, ``slope_y``) the
-    gradient of the edge's direction with respect to the edge vector (rad/L).
+    ``moment`` is dE/dphi, ``stiffness`` its derivative, (``slope_x``, ``slope_y``) the gradient of
+    the edge's direction with respect to the edge vector (rad/L), and what all this lacks, for
+    derivatives alone: (``rate_x``, ``rate_y``) of d(moment)/d(edge vector) (EI/L^2), ``turned`` of
+    d(moment)/dphi.
     """
 
     moment: Any
     stiffness: Any
     slope_x: Any
     slope_y: Any
+    rate_x: Any
+    rate_y: Any
+    turned: Any
+
+
+@kernel
+def no_hinge(zero: Any) -> EndHinge:
+    """Where a clamp holds the rotation of its node itself."""
+    return EndHinge(zero, zero, zero, zero, zero, zero, zero)
 
 
 class Discretization(Contract):
@@ -80,6 +96,10 @@ class Discretization(Contract):
     def node_dofs(self) -> Any:
         """Coordinates of a node, a constant while compiling: 2 (x, y) or 3 (x, y, l theta)."""
         return 2
+
+    def tells_skew(self) -> Any:
+        """Whether rows are told all that the symmetric band lacks; a constant, of no number."""
+        return False
 
     def rotation_length(self) -> Any:
         """The length l (in L) of a node's third coordinate l theta; 0 where nodes do not turn."""
@@ -114,6 +134,7 @@ class Discretization(Contract):
 
         They hold masses on the band's diagonal and in the residual; the rest is written.
         ``following``: how many elements follow the one that leaves the node, 2 standing for more.
+        What the symmetric band lacks is added to ``rows.skew``, for derivatives alone.
         Returns what the sweep carries on.
         """
 

@@ -40,6 +40,7 @@ from snapjump.discretization.parts.der_elements import (
     side_of,
     stretching_energy,
 )
+from snapjump.discretization.parts.der_skew import add_skew, begin_skew, end_skew
 from snapjump.discretization.parts.edge import half_angle_tangent, make_edge
 from snapjump.number.functions import absolute, maximum
 from snapjump.robot.robot import Robot
@@ -70,6 +71,9 @@ class DiscreteElasticRod(DiscretizationOptions):
         def axial_stiffness(self) -> Any:
             return self.stretching_stiffness / self.element_length
 
+        def tells_skew(self) -> bool:
+            return True
+
         def clamp_distance(self) -> Any:
             return self.clamp_offset
 
@@ -78,18 +82,19 @@ class DiscreteElasticRod(DiscretizationOptions):
             clamp = held_edge(tangents.left_x, tangents.left_y, tangents.left_rate, zero)
             density = 1.0 / self.clamp_hinge_length
             first = side_of(self, damping, edge_at(0, nodes))
-            moment, stiffness = hinge_between(damping, clamp, first, density, nodes.rate_factor)
-            left = end_hinge(moment, stiffness, first)
+            hinge = hinge_between(damping, clamp, first, density, nodes.rate_factor)
+            left = end_hinge(hinge, first, hinge.pull.ax, hinge.pull.ay)
             chain = Chain(
                 first,
-                moment,
-                stiffness,
+                hinge.moment,
+                hinge.stiffness,
                 Coupling(zero, zero, zero, zero),
                 Block(zero, zero, zero),
                 zero,
                 zero,
-                absolute(moment),
+                absolute(hinge.moment),
                 side_of(self, damping, edge_at(1, nodes)),
+                begin_skew(hinge.pull, zero),
             )
             return chain, left
 
@@ -107,9 +112,9 @@ class DiscreteElasticRod(DiscretizationOptions):
             after = chain.after
             if following > 0:
                 density = 1.0 / self.element_length
-                moment, stiffness = hinge_between(damping, edge, after, density, nodes.rate_factor)
+                hinge = hinge_between(damping, edge, after, density, nodes.rate_factor)
             else:
-                moment, stiffness = held_hinge(self, damping, edge, after, tangents, nodes)
+                hinge = held_hinge(self, damping, edge, after, tangents, nodes)
             # Its root and quotient take long, and depend on nothing that is being eliminated.
             if following > 1:
                 next_but_one = side_of(self, damping, edge_at(node + 2, nodes))
@@ -117,35 +122,38 @@ class DiscreteElasticRod(DiscretizationOptions):
                 next_but_one = right_clamp(tangents, 0.0 * nodes.rate_factor)
 
             stretching = self.stretching_stiffness / self.element_length
-            sideways = (chain.moment - moment) * edge.over
+            skew = add_skew(damping, stretching, chain.skew, edge, after, hinge.pull, rows.skew)
+            sideways = (chain.moment - hinge.moment) * edge.over
             fx = edge.force * edge.cx - sideways * edge.cy
             fy = edge.force * edge.cy + sideways * edge.cx
             stretching = stretching * damping.stiffening(nodes.rate_factor)
-            hinges = chain.stiffness + stiffness
+            hinges = chain.stiffness + hinge.stiffness
             own = edge_block(stretching, edge.force, sideways, hinges, edge)
-            coupling = hinge_coupling(stiffness, edge, after)
+            coupling = hinge_coupling(hinge.stiffness, edge, after)
             put_columns(chain.before, chain.coupling, own, coupling, rows.band)
             rows.residual[0] += chain.force_x - fx
             rows.residual[1] += chain.force_y - fy
             return Chain(
                 after,
-                moment,
-                stiffness,
+                hinge.moment,
+                hinge.stiffness,
                 coupling,
                 own,
                 fx,
                 fy,
                 maximum(chain.largest, absolute(fx) + absolute(fy)),
                 next_but_one,
+                skew,
             )
 
         def last_hinge(self, damping: Any, nodes: NodeMotion, tangents: Any) -> Any:
             edge = side_of(self, damping, edge_at(nodes.position.shape[0] // 2 - 2, nodes))
             clamp = right_clamp(tangents, 0.0 * nodes.rate_factor)
-            moment, stiffness = held_hinge(self, damping, edge, clamp, tangents, nodes)
-            return end_hinge(moment, stiffness, edge)
+            hinge = held_hinge(self, damping, edge, clamp, tangents, nodes)
+            return end_hinge(hinge, edge, hinge.pull.bx, hinge.pull.by)
 
         def end_chain(self, chain: Any, rows: Any) -> Any:
+            end_skew(chain.skew, rows.skew)
             put_last_node(chain.before, (chain.force_x, chain.force_y), rows.residual, rows.band)
 
         def internal_energy(self, position: Any, tangents: Any) -> Any:

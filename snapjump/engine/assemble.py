@@ -7,7 +7,7 @@ A = (v - drift) inertia_rate; a static equilibrium is the same with both rates 0
 from typing import Any, NamedTuple
 
 from snapjump.contact.base import Extremes
-from snapjump.discretization.base import ROTARY_INERTIA, NodeMotion
+from snapjump.discretization.base import ROTARY_INERTIA, SKEW, NodeMotion
 from snapjump.engine.points import add_frame_contacts, add_node_contact
 from snapjump.frame.base import Rotations
 from snapjump.linear_solver.contact_rows import NodeRows, rows_of
@@ -50,6 +50,8 @@ def clear_border(work: Any, dofs: Any, node: Any, width: Any, zero: Any) -> None
     for k in range(width):
         for i in range(dofs):
             work.border[dofs * node + i, k] = zero
+            work.border_skew[dofs * node + i, k] = zero
+            work.border_skew[dofs * node + i, k + 3] = zero
 
 
 @kernel
@@ -70,6 +72,9 @@ def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any, rows: N
         force_x = force_x + drag * vx
         force_y = force_y + drag * vy
     diagonal = mass * (gain * rate)
+    for axis in range(model.discretization.node_dofs()):
+        for k in range(SKEW):
+            rows.skew[axis, k] = 0.0
     rows.residual[0] = mass * (force_x - model.load.pull())
     rows.residual[1] = mass * (force_y + model.load.gravity())
     rows.band[0, 0] = diagonal
@@ -113,6 +118,14 @@ def begin_assembly(model: Any, motion: Any, masses: Any, work: Any) -> Sweep:
     nodes = chain_motion(model, motion, work)
     chain, left = model.discretization.begin_chain(model.damping, nodes, tangents)
     return Sweep(tangents, chain, left, with_force(extremes, elastic))
+
+
+@kernel
+def begin_again(model: Any, motion: Any, work: Any, sweep: Sweep) -> Sweep:
+    """A sweep at the chain's beginning once more."""
+    nodes = chain_motion(model, motion, work)
+    chain, _ = model.discretization.begin_chain(model.damping, nodes, sweep.tangents)
+    return Sweep(sweep.tangents, chain, sweep.left, sweep.extremes)
 
 
 @kernel

@@ -1,32 +1,34 @@
 """Derivatives of a march's discrete steps, stage by stage, with the sizes of its steps frozen.
 
 A stage solves R(q, p) = 0, so that K dq/dp = -dR/dp, with the predictors of the stage depending
-on the parameters p as well. The tangent state takes the march's own guess of q, differentiated:
-what the guess leaves of dR/dp comes out of the residual in duals, and is corrected with the matrix
-that Newton's method has just factored. That one lacks unsymmetric parts that are small
-(Kelvin-Voigt's, and friction's at nodes): each correction shrinks what they leave by a large
-factor.
+on the parameters p as well. The right-hand side comes out of the residual in duals, all lanes at
+once, with the matrix K beside it: of elements that tell what the symmetric one lacks it is exact,
+and solved with once. With other elements the state takes the march's own guess of q,
+differentiated, and each correction shrinks what is wrong with it.
 """
 
 from typing import Any
 
-from snapjump.discretization.base import HALF_BANDWIDTH
-from snapjump.engine.assemble import Motion, assemble
-from snapjump.engine.clock import LAST_STEP, STAGE, STEP, TIME
+from numba.extending import overload
+
+from snapjump.engine.assemble import Motion, add_node, assemble_nodes, begin_again, begin_assembly
+from snapjump.engine.clock import TIME
+from snapjump.engine.linearised import ENDS
 from snapjump.engine.model import with_numbers
-from snapjump.engine.tangent import view_tangent
+from snapjump.engine.stage import Course
+from snapjump.engine.tangent import with_exact_system, with_state_held
 from snapjump.integrator.base import Reached
-from snapjump.linear_solver.right_hand_sides import FOUR, solve_right_hand_sides
-from snapjump.number.dispatch import kernel, routine
-from snapjump.number.dual import constant, dual, slopes_of, value_of
-from snapjump.number.lane import view_numbers
-
-
-@routine
-def ratio_of(memory: Any, lane: Any) -> Any:
-    """A lane's step over its last one, 0 where there was none."""
-    last = memory.clock[LAST_STEP, lane]
-    return memory.clock[STEP, lane] / last if last > 0.0 else 0.0
+from snapjump.linear_solver.banded_unsymmetric import (
+    eliminate_frame,
+    eliminate_unsymmetric,
+    solve_sides,
+)
+from snapjump.linear_solver.contact_rows import NodeRows, rows_of
+from snapjump.number.dispatch import INLINED, kernel, routine
+from snapjump.number.dual import constant, slopes_of, value_of
+from snapjump.number.functions import any_true, where
+from snapjump.number.nowhere import nowhere
+from snapjump.number.own_rows import own_rows
 
 
 @routine
@@ -38,139 +40,181 @@ def place_ends_at(model: Any, time: Any, work: Any) -> None:
 
 
 @kernel
-def tangent_model(template: Any, tangent: Any, lane: Any) -> Any:
-    """The model of a lane in duals."""
-    return with_numbers(template, view_tangent(tangent, lane).numbers)
-
-
-@routine
-def predict_stage(template: Any, scheme: Any, memory: Any, tangent: Any, lane: Any) -> None:
-    """Begin the stage that a lane has just converged: its predictors and guess in duals."""
-    work = view_tangent(tangent, lane)
-    model = tangent_model(template, tangent, lane)
-    stage = memory.clock[STAGE, lane]
-    step = memory.clock[STEP, lane]
-    ratio = ratio_of(memory, lane)
-    rates = scheme.stage_rates(step, ratio)
-    scheme.stage_coefficients(stage, step, ratio, work.coefficients)
-    for i in range(work.state.shape[0]):
-        position, velocity, guess = scheme.predict(work, i, stage, rates)
-        work.position_predictor[i] = position
-        work.velocity_predictor[i] = velocity
-        # Where the matrix was assembled: there it belongs to the residual.
-        before = memory.state[i, lane] + memory.correction[i, lane]
-        work.state[i] = dual(before, slopes_of(guess))
-    place_ends_at(model, memory.clock[TIME, lane] + scheme.abscissa(stage) * step, work)
-
-
-@routine
-def write_sides(model: Any, motion: Any, masses: Any, memory: Any, tangent: Any, lane: Any) -> None:
-    """Assemble a lane's residual in duals and take its slopes as right-hand sides."""
-    work = view_tangent(tangent, lane)
-    # Here the compiler sees that they have no slopes.
-    known = Motion(
+def known(motion: Motion) -> Motion:
+    """Time and rates of a stage in duals; here the compiler sees that they have no slopes."""
+    return Motion(
         constant(motion.time),
         constant(motion.rate_factor),
         constant(motion.inertia_rate),
         constant(motion.anchor),
     )
-    assemble(model, known, masses, work)
-    sides = view_numbers(tangent.slopes[lane], FOUR)[HALF_BANDWIDTH:]
-    frame_sides = view_numbers(tangent.frame_slopes[lane], FOUR)
-    for i in range(work.residual.shape[0]):
-        sides[i] = slopes_of(work.residual[i])
-    for i in range(model.frame.dofs(memory.mesh)):
-        frame_sides[i] = slopes_of(work.frame_residual[i])
+
+
+@kernel
+def eliminate_nodes(work: Any, dofs: Any, first: Any, end: Any) -> None:
+    """Eliminate nodes from ``first`` up to ``end``, which stand in memory."""
+    for node in range(first, end):
+        eliminate_unsymmetric(work, node, dofs, rows_of(work, dofs * node), True)
 
 
 @routine
-def correct(model: Any, time: Any, memory: Any, tangent: Any, lane: Any) -> None:
-    """Subtract the solved corrections from the slopes of a lane's state."""
-    work = view_tangent(tangent, lane)
-    dofs = model.frame.dofs(memory.mesh)
-    sides = view_numbers(tangent.slopes[lane], FOUR)[HALF_BANDWIDTH:]
-    frame_sides = view_numbers(tangent.frame_slopes[lane], FOUR)
-    for i in range(work.state.shape[0]):
-        change = frame_sides[i] if i < dofs else sides[i - dofs]
-        before = work.state[i]
-        work.state[i] = dual(value_of(before), slopes_of(before) - change)
-    place_ends_at(model, time, work)
+def factorise(model: Any, motion: Motion, masses: Any, work: Any) -> None:
+    """Assemble and eliminate the matrix of a stage, that nothing is left out of; ``model`` and
+    ``work`` in plain numbers."""
+    nodes = masses.shape[0]
+    dofs = model.discretization.node_dofs()
+    zero = 0.0 * motion.rate_factor
+    begin = nodes
+    end = nodes
+    if dofs == 2 and nodes >= 2 * ENDS:
+        begin = ENDS
+        end = nodes - ENDS
+    sweep = begin_assembly(model, motion, masses, work)
+    sweep = assemble_nodes(model, motion, masses, work, 0, begin, sweep)
+    eliminate_nodes(work, dofs, 0, begin)
+    residual, band, skew = own_rows(zero)
+    rows = NodeRows(residual, band, skew, 0)
+    for node in range(begin, end):
+        sweep = add_node(model, motion, masses, work, node, 2, sweep, rows)
+        eliminate_unsymmetric(work, node, dofs, rows, False)
+    assemble_nodes(model, motion, masses, work, end, nodes, sweep)
+    eliminate_nodes(work, dofs, end, nodes)
+    eliminate_frame(work)
 
 
 @routine
-def differentiate_stages(
-    template: Any,
-    scheme: Any,
-    masses: Any,
-    memory: Any,
-    tangent: Any,
-    chosen: Any,
-    count: int,
-    corrections: int,
+def write_sides(model: Any, plain: Motion, masses: Any, work: Any, held: Any) -> None:
+    """Assemble a stage's residual in duals, whose slopes are right-hand sides.
+
+    ``held``: the same memory; or one whose state does not depend on parameters, where only the
+    clamps' own nodes do so far.
+    """
+    nodes = masses.shape[0]
+    motion = known(plain)
+    sweep = begin_assembly(model, motion, masses, work)
+    if model.discretization.node_dofs() == 3 or nodes <= 2 * ENDS:
+        assemble_nodes(model, motion, masses, work, 0, nodes, sweep)
+    else:
+        sweep = assemble_nodes(model, motion, masses, work, 0, ENDS, sweep)
+        # From the first node on once more, so that nothing carried is of what is not held.
+        sweep = begin_again(model, motion, held, sweep)
+        residual, _, _ = own_rows(0.0 * motion.rate_factor)
+        rows = NodeRows(residual, nowhere(), nowhere(), 0)
+        sides = work.bare_residual
+        end = nodes - ENDS - 1  # whose edge ahead is the last that no clamp holds
+        for node in range(end):
+            sweep = add_node(model, motion, masses, held, node, 2, sweep, rows)
+            if node >= ENDS:
+                sides[2 * node] = slopes_of(residual[0])
+                sides[2 * node + 1] = slopes_of(residual[1])
+        assemble_nodes(model, motion, masses, work, end, nodes, sweep)
+
+
+@routine
+def correct(model: Any, plain: Motion, masses: Any, work: Any, held: Any) -> None:
+    """Subtract from the slopes of a state what solves the linear system of the stage.
+
+    With ``held`` slopes of nodes between the clamps' are none before.
+    """
+    write_sides(model, plain, masses, work, held)
+    solve_sides(with_exact_system(work), work.bare_padded_residual, work.bare_frame_residual)
+    frame = model.frame.dofs(work.mesh)
+    slave = frame + model.discretization.node_dofs()
+    size = work.state.shape[0]
+    sides = work.bare_residual
+    state = work.bare_state
+    for i in range(frame):
+        state[i] = state[i] - work.bare_frame_residual[i]
+    for i in range(slave, size - (slave - frame)):
+        state[i] = before_in(held, i) - sides[i - frame]
+    place_ends_at(model, plain.time, work)
+
+
+@kernel
+def before_in(work: Any, i: Any) -> Any:
+    """Slopes of a coordinate."""
+    return slopes_of(work.state[i])
+
+
+@routine
+def differentiate_stage(
+    model: Any, scheme: Any, masses: Any, work: Any, motion: Motion, course: Course, most: int
 ) -> None:
-    """Bring the tangent states of the first ``count`` lanes in ``chosen`` through the stages that
-    they have just converged."""
-    rotations = template.discretization.node_dofs() == 3
-    for c in range(count):
-        predict_stage(template, scheme, memory, tangent, chosen[c])
-    for _ in range(corrections):
-        for c in range(count):
-            lane = chosen[c]
-            model = tangent_model(template, tangent, lane)
-            motion = motion_of(scheme, memory, lane)
-            write_sides(model, motion, masses, memory, tangent, lane)
-        solve_right_hand_sides(
-            memory, tangent.slopes, tangent.frame_slopes, chosen, count, rotations
-        )
-        for c in range(count):
-            lane = chosen[c]
-            node = scheme.abscissa(memory.clock[STAGE, lane])
-            time = memory.clock[TIME, lane] + node * memory.clock[STEP, lane]
-            model = tangent_model(template, tangent, lane)
-            correct(model, time, memory, tangent, lane)
-    for c in range(count):
-        store(template, scheme, memory, tangent, chosen[c])
-
-
-@routine
-def motion_of(scheme: Any, memory: Any, lane: Any) -> Motion:
-    """Time and rates of a lane's stage."""
-    step = memory.clock[STEP, lane]
-    rates = scheme.stage_rates(step, ratio_of(memory, lane))
-    time = memory.clock[TIME, lane] + scheme.abscissa(memory.clock[STAGE, lane]) * step
-    return Motion(time, rates.rate_factor, rates.inertia_rate, 0.0)
-
-
-@routine
-def store(template: Any, scheme: Any, memory: Any, tangent: Any, lane: Any) -> None:
-    """Keep a lane's stage; after its last one move on to the end of the step."""
-    work = view_tangent(tangent, lane)
-    stage = memory.clock[STAGE, lane]
-    step = memory.clock[STEP, lane]
-    ratio = ratio_of(memory, lane)
-    rates = scheme.stage_rates(step, ratio)
-    slot = int(stage)
+    """Bring the slopes of every lane's state through the stage at hand; ``most``: corrections where
+    the matrix is not exact."""
+    guessed = not model.discretization.tells_skew()
     for i in range(work.state.shape[0]):
-        work.state[i] = dual(memory.state[i, lane], slopes_of(work.state[i]))
-        reached = scheme.reached(work, i, step, rates)
-        work.velocity[slot, i] = reached.velocity
-        work.acceleration[slot, i] = reached.acceleration
-    if not scheme.ends_in_a_stage():
-        if stage >= 1.0 * scheme.stage_count():
-            model = tangent_model(template, tangent, lane)
-            scheme.end_step(work, step, True)
-            place_ends_at(model, memory.clock[TIME, lane] + step, work)
+        position, velocity, guess = scheme.predict(work, i, course.stage, course.step.rates)
+        work.position_predictor[i] = position
+        work.velocity_predictor[i] = velocity
+        if guessed:
+            work.state[i] = guess
+    if not guessed:
+        forget_ends(model, work)
+    place_ends_at(model, motion.time, work)
+    exact = with_exact_system(work)
+    factorise(with_numbers(model, exact.numbers), motion, masses, exact)
+    held = state_held(model.discretization, work)
+    for _ in range(most if guessed else 1):
+        correct(model, motion, masses, work, held)
+
+
+def state_held(discretization: Any, work: Any) -> Any:
+    """Where right-hand sides are assembled: of an exact matrix, with a state that is held."""
+    raise NotImplementedError("duals are compiled")
+
+
+@overload(state_held, strict=False, jit_options=INLINED)
+def _state_held(discretization: Any, work: Any) -> Any:
+    if discretization.instance_class.tells_skew(None):
+        return lambda discretization, work: with_state_held(work)
+    return lambda discretization, work: work
+
+
+@kernel
+def forget_ends(model: Any, work: Any) -> None:
+    """Let the frame and all nodes that the clamps' equations are of depend on no parameter."""
+    size = work.state.shape[0]
+    reach = model.frame.dofs(work.mesh) + (ENDS + 2) * model.discretization.node_dofs()
+    zero = 0.0 * work.state[0]
+    for i in range(min(reach, size)):
+        work.state[i] = constant(value_of(zero))
+    for i in range(max(size - reach, 0), size):
+        work.state[i] = constant(value_of(zero))
 
 
 @routine
-def commit(scheme: Any, memory: Any, tangent: Any, lane: Any) -> None:
-    """Make a lane's last stage the beginning of its next step; the clock has moved on already."""
-    work = view_tangent(tangent, lane)
+def keep_slopes(scheme: Any, work: Any, course: Course, last: int) -> None:
+    """Keep the slopes of converged stages up to ``last`` in their slots."""
+    for k in range(1, last + 1):
+        here = course.converged & (course.stage == 1.0 * k)
+        if any_true(here):
+            velocity = work.velocity[k]
+            acceleration = work.acceleration[k]
+            for i in range(work.state.shape[0]):
+                reached = scheme.reached(work, i, course.step.size, course.step.rates)
+                velocity[i] = where(here, reached.velocity, velocity[i])
+                acceleration[i] = where(here, reached.acceleration, acceleration[i])
+
+
+@routine
+def commit_slopes(scheme: Any, work: Any, course: Course, good: Any) -> None:
+    """Make the last stage of the lanes ``good`` the beginning of their next step."""
     last = scheme.stage_count()
-    step = memory.clock[LAST_STEP, lane]
     for i in range(work.state.shape[0]):
-        reached = Reached(work.velocity[last, i], work.acceleration[last, i])
-        scheme.keep_history(work, i, step, reached, True)
-        work.start[i] = work.state[i]
-        work.velocity[0, i] = reached.velocity
-        work.acceleration[0, i] = reached.acceleration
+        reached = scheme.reached(work, i, course.step.size, course.step.rates)
+        if not scheme.ends_in_a_stage():
+            reached = Reached(work.velocity[last, i], work.acceleration[last, i])
+        scheme.keep_history(work, i, course.step.size, reached, good)
+        work.start[i] = where(good, work.state[i], work.start[i])
+        work.velocity[0, i] = where(good, reached.velocity, work.velocity[0, i])
+        work.acceleration[0, i] = where(good, reached.acceleration, work.acceleration[0, i])
+
+
+@routine
+def end_slopes(model: Any, scheme: Any, work: Any, course: Course, ended: Any) -> None:
+    """Move on from the last stage to the end of the step, in lanes ``ended``, where that is no
+    stage."""
+    scheme.end_step(work, course.step.size, ended)
+    share = where(ended, 1.0, scheme.abscissa(course.stage))
+    place_ends_at(model, work.clock[TIME] + share * course.step.size, work)

@@ -2,23 +2,20 @@
 
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from snapjump.engine.assemble import Motion
-from snapjump.engine.differentiate import correct, place_ends_at, tangent_model, write_sides
+from snapjump.engine.differentiate import correct, factorise, place_ends_at
 from snapjump.engine.equilibrium import solve_equilibrium
-from snapjump.engine.linearised import solve_linearised
 from snapjump.engine.model import with_numbers
 from snapjump.engine.start import DIFFERENCE_RAD, stay_in_place, with_angles
 from snapjump.engine.status import RUNNING
-from snapjump.engine.tangent import view_tangent
-from snapjump.engine.view import view_memory, view_work
-from snapjump.linear_solver.right_hand_sides import FOUR, solve_right_hand_sides
+from snapjump.engine.tangent import view_tangent, with_exact_system
+from snapjump.engine.view import view_work
 from snapjump.number.array import uncounted
 from snapjump.number.dispatch import released, routine
-from snapjump.number.dual import PARAMETERS, constant, dual, slopes_of
+from snapjump.number.dual import PARAMETERS, constant, dual, slope_at, slopes_of, value_of
 from snapjump.number.lane import view_numbers
 
+FOUR = (0, 0, 0, 0)
 # The spring that holds x in statics, and those that bring lifted feet back, are no part of the
 # equilibrium: nearly without them the matrix is its derivative, and few corrections are needed.
 WEAK_ANCHOR = 1.0
@@ -35,41 +32,33 @@ class StartSlopes(NamedTuple):
 
 
 @routine
-def differentiate_equilibrium(
-    model: Any, dual_start: Any, masses: Any, memory: Any, tangent: Any, chosen: Any, time: float
-) -> None:
-    """Slopes of the equilibrium near ``memory.state`` at a time, into the tangent's state."""
-    work = view_work(memory, (0,))
-    store = view_memory(memory)
-    solve_equilibrium(model, masses, work, time)
+def differentiate_equilibrium(plain: Any, model: Any, masses: Any, twin: Any, time: Any) -> None:
+    """Slopes of the equilibrium at a time that the state is, of ``plain``, which ``model`` is in
+    duals."""
     zero = 0.0 * time
-    solve_linearised(model, Motion(time, zero, zero, zero + WEAK_ANCHOR), masses, work)
-    duals = view_tangent(tangent, 0)
-    for i in range(duals.state.shape[0]):
-        duals.state[i] = constant(store.state[i, 0])
-        duals.position_predictor[i] = constant(store.state[i, 0])
-    place_ends_at(dual_start, time, duals)
-    still = Motion(time, 0.0, 0.0, WEAK_ANCHOR)
-    rotations = model.discretization.node_dofs() == 3
+    for i in range(twin.state.shape[0]):
+        twin.state[i] = constant(zero)
+        twin.position_predictor[i] = constant(zero)
+    place_ends_at(model, time, twin)
+    still = Motion(time, zero, zero, zero + WEAK_ANCHOR)
+    sides = twin.bare_padded_residual
+    factorise(plain, still, masses, with_exact_system(twin))
     for _ in range(MOST_CORRECTIONS):
-        write_sides(dual_start, still, masses, store, tangent, 0)
-        solve_right_hand_sides(store, tangent.slopes, tangent.frame_slopes, chosen, 1, rotations)
-        correct(dual_start, time, store, tangent, 0)
-        largest = 0.0
-        for i in range(tangent.slopes.shape[1]):
+        correct(model, still, masses, twin, twin)
+        largest = zero
+        for i in range(sides.shape[0]):
             for k in range(PARAMETERS):
-                largest = max(largest, abs(tangent.slopes[0, i, k]))
+                largest = max(largest, abs(slope_at(sides[i], k)))
         if largest < SMALL:
             break
 
 
 @routine
-def guess_at(memory: Any, queue: Any, robot: int, time: float) -> None:
+def guess_at(work: Any, queue: Any, robot: int, time: float) -> None:
     """Put the state of a robot's branch at a time, by its tangent and curvature, into memory."""
-    state = view_memory(memory).state
-    for i in range(state.shape[0]):
+    for i in range(work.state.shape[0]):
         bend = 0.5 * time * queue.acceleration[robot, i]
-        state[i, 0] = queue.state[robot, i] + time * (queue.velocity[robot, i] + bend)
+        work.state[i] = queue.state[robot, i] + time * (queue.velocity[robot, i] + bend)
 
 
 @released
@@ -87,52 +76,56 @@ def differentiate_starts(
 
     ``memory``, ``tangent``: of one lane.
     """
-    chosen = np.zeros(1, dtype=np.int64)
     masses = uncounted(masses)
-    memory = uncounted(memory)
-    tangent = uncounted(tangent)
-    work = view_work(memory, (0,))
-    duals = view_tangent(tangent, 0)
+    work = view_work(uncounted(memory), (0,))
+    twin = view_tangent(work, uncounted(tangent))
     for robot in range(first, last):
         if queue.status[robot] != RUNNING:
             continue
         given = view_numbers(slopes.numbers[robot], FOUR)
         for k in range(work.numbers.shape[0]):
             work.numbers[k] = queue.numbers[robot, k]
-            duals.numbers[k] = dual(queue.numbers[robot, k], given[k])
+            twin.numbers[k] = dual(queue.numbers[robot, k], given[k])
         moving = with_numbers(template, work.numbers)
         model = with_angles(moving, moving.clamp.start, moving.clamp.delta_alpha)
-        dual_model = tangent_model(template, tangent, 0)
-        start = dual_model.clamp.start
-        delta_alpha = dual_model.clamp.delta_alpha
-        dual_start = with_angles(dual_model, start, delta_alpha)
+        of_duals = with_numbers(template, twin.numbers)
+        start = of_duals.clamp.start
+        delta_alpha = of_duals.clamp.delta_alpha
         difference = DIFFERENCE_RAD / moving.clamp.rate
         # Faster clamps pass the same angles on both sides, only sooner.
-        passing = DIFFERENCE_RAD / dual_model.clamp.rate
-        sooner = difference * (dual_model.clamp.rate - moving.clamp.rate)
-        earlier = with_angles(dual_model, start + sooner, delta_alpha)
-        later = with_angles(dual_model, start - sooner, delta_alpha)
+        passing = DIFFERENCE_RAD / of_duals.clamp.rate
+        sooner = difference * (of_duals.clamp.rate - moving.clamp.rate)
+        now = with_angles(of_duals, start, delta_alpha)
+        earlier = with_angles(of_duals, start + sooner, delta_alpha)
+        later = with_angles(of_duals, start - sooner, delta_alpha)
 
-        guess_at(memory, queue, robot, 0.0)
-        differentiate_equilibrium(model, dual_start, masses, memory, tangent, chosen, 0.0)
-        for i in range(duals.state.shape[0]):
-            duals.start[i] = duals.state[i]
-        guess_at(memory, queue, robot, -difference)
-        differentiate_equilibrium(model, earlier, masses, memory, tangent, chosen, -difference)
-        for i in range(duals.state.shape[0]):
-            duals.velocity[0, i] = duals.state[i]
-        guess_at(memory, queue, robot, difference)
-        differentiate_equilibrium(model, later, masses, memory, tangent, chosen, difference)
-        for i in range(duals.state.shape[0]):
-            before = duals.velocity[0, i]
-            after = duals.state[i]
-            now = duals.start[i]
-            bend = after - 2.0 * now + before
-            duals.velocity[0, i] = (after - before) / (2.0 * passing)
-            duals.acceleration[0, i] = bend / (passing * passing)
-        stay_in_place(dual_model, masses, duals)
+        guess_at(work, queue, robot, 0.0)
+        solve_equilibrium(model, masses, work, 0.0)
+        differentiate_equilibrium(model, now, masses, twin, 0.0)
+        for i in range(work.state.shape[0]):
+            twin.start[i] = twin.state[i]
+            work.start[i] = work.state[i]
+        guess_at(work, queue, robot, -difference)
+        solve_equilibrium(model, masses, work, -difference)
+        differentiate_equilibrium(model, earlier, masses, twin, -difference)
+        for i in range(work.state.shape[0]):
+            twin.velocity[0, i] = twin.state[i]
+            work.velocity[0, i] = work.state[i]
+        guess_at(work, queue, robot, difference)
+        solve_equilibrium(model, masses, work, difference)
+        differentiate_equilibrium(model, later, masses, twin, difference)
+        for i in range(work.state.shape[0]):
+            before = twin.velocity[0, i]
+            after = twin.state[i]
+            velocity = (after - before) / (2.0 * passing)
+            bend = (after - 2.0 * twin.start[i] + before) / (passing * passing)
+            twin.velocity[0, i] = velocity
+            twin.acceleration[0, i] = bend
+            work.velocity[0, i] = value_of(velocity)
+            work.acceleration[0, i] = value_of(bend)
+        stay_in_place(of_duals, masses, twin)
         found = view_numbers(slopes.starts[robot], FOUR)
-        for i in range(duals.state.shape[0]):
-            found[0, i] = slopes_of(duals.start[i])
-            found[1, i] = slopes_of(duals.velocity[0, i])
-            found[2, i] = slopes_of(duals.acceleration[0, i])
+        for i in range(work.state.shape[0]):
+            found[0, i] = slopes_of(twin.start[i])
+            found[1, i] = slopes_of(twin.velocity[0, i])
+            found[2, i] = slopes_of(twin.acceleration[0, i])

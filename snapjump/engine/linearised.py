@@ -30,6 +30,7 @@ from snapjump.linear_solver.banded_rotations import (
 from snapjump.linear_solver.contact_rows import NodeRows
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, maximum
+from snapjump.number.nowhere import nowhere
 from snapjump.number.own_rows import own_rows
 
 ENDS = NODES_COUPLED + 1  # nodes at either end whose columns a clamp's own node reaches
@@ -120,8 +121,8 @@ def solve_in_registers(model: Any, motion: Motion, masses: Any, work: Any) -> So
     sweep = begin_assembly(model, motion, masses, work)
     sweep = assemble_nodes(model, motion, masses, work, 0, ENDS, sweep)
     done = eliminate_nodes(model, work, 0, ENDS, begin_elimination(zero))
-    residual, band = own_rows(zero)
-    rows = NodeRows(residual, band, 0)
+    residual, band, _ = own_rows(zero)
+    rows = NodeRows(residual, band, nowhere(), 0)
     for node in range(ENDS, end):
         sweep = add_node(model, motion, masses, work, node, 2, sweep, rows)
         done = eliminate_columns(work, node, rows, nothing, bordered(model), done)

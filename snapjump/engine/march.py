@@ -14,6 +14,7 @@ from snapjump.engine.newton import StageLimits, newton_iteration
 from snapjump.engine.outcome import COLUMNS, ROWS_OF_CLOCK
 from snapjump.engine.queue import Queue, load_robot, refill
 from snapjump.engine.stage import (
+    Course,
     Ended,
     begin_stage,
     commit_step,
@@ -151,10 +152,12 @@ def march(
             error = estimate_error(scheme, work, motion)
             keep_stage(scheme, work, motion, kept, converged)
             recorder.record_stage(model, masses, motion, scheme, work, converged)
-            ended = converged & (clock[STAGE] >= last_stage)
+            course = Course(clock[STAGE], converged, Ended(h, rates_of(motion)))
+            ended = converged & (course.stage >= last_stage)
             clock[STAGE] = where(converged, clock[STAGE] + 1.0, clock[STAGE])
             if any_true(ended):
                 good, status = judge_step(model, masses, method, work, ended, error, status)
+            recorder.follow(model, masses, motion, scheme, work, course, good)
         if recorder.watches():
             if any_true(good):
                 commit_step(scheme, work, h, rates_of(motion), good)

@@ -1,5 +1,6 @@
 """The parts of a simulation as the kernels see them: members of families, filled with numbers."""
 
+import operator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,7 +14,7 @@ from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
 from snapjump.engine.load.none import NoLoad
 from snapjump.friction.none import NoFriction
-from snapjump.number.array import INDEX, View
+from snapjump.number.array import INDEX
 
 
 class TimeLimit(NamedTuple):
@@ -73,14 +74,15 @@ class _WithNumbers(AbstractTemplate):
 
 @lower_builtin(with_numbers, types.BaseTuple, types.Array)
 def _with_numbers(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-    array = View.of(builder, sig.args[1], args[1])
+    array = sig.args[1]
+    entry = signature(array.dtype, array, types.intp)
+    load = context.get_function(operator.getitem, entry)
     position = 0
     built = []
     for member in sig.return_type.types:
         values = []
         for _ in range(len(member)):
-            place = builder.mul(INDEX(position), array.strides[0])
-            values.append(builder.load(builder.gep(array.data, [place])))
+            values.append(load(builder, (args[1], INDEX(position))))
             position += 1
         built.append(context.make_tuple(builder, member, values))
     return context.make_tuple(builder, sig.return_type, built)

@@ -17,6 +17,15 @@ class Ended(NamedTuple):
     rates: Rates
 
 
+class Course(NamedTuple):
+    """Stages that have been solved: which (T), in which lanes they have converged (a mask), and the
+    steps that they are of."""
+
+    stage: Any
+    converged: Any
+    step: Ended
+
+
 @kernel
 def step_ratio(work: Any) -> Any:
     """This step over the last one, 0 where there was none."""

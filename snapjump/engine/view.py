@@ -4,6 +4,7 @@ What a kernel hands to another is the addresses of the parts and the sizes that 
 and not every array with extents of its own.
 """
 
+from collections.abc import Iterator
 from typing import Any
 
 from numba.core import cgutils, types
@@ -18,14 +19,13 @@ from numba.core.typing.templates import (
 from numba.extending import models, register_model
 
 from snapjump.discretization.base import HALF_BANDWIDTH
-from snapjump.engine.work import DIFFERENTIATED, FIELDS, WINDOWS, Memory, Sizes
+from snapjump.engine.work import EXACT, FIELDS, WINDOWS, Memory, Shape, Sizes
 from snapjump.number.array import INDEX, NumberArray, View, contiguous, seen_as
-from snapjump.number.dual import DUAL
 from snapjump.number.lane import LaneType
-from snapjump.number.nowhere import NOWHERE
+from snapjump.number.nowhere import NOWHERE, Nowhere
 from snapjump.number.scopes import SCOPES
 
-SCOPES.extend(FIELDS)
+SCOPES.extend({**FIELDS, **EXACT})
 MESH = NumberArray(types.int64, 1)
 MATRIX = ("padded_band", "padded_border", "corner_block")
 
@@ -34,32 +34,27 @@ class WorkType(types.Type):
     """The type of a march's memory in kernels, of one number type.
 
     lanes: whether its parts are doubles, lanes last; strided: whether neighbours are apart, as one
-    thread's numbers are on a card; matrix: whether what is written to the matrix is kept. Where
-    numbers are duals only what is differentiated is kept.
+    thread's numbers are on a card; matrix: whether what is written to the matrix is kept. Of what
+    only derivatives ask for nothing is kept.
     """
+
+    fields = FIELDS
 
     def __init__(self, number: types.Type, lanes: bool, strided: bool, matrix: bool = True):
         self.number = number
         self.lanes = lanes
         self.strided = strided
         self.matrix = matrix
-        self.fields = DIFFERENTIATED if number is DUAL else FIELDS
         super().__init__(name=f"Work({number}, {lanes}, {strided}, {matrix})")
-
-    def number_of(self, name: str) -> types.Type:
-        """The numbers of a part: coefficients of a scheme have no derivatives."""
-        return types.float64 if name == "coefficients" and self.number is DUAL else self.number
 
     def part(self, name: str) -> types.Type | None:
         """The type of a part, None if there is none of that name."""
         name = WINDOWS.get(name, name)
-        if name not in FIELDS:
-            return MESH if name == "mesh" else None
         if name not in self.fields or (name in MATRIX and not self.matrix):
-            return NOWHERE
-        ndim = len(FIELDS[name]) + self.lanes
+            return NOWHERE if name in EXACT else MESH if name == "mesh" else None
+        ndim = len(self.fields[name]) + self.lanes
         scope = "" if self.strided else name
-        return NumberArray(self.number_of(name), ndim, "A" if self.strided else "C", scope)
+        return NumberArray(self.number, ndim, "A" if self.strided else "C", scope)
 
 
 @register_model(WorkType)
@@ -67,7 +62,7 @@ class WorkModel(models.StructModel):
     """Addresses of the parts, their sizes, and how many numbers neighbours are apart."""
 
     def __init__(self, dmm: Any, fe_type: WorkType):
-        parts = [(name, types.CPointer(fe_type.number_of(name))) for name in fe_type.fields]
+        parts = [(name, types.CPointer(fe_type.number)) for name in fe_type.fields]
         sizes = ("sizes", types.UniTuple(types.intp, len(Sizes._fields)))
         super().__init__(dmm, fe_type, [*parts, sizes, ("apart", types.intp), ("mesh", MESH)])
 
@@ -93,7 +88,7 @@ def part_of(context: Any, builder: Any, kind: WorkType, value: Any, name: str) -
         return context.get_dummy_value()
     field = WINDOWS.get(name, name)
     sizes = Sizes(*cgutils.unpack_tuple(builder, work.sizes, len(Sizes._fields)))
-    shape = shape_of(field, sizes)
+    shape = shape_of(kind.fields[field], sizes)
     strides = [builder.mul(stride, work.apart) for stride in contiguous(builder, shape)]
     data = getattr(work, field)
     if name in WINDOWS:
@@ -104,12 +99,22 @@ def part_of(context: Any, builder: Any, kind: WorkType, value: Any, name: str) -
     return View(data, shape, strides).packed(context, builder, found)
 
 
-def shape_of(field: str, sizes: Sizes) -> list[Any]:
+def shape_of(shape: Shape, sizes: Sizes) -> list[Any]:
     """The extents of a part in LLVM."""
     return [
-        INDEX(extent) if isinstance(extent, int) else getattr(sizes, extent)
-        for extent in FIELDS[field]
+        INDEX(extent) if isinstance(extent, int) else getattr(sizes, extent) for extent in shape
     ]
+
+
+def beginnings(builder: Any, fields: dict[str, Shape], sizes: Sizes) -> Iterator[tuple[str, Any]]:
+    """Where each part begins, in numbers."""
+    begin = INDEX(0)
+    for name, shape in fields.items():
+        yield name, begin
+        count = INDEX(1)
+        for extent in shape_of(shape, sizes):
+            count = builder.mul(count, extent)
+        begin = builder.add(begin, count)
 
 
 def taken_apart(
@@ -118,16 +123,9 @@ def taken_apart(
     """The LLVM value of a memory whose parts lie in a block, from the address of its first
     number."""
     work = cgutils.create_struct_proxy(kind)(context, builder)
-    begin = INDEX(0)
     extents = Sizes(*cgutils.unpack_tuple(builder, sizes, len(Sizes._fields)))
-    for name in kind.fields:
-        place = builder.gep(block, [builder.mul(begin, apart)])
-        pointer = context.get_value_type(types.CPointer(kind.number_of(name)))
-        setattr(work, name, builder.bitcast(place, pointer))
-        count = INDEX(1)
-        for extent in shape_of(name, extents):
-            count = builder.mul(count, extent)
-        begin = builder.add(begin, count)
+    for name, begin in beginnings(builder, kind.fields, extents):
+        setattr(work, name, builder.gep(block, [builder.mul(begin, apart)]))
     work.sizes, work.apart, work.mesh = sizes, apart, mesh
     return work._getvalue()
 
@@ -163,7 +161,8 @@ class PlainWork:
     def __init__(self, memory: Memory):
         self.mesh = memory.mesh
         for name in (*FIELDS, *WINDOWS):
-            setattr(self, name, getattr(memory, name)[..., 0])
+            kept = WINDOWS.get(name, name) in FIELDS
+            setattr(self, name, getattr(memory, name)[..., 0] if kept else Nowhere())
 
 
 def view_work(memory: Any, lanes: Any) -> Any:

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.discretization.base import HALF_BANDWIDTH
+from snapjump.discretization.base import HALF_BANDWIDTH, SKEW
 from snapjump.engine.clock import ROWS
 from snapjump.frame.base import NO_MESH
 from snapjump.number.memory import aligned_zeros
@@ -41,8 +41,8 @@ class Sizes(NamedTuple):
 
 Shape = tuple[str | int, ...]  # names of sizes, and numbers
 
-# What depends on the parameters of a march, and is there again in duals where derivatives are.
-DIFFERENTIATED: dict[str, Shape] = {
+# What depends on the parameters of a march, and has slopes where derivatives are wanted.
+SLOPED: dict[str, Shape] = {
     "state": ("coordinates",),  # the Newton iterate q of the stage at hand
     "start": ("coordinates",),  # state at the step's beginning
     # Of a stage: v = (q - position_predictor) rate, a = (v - velocity_predictor) rate.
@@ -50,14 +50,14 @@ DIFFERENTIATED: dict[str, Shape] = {
     "velocity_predictor": ("coordinates",),
     "velocity": ("stages", "coordinates"),  # slot 0 is the step's beginning
     "acceleration": ("stages", "coordinates"),
-    "sliding_velocity": ("points",),  # along the ground, at the last iterate
     "numbers": ("numbers",),  # of the model
-    "coefficients": ("stages",),  # of the stage at hand, by which slots are weighted
     "padded_residual": ("padded_beam",),  # of the nodes; then the correction
     "padded_frame_residual": ("padded_frame",),  # of the frame; then the correction
 }
 FIELDS: dict[str, Shape] = {
-    **DIFFERENTIATED,
+    **SLOPED,
+    "coefficients": ("stages",),  # of the stage at hand, by which slots are weighted
+    "sliding_velocity": ("points",),  # along the ground, at the last iterate
     "correction": ("coordinates",),  # what was last subtracted from the state, before its share
     "active_set": ("points",),  # 1 where a constraint held the point at the last iterate
     "clock": (ROWS,),  # the lane's scalars (snapjump.engine.clock)
@@ -73,8 +73,20 @@ FIELDS: dict[str, Shape] = {
     "last_residual": (4,),
     "last_block": (4, 4),
 }
+# The linear system of derivatives, whose matrix nothing is left out of: the symmetric one, and what
+# that lacks, of the border first in the mounts' three columns, then in their rows.
+EXACT: dict[str, Shape] = {
+    **{name: FIELDS[name] for name in ("padded_band", "padded_border", "corner_block")},
+    "padded_skew": ("padded_beam", SKEW),
+    "padded_border_skew": ("padded_beam", 6),
+    "padded_factors": ("padded_beam", 17),  # of :mod:`snapjump.linear_solver.banded_unsymmetric`
+    "padded_residual": ("padded_beam",),
+    "padded_frame_residual": ("padded_frame",),
+}
 # Padded parts without the padding.
-WINDOWS = {name.removeprefix("padded_"): name for name in FIELDS if name.startswith("padded_")}
+WINDOWS = {
+    name.removeprefix("padded_"): name for name in {**FIELDS, **EXACT} if name.startswith("padded_")
+}
 
 
 class Memory(NamedTuple):
@@ -86,7 +98,7 @@ class Memory(NamedTuple):
 
     def __getattr__(self, name: str) -> Any:
         """A part as an array, lanes last."""
-        if name in WINDOWS:
+        if WINDOWS.get(name) in FIELDS:
             return getattr(self, WINDOWS[name])[HALF_BANDWIDTH:-HALF_BANDWIDTH]
         if name not in FIELDS:
             raise AttributeError(name)

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from snapjump.declare.fields import Part
 from snapjump.linear_solver.contact_rows import NodeRows
 from snapjump.number.methods import Contract, required
+from snapjump.number.nowhere import nowhere
 
 
 class Rotations(NamedTuple):
@@ -118,7 +119,7 @@ class Frame(Contract):
 
     def contact_rows(self, point: Any, work: Any, rate: Any) -> Any:
         """The :class:`~snapjump.linear_solver.contact_rows.ContactRows` of such a point."""
-        return NodeRows(work.frame_residual, work.corner_block, 0)
+        return NodeRows(work.frame_residual, work.corner_block, nowhere(), 0)
 
     def point_mass(self, mesh: Any, point: Any, state: Any) -> Any:
         """Mass (in rho A L) that a vertical push at such a point moves."""

@@ -2,6 +2,7 @@
 
 from typing import Any, NamedTuple
 
+from snapjump.discretization.base import RIGHT
 from snapjump.number.dispatch import kernel
 from snapjump.number.methods import Contract, required
 
@@ -25,10 +26,11 @@ class ContactRows(Contract):
 
 @ContactRows.member
 class NodeRows(NamedTuple):
-    """Rows of a node whose x is at ``row`` of residual and band."""
+    """Rows of a node whose x is at ``row`` of residual, band, and what the band lacks."""
 
     residual: Any
     band: Any
+    skew: Any
     row: Any
 
     def push(self, force: Any, stiffness: Any) -> None:
@@ -39,14 +41,14 @@ class NodeRows(NamedTuple):
         self.residual[self.row] += force
 
     def drag_slope(self, force: Any, by_velocity: Any, by_gap: Any, rate: Any) -> None:
-        # The derivative by the gap alone would make the band unsymmetric.
         self.band[self.row, 0] += by_velocity * rate
+        self.skew[self.row, RIGHT] -= by_gap
 
 
 @kernel
 def rows_of(work: Any, row: Any) -> NodeRows:
     """The rows of a node of the beam in memory."""
-    return NodeRows(work.residual[row:], work.band[row:], 0)
+    return NodeRows(work.residual[row:], work.band[row:], work.skew[row:], 0)
 
 
 @ContactRows.member

@@ -149,19 +149,12 @@ def _load(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     return apart(builder, array.scope, context.unpack_value(builder, array.dtype, part.data))
 
 
-@lower_builtin(operator.setitem, NumberArray, types.Any, types.Array)
-@lower_builtin(operator.setitem, NumberArray, types.Any, types.Any)
-def _store(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-    """A store; of lanes, through a fence that costs nothing.
+def fenced_store(context: Any, builder: Any, kind: types.Type, value: Any, place: Any) -> Any:
+    """A store; of lanes, through a fence that costs nothing. Returns it.
 
     LLVM would merge ``x[i] = where(mask, y, x[i])`` into a masked store, which AMD's processors
     take a dozen cycles for, against one for the choice and the store by themselves.
     """
-    array, index, kind = sig.args
-    part = View.of(builder, array, args[0]).part(context, builder, index, args[1])
-    if part.shape:
-        raise NotImplementedError(f"{array}[{index}] is no single number")
-    value = context.cast(builder, args[2], kind, array.dtype)
     if isinstance(value.type, ir.VectorType):
         fence = cgutils.get_or_insert_function(
             builder.module,
@@ -169,8 +162,19 @@ def _store(context: Any, builder: Any, sig: Any, args: Any) -> Any:
             f"llvm.arithmetic.fence.v{value.type.count}f64",
         )
         value = builder.call(fence, [value])
-    context.pack_value(builder, array.dtype, value, part.data)
-    apart(builder, array.scope, builder.block.instructions[-1])
+    context.pack_value(builder, kind, value, place)
+    return builder.block.instructions[-1]
+
+
+@lower_builtin(operator.setitem, NumberArray, types.Any, types.Array)
+@lower_builtin(operator.setitem, NumberArray, types.Any, types.Any)
+def _store(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+    array, index, kind = sig.args
+    part = View.of(builder, array, args[0]).part(context, builder, index, args[1])
+    if part.shape:
+        raise NotImplementedError(f"{array}[{index}] is no single number")
+    value = context.cast(builder, args[2], kind, array.dtype)
+    apart(builder, array.scope, fenced_store(context, builder, array.dtype, value, part.data))
 
 
 def uncounted_type(kind: types.Type) -> types.Type:

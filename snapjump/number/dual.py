@@ -2,8 +2,9 @@
 
 Kernels written in plain arithmetic compile, unchanged, for a :class:`DualType`, and then
 differentiate themselves (forward mode): every operation carries the derivatives along, four in
-one SIMD register. Comparisons look at values alone. Values are computed by the very operations of
-a ``float64``; derivatives may be contracted and reordered by the compiler.
+one SIMD register, or those of every lane in four. Comparisons look at values alone. Values are
+computed by the very operations of a ``float64`` or of lanes, and so are slopes: those of lanes
+agree with those of doubles to the last bit.
 """
 
 import operator
@@ -18,55 +19,75 @@ from numba.core.typing.templates import infer_global, signature
 from numba.extending import intrinsic, models, register_model
 
 from snapjump.number.array import FirstTemplate
-from snapjump.number.lane import LaneType, splat
+from snapjump.number.lane import LaneType, MaskType, splat, vector_intrinsic
 
 PARAMETERS = 4
-DOUBLES = 8  # of memory for one dual: the value, padding, and the slopes on a boundary of their own
-FLAGS = ("nnan", "ninf", "nsz", "contract")  # for slopes: what is times nothing, is nothing
-SLOPES = LaneType(PARAMETERS)
+DOUBLES = 8  # of memory for one dual of a double: the value, padding, and the slopes on a boundary
+FLAGS = ("nnan", "ninf", "nsz")  # for slopes: what is times nothing, is nothing
 
 
 class DualType(types.Type):
-    """The type of a value with its slopes; plain numbers mixed with it have none."""
+    """The type of a value (``base``: a double, or lanes) with its slopes, one parameter after the
+    other; plain numbers mixed with it have none."""
 
-    def __init__(self) -> None:
-        super().__init__(name="Dual")
+    def __init__(self, base: types.Type = types.float64) -> None:
+        self.base = base
+        self.width = base.width if isinstance(base, LaneType) else 1
+        self.slopes = LaneType(PARAMETERS * self.width)
+        super().__init__(name=f"Dual({base})")
+
+    def takes(self, other: types.Type) -> bool:
+        """Whether another type is one of plain numbers that mix with this one."""
+        return other == self.base or isinstance(other, (types.Float, types.Integer))
 
     def can_convert_from(self, typingctx: Any, other: types.Type) -> Any:
-        return Conversion.safe if isinstance(other, (types.Float, types.Integer)) else None
+        return Conversion.safe if self.takes(other) else None
 
     def unify(self, typingctx: Any, other: types.Type) -> Any:
-        return self if isinstance(other, (types.Float, types.Integer)) else None
+        return self if self.takes(other) else None
 
 
 @register_model(DualType)
 class DualModel(models.StructModel):
-    """A dual as a double and a vector of four."""
+    """A dual as its value and one vector of all its slopes."""
 
     def __init__(self, dmm: Any, fe_type: DualType):
-        super().__init__(dmm, fe_type, [("value", types.float64), ("slopes", SLOPES)])
+        super().__init__(dmm, fe_type, [("value", fe_type.base), ("slopes", fe_type.slopes)])
 
 
 DUAL = DualType()
-NO_SLOPES = ir.Constant(ir.VectorType(ir.DoubleType(), PARAMETERS), None)
+
+
+def no_slopes(kind: DualType) -> ir.Constant:
+    """The slopes of a constant."""
+    return ir.Constant(ir.VectorType(ir.DoubleType(), kind.slopes.width), None)
+
+
+def repeated(builder: Any, value: Any) -> Any:
+    """A double, or lanes, once for every parameter."""
+    if not isinstance(value.type, ir.VectorType):
+        return splat(builder, value, PARAMETERS)
+    lanes = [k for _ in range(PARAMETERS) for k in range(value.type.count)]
+    places = ir.Constant(ir.VectorType(ir.IntType(32), len(lanes)), lanes)
+    return builder.shuffle_vector(value, ir.Constant(value.type, ir.Undefined), places)
 
 
 class Parts:
     """A dual, or a plain number, taken apart in LLVM: ``value``, and ``slopes`` or None."""
 
-    def __init__(self, context: Any, builder: Any, kind: types.Type, number: Any):
-        if isinstance(kind, DualType):
-            pair = cgutils.create_struct_proxy(kind)(context, builder, value=number)
+    def __init__(self, context: Any, builder: Any, given: types.Type, number: Any, kind: DualType):
+        if isinstance(given, DualType):
+            pair = cgutils.create_struct_proxy(given)(context, builder, value=number)
             self.value, self.slopes = pair.value, pair.slopes
         else:
-            self.value, self.slopes = context.cast(builder, number, kind, types.float64), None
+            self.value, self.slopes = context.cast(builder, number, given, kind.base), None
 
 
-def together(context: Any, builder: Any, value: Any, slopes: Any) -> Any:
+def together(context: Any, builder: Any, kind: DualType, value: Any, slopes: Any) -> Any:
     """The dual of a value and its slopes (None: zero)."""
-    pair = cgutils.create_struct_proxy(DUAL)(context, builder)
+    pair = cgutils.create_struct_proxy(kind)(context, builder)
     pair.value = value
-    pair.slopes = NO_SLOPES if slopes is None else slopes
+    pair.slopes = no_slopes(kind) if slopes is None else slopes
     return pair._getvalue()
 
 
@@ -74,7 +95,18 @@ def scaled(builder: Any, slopes: Any, factor: Any) -> Any:
     """Slopes times a number."""
     if slopes is None:
         return None
-    return builder.fmul(slopes, splat(builder, factor, PARAMETERS), flags=FLAGS)
+    return builder.fmul(slopes, repeated(builder, factor), flags=FLAGS)
+
+
+def scaled_onto(builder: Any, slopes: Any, factor: Any, others: Any) -> Any:
+    """Slopes times a number, rounded once with the other slopes added."""
+    if slopes is None or others is None:
+        return added(builder, scaled(builder, slopes, factor), others)
+    kind = slopes.type
+    fma = cgutils.get_or_insert_function(
+        builder.module, ir.FunctionType(kind, [kind] * 3), f"llvm.fma.v{kind.count}f64"
+    )
+    return builder.call(fma, [slopes, repeated(builder, factor), others], fastmath=FLAGS)
 
 
 def added(builder: Any, a: Any, b: Any) -> Any:
@@ -94,47 +126,64 @@ def _difference(builder: Any, x: Parts, y: Parts) -> Any:
 
 
 def _product(builder: Any, x: Parts, y: Parts) -> Any:
-    slopes = added(builder, scaled(builder, x.slopes, y.value), scaled(builder, y.slopes, x.value))
+    slopes = scaled_onto(builder, x.slopes, y.value, scaled(builder, y.slopes, x.value))
     return builder.fmul(x.value, y.value), slopes
 
 
 def _quotient(builder: Any, x: Parts, y: Parts) -> Any:
     quotient = builder.fdiv(x.value, y.value)
-    over = builder.fdiv(ir.Constant(ir.DoubleType(), 1.0), y.value)
-    falling = scaled(builder, y.slopes, builder.fneg(quotient))
-    return quotient, scaled(builder, added(builder, x.slopes, falling), over)
+    one = ir.Constant(ir.DoubleType(), 1.0)
+    if isinstance(y.value.type, ir.VectorType):
+        one = splat(builder, one, y.value.type.count)
+    over = builder.fdiv(one, y.value)
+    change = scaled_onto(builder, y.slopes, builder.fneg(quotient), x.slopes)
+    return quotient, scaled(builder, change, over)
 
 
-def is_dual(*kinds: types.Type) -> bool:
-    """Whether there is a dual among the types and nothing but numbers beside it."""
-    numbers = (DualType, types.Float, types.Integer)
-    return any(isinstance(k, DualType) for k in kinds) and all(
-        isinstance(k, numbers) for k in kinds
-    )
+def dual_type(*kinds: types.Type) -> Any:
+    """The dual among the types where nothing but numbers that mix with it is beside it, or None."""
+    duals = [kind for kind in kinds if isinstance(kind, DualType)]
+    if not duals:
+        return None
+    known = all(kind == duals[0] or duals[0].takes(kind) for kind in kinds)
+    return duals[0] if known else None
 
 
 def plain(kind: types.Type) -> types.Type:
-    """The type as an operation takes it: a dual, or a double."""
-    return kind if isinstance(kind, DualType) else types.float64
+    """The type as an operation takes it: a dual, lanes, or a double."""
+    return kind if isinstance(kind, (DualType, LaneType)) else types.float64
 
 
-PAIRS = ((DualType, DualType), (DualType, types.Float), (types.Float, DualType))
+def compared(kind: DualType) -> types.Type:
+    """What a comparison of duals gives."""
+    return MaskType(kind.width) if kind.width > 1 else types.boolean
 
 
-def _define(function: Callable[..., Any], build: Any, returned: types.Type) -> None:
+PAIRS = (
+    (DualType, DualType),
+    (DualType, types.Float),
+    (types.Float, DualType),
+    (DualType, LaneType),
+    (LaneType, DualType),
+)
+
+
+def _define(function: Callable[..., Any], build: Any, compares: bool) -> None:
     """Teach numba a function of two numbers of which one or both are duals."""
 
     @infer_global(function)
     class _Typing(FirstTemplate):
         def generic(self, args: Any, kws: Any) -> Any:
-            if len(args) == 2 and is_dual(*args):
-                return signature(returned, *[plain(a) for a in args])
-            return None
+            kind = dual_type(*args) if len(args) == 2 else None
+            if kind is None:
+                return None
+            return signature(compared(kind) if compares else kind, *[plain(a) for a in args])
 
     def lowering(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        parts = [Parts(context, builder, t, a) for t, a in zip(sig.args, args, strict=True)]
+        kind = dual_type(*sig.args)
+        parts = [Parts(context, builder, t, a, kind) for t, a in zip(sig.args, args, strict=True)]
         result = build(builder, *parts)
-        return together(context, builder, *result) if returned is DUAL else result
+        return result if compares else together(context, builder, kind, *result)
 
     for pair in PAIRS:
         lower_builtin(function, *pair)(lowering)
@@ -150,7 +199,7 @@ for _function, _build in {
     operator.imul: _product,
     operator.itruediv: _quotient,
 }.items():
-    _define(_function, _build, DUAL)
+    _define(_function, _build, False)
 
 for _function, _name in {
     operator.lt: "<",
@@ -162,46 +211,55 @@ for _function, _name in {
     _define(
         _function,
         lambda builder, x, y, name=_name: builder.fcmp_ordered(name, x.value, y.value),
-        types.boolean,
+        True,
     )
 
 
 @infer_global(operator.neg)
 class _Negation(FirstTemplate):
     def generic(self, args: Any, kws: Any) -> Any:
-        return signature(DUAL, DUAL) if args == (DUAL,) else None
+        return signature(args[0], *args) if isinstance(args[0], DualType) else None
 
 
 @lower_builtin(operator.neg, DualType)
 def _negative(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-    x = Parts(context, builder, DUAL, args[0])
-    return together(context, builder, builder.fneg(x.value), builder.fneg(x.slopes))
+    x = Parts(context, builder, sig.args[0], args[0], sig.args[0])
+    value, slopes = builder.fneg(x.value), builder.fneg(x.slopes)
+    return together(context, builder, sig.args[0], value, slopes)
 
 
 @lower_cast(types.Float, DualType)
 @lower_cast(types.Integer, DualType)
+@lower_cast(LaneType, DualType)
 def _constant(context: Any, builder: Any, fromty: Any, toty: Any, value: Any) -> Any:
-    return together(context, builder, context.cast(builder, value, fromty, types.float64), None)
+    return together(context, builder, toty, context.cast(builder, value, fromty, toty.base), None)
+
+
+def dual_over(value: types.Type) -> DualType:
+    """The type of duals with such values."""
+    return DualType(value) if isinstance(value, LaneType) else DUAL
 
 
 @intrinsic
 def dual(typingctx: Any, value: Any, slopes: Any) -> Any:
-    """The dual of a value and its slopes (a lane of four)."""
+    """The dual of a value and its slopes."""
+    kind = dual_over(value)
 
     def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        return together(context, builder, *args)
+        return together(context, builder, kind, *args)
 
-    return DUAL(types.float64, SLOPES), codegen
+    return kind(kind.base, kind.slopes), codegen
 
 
 @intrinsic
 def constant(typingctx: Any, value: Any) -> Any:
     """The dual of a number that depends on no parameter."""
+    kind = dual_over(value)
 
     def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        return together(context, builder, args[0], None)
+        return together(context, builder, kind, args[0], None)
 
-    return DUAL(types.float64), codegen
+    return kind(kind.base), codegen
 
 
 @intrinsic
@@ -209,27 +267,93 @@ def value_of(typingctx: Any, number: Any) -> Any:
     """The value of a dual."""
 
     def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        return Parts(context, builder, DUAL, args[0]).value
+        return Parts(context, builder, number, args[0], number).value
 
-    return types.float64(DUAL), codegen
+    return number.base(number), codegen
 
 
 @intrinsic
 def slopes_of(typingctx: Any, number: Any) -> Any:
-    """The slopes of a dual, a lane of four."""
+    """The slopes of a dual, lanes of one parameter after the other."""
 
     def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        return Parts(context, builder, DUAL, args[0]).slopes
+        return Parts(context, builder, number, args[0], number).slopes
 
-    return SLOPES(DUAL), codegen
+    return number.slopes(number), codegen
+
+
+@intrinsic
+def each(typingctx: Any, value: Any) -> Any:
+    """A number, or lanes, once for every parameter: a factor of slopes."""
+    kind = dual_over(value)
+
+    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        return repeated(builder, args[0])
+
+    return kind.slopes(kind.base), codegen
+
+
+@intrinsic
+def times(typingctx: Any, slopes: Any, factor: Any) -> Any:
+    """Slopes times a number, or times every lane's own."""
+
+    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        return scaled(builder, *args)
+
+    return slopes(slopes, dual_over(factor).base), codegen
+
+
+@intrinsic
+def plus(typingctx: Any, a: Any, b: Any) -> Any:
+    """The sum of two slopes."""
+
+    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        return added(builder, *args)
+
+    return a(a, a), codegen
+
+
+@intrinsic
+def times_plus(typingctx: Any, slopes: Any, factor: Any, others: Any) -> Any:
+    """Slopes times a number, rounded once with the other slopes added."""
+
+    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        return scaled_onto(builder, *args)
+
+    return slopes(slopes, dual_over(factor).base, slopes), codegen
+
+
+@intrinsic
+def steepest(typingctx: Any, number: Any) -> Any:
+    """The largest absolute slope of a dual."""
+    width = number.width
+
+    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        slopes = Parts(context, builder, number, args[0], number).slopes
+        sizes = vector_intrinsic(builder, "fabs", slopes)
+        found = None
+        for k in range(PARAMETERS):
+            lanes = [ir.Constant(ir.IntType(32), k * width + lane) for lane in range(width)]
+            if width == 1:
+                one = builder.extract_element(sizes, lanes[0])
+            else:
+                places = ir.Constant(ir.VectorType(ir.IntType(32), width), lanes)
+                one = builder.shuffle_vector(sizes, ir.Constant(sizes.type, ir.Undefined), places)
+            if found is not None:
+                larger = builder.fcmp_ordered(">", one, found)
+                one = builder.select(larger, one, found)
+            found = one
+        return found
+
+    return number.base(number), codegen
 
 
 @intrinsic
 def slope_at(typingctx: Any, slopes: Any, place: Any) -> Any:
-    """One of four slopes, as a number."""
+    """One of the slopes of a dual of a double, as a number."""
 
     def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         index = context.cast(builder, args[1], sig.args[1], types.int32)
         return builder.extract_element(args[0], index)
 
-    return types.float64(SLOPES, place), codegen
+    return types.float64(slopes, place), codegen

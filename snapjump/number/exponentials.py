@@ -14,7 +14,7 @@ from numba.core import types
 from numba.extending import intrinsic, overload
 
 from snapjump.number.dispatch import INLINED, kernel
-from snapjump.number.dual import DualType, dual, slopes_of, value_of
+from snapjump.number.dual import DualType, dual, slopes_of, times, value_of
 from snapjump.number.functions import fma, is_plain, maximum, minimum, nearest, where
 from snapjump.number.lane import LaneType, splat
 
@@ -138,7 +138,7 @@ def exp(x: Any) -> Any:
 @overload(log, strict=False, jit_options=INLINED)
 def _log(x: Any) -> Any:
     if isinstance(x, DualType):
-        return lambda x: dual(logarithm(value_of(x)), slopes_of(x) * (1.0 / value_of(x)))
+        return lambda x: dual(logarithm(value_of(x)), times(slopes_of(x), 1.0 / value_of(x)))
     return (lambda x: logarithm(x)) if is_plain(x) else None
 
 
@@ -148,7 +148,7 @@ def _exp(x: Any) -> Any:
 
         def differentiated(x: Any) -> Any:
             value = exponential(value_of(x))
-            return dual(value, slopes_of(x) * value)
+            return dual(value, times(slopes_of(x), value))
 
         return differentiated
     return (lambda x: exponential(x)) if is_plain(x) else None

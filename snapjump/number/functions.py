@@ -13,14 +13,14 @@ from numba.extending import intrinsic, overload
 
 from snapjump.number.dispatch import INLINED
 from snapjump.number.dual import (
-    DUAL,
     DualType,
     Parts,
-    added,
     dual,
-    is_dual,
-    scaled,
+    dual_type,
+    repeated,
+    scaled_onto,
     slopes_of,
+    times,
     together,
     value_of,
 )
@@ -76,7 +76,7 @@ def _elementwise(name: str, in_python: Any, of_dual: Any) -> Any:
 def _sqrt_of_dual(root: Any) -> Any:
     def differentiated(x: Any) -> Any:
         value = root(value_of(x))
-        return dual(value, slopes_of(x) * (0.5 / value))
+        return dual(value, times(slopes_of(x), 0.5 / value))
 
     return differentiated
 
@@ -86,7 +86,7 @@ def _nearest_of_dual(rounded: Any) -> Any:
 
 
 def _absolute_of_dual(magnitude: Any) -> Any:
-    return lambda x: -x if value_of(x) < 0.0 else x
+    return lambda x: where(value_of(x) < 0.0, -x, x)
 
 
 sqrt = _elementwise(
@@ -113,9 +113,25 @@ def _select(typingctx: Any, mask: Any, a: Any, b: Any) -> Any:
     return lane(mask, a, b), codegen
 
 
+@intrinsic
+def _select_duals(typingctx: Any, mask: Any, a: Any, b: Any) -> Any:
+    kind = dual_type(a, b)
+
+    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        x, y = (context.cast(builder, args[k], sig.args[k], kind) for k in (1, 2))
+        x, y = Parts(context, builder, kind, x, kind), Parts(context, builder, kind, y, kind)
+        value = builder.select(args[0], x.value, y.value)
+        slopes = builder.select(repeated(builder, args[0]), x.slopes, y.slopes)
+        return together(context, builder, kind, value, slopes)
+
+    return kind(mask, a, b), codegen
+
+
 @overload(where, strict=False, jit_options=INLINED)
 def _where(mask: Any, a: Any, b: Any) -> Any:
     if isinstance(mask, MaskType):
+        if dual_type(a, b):
+            return lambda mask, a, b: _select_duals(mask, a, b)
         return (lambda mask, a, b: _select(mask, a, b)) if is_plain(a, b) else None
     return lambda mask, a, b: a if mask else b
 
@@ -140,22 +156,27 @@ def _fused(typingctx: Any, a: Any, b: Any, c: Any) -> Any:
 
 @overload(fma, strict=False, jit_options=INLINED)
 def _fma(a: Any, b: Any, c: Any) -> Any:
-    if is_dual(a, b, c):
+    if dual_type(a, b, c):
         return lambda a, b, c: _fused_duals(a, b, c)
     return (lambda a, b, c: _fused(a, b, c)) if is_plain(a, b, c) else None
 
 
 @intrinsic
 def _fused_duals(typingctx: Any, a: Any, b: Any, c: Any) -> Any:
-    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-        x, y, z = (Parts(context, builder, t, v) for t, v in zip(sig.args, args, strict=True))
-        product = added(
-            builder, scaled(builder, x.slopes, y.value), scaled(builder, y.slopes, x.value)
-        )
-        value = builder.fma(x.value, y.value, z.value)
-        return together(context, builder, value, added(builder, product, z.slopes))
+    kind = dual_type(a, b, c)
 
-    return DUAL(a, b, c), codegen
+    def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        pairs = zip(sig.args, args, strict=True)
+        x, y, z = (Parts(context, builder, t, v, kind) for t, v in pairs)
+        rest = scaled_onto(builder, y.slopes, x.value, z.slopes)
+        slopes = scaled_onto(builder, x.slopes, y.value, rest)
+        values = (x.value, y.value, z.value)
+        value = (
+            vector_intrinsic(builder, "fma", *values) if kind.width > 1 else builder.fma(*values)
+        )
+        return together(context, builder, kind, value, slopes)
+
+    return kind(a, b, c), codegen
 
 
 def minimum(a: Any, b: Any) -> Any:

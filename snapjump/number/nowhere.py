@@ -10,7 +10,9 @@ from llvmlite import ir
 from numba.core import types
 from numba.core.imputils import lower_builtin
 from numba.core.typing.templates import AbstractTemplate, infer_global, signature
-from numba.extending import intrinsic, models, register_model
+from numba.extending import intrinsic, models, overload, register_model
+
+from snapjump.number.dispatch import INLINED
 
 
 class NowhereType(types.Type):
@@ -54,11 +56,40 @@ def _write(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     return context.get_dummy_value()
 
 
-@intrinsic
-def nowhere(typingctx: Any) -> Any:
-    """An array that keeps nothing."""
+class Nowhere:
+    """The same in plain Python."""
 
+    def __getitem__(self, index: Any) -> Any:
+        return self if isinstance(index, slice) else 0.0
+
+    def __setitem__(self, index: Any, value: Any) -> None:
+        pass
+
+
+def nowhere() -> Any:
+    """An array that keeps nothing."""
+    return Nowhere()
+
+
+def keeps(array: Any) -> Any:
+    """Whether an array keeps what is written to it; a constant while compiling."""
+    return not isinstance(array, Nowhere)
+
+
+@overload(keeps, strict=False, jit_options=INLINED)
+def _keeps(array: Any) -> Any:
+    kept = array is not NOWHERE
+    return lambda array: kept
+
+
+@intrinsic
+def _nowhere(typingctx: Any) -> Any:
     def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         return context.get_dummy_value()
 
     return NOWHERE(), codegen
+
+
+@overload(nowhere, strict=False, jit_options=INLINED)
+def _nowhere_in_kernels() -> Any:
+    return lambda: _nowhere()

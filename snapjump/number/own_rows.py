@@ -10,25 +10,26 @@ from numba.core.typing.templates import AbstractTemplate, infer_global, signatur
 
 from snapjump.number.array import INDEX, NumberArray, View
 
-RESIDUAL, BAND = (3,), (3, 6)
+SHAPES = ((3,), (3, 6), (3, 11))  # residual, band, and what the band lacks
 
 
 def own_rows(number: Any) -> Any:
-    """Residual (3) and band (3, 6) of one node, of the type of a number, which no memory holds."""
-    return np.zeros(RESIDUAL, type(number)), np.zeros(BAND, type(number))
+    """Residual (3), band (3, 6) and what that lacks (3, 11) of one node, of the type of a number,
+    which no memory holds."""
+    return tuple(np.zeros(shape, type(number)) for shape in SHAPES)
 
 
 @infer_global(own_rows)
 class _OwnRows(AbstractTemplate):
     def generic(self, args: Any, kws: Any) -> Any:
-        kinds = NumberArray(args[0], 1, scope="own"), NumberArray(args[0], 2, scope="own")
+        kinds = [NumberArray(args[0], len(shape), scope="own") for shape in SHAPES]
         return signature(types.Tuple(kinds), *args)
 
 
 @lower_builtin(own_rows, types.Any)
 def _own_rows(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     arrays = []
-    for kind, shape in zip(sig.return_type.types, (RESIDUAL, BAND), strict=True):
+    for kind, shape in zip(sig.return_type.types, SHAPES, strict=True):
         extents = [INDEX(extent) for extent in shape]
         number = context.get_data_type(kind.dtype)
         data = cgutils.alloca_once(builder, number, size=INDEX(math.prod(shape)))

@@ -22,8 +22,9 @@ from snapjump.scenes.crew import Worker, run_crew
 from snapjump.scenes.runner import March
 
 Array = NDArray[np.float64]
-# Corrections of a stage's derivatives: each shrinks their error about a hundred times.
-CORRECTIONS = 2
+# Corrections of a stage's derivatives, where the matrix lacks something: each shrinks their error
+# about a hundred times.
+CORRECTIONS = 3
 # Below it steps jump over the stick zone of friction: whether a point sticks is then decided within
 # Newton's tolerance, and the derivative of what was computed tells nothing of what sticking does.
 SMALLEST_STICK_ZONE = 1.095e-3  # L/T: 0.005 m/s of the default robot
@@ -107,14 +108,14 @@ def record_sensitivities(
         lanes, points = march.lanes, worker.memory.sliding_velocity.shape[0]
         worker.recorder = SensitivityRecorder(
             memory=worker.memory,
+            lanes=(0,) * lanes,
             tangent=make_tangent_state(worker.memory),
             numbers=given,
             starts=starts,
             flights=flights,
             grazes=grazes,
-            falling=np.zeros((lanes, points)),
-            nearest=np.zeros(lanes),
-            chosen=np.zeros(lanes, dtype=np.int64),
-            corrections=np.array([corrections]),
+            falling=aligned_zeros((points, lanes)),
+            nearest=aligned_zeros((1, lanes)),
+            most=corrections,
         )
     return flights, grazes

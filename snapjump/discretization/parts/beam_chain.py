@@ -7,7 +7,7 @@ hinges at the ends.
 from typing import Any, NamedTuple
 
 from snapjump.damping.none import NoDamping
-from snapjump.discretization.base import ChainPowers, Discretization, EndHinge, NodeMotion
+from snapjump.discretization.base import ChainPowers, Discretization, EndHinge, NodeMotion, no_hinge
 from snapjump.discretization.parts.beam_elements import Element, Span, element_of
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, maximum
@@ -105,7 +105,7 @@ class BeamElements(Discretization):
 
     def begin_chain(self, damping: Any, nodes: NodeMotion, tangents: Any) -> Any:
         zero = 0.0 * nodes.rate_factor
-        return BeamChain(no_element(zero), zero), EndHinge(zero, zero, zero, zero)
+        return BeamChain(no_element(zero), zero), no_hinge(zero)
 
     def add_node_forces(
         self,
@@ -124,7 +124,7 @@ class BeamElements(Discretization):
 
     def last_hinge(self, damping: Any, nodes: NodeMotion, tangents: Any) -> EndHinge:
         zero = 0.0 * nodes.rate_factor
-        return EndHinge(zero, zero, zero, zero)
+        return no_hinge(zero)
 
     def end_chain(self, chain: Any, rows: Any) -> None:
         put_node(chain.before, no_element(0.0 * chain.largest), rows.residual, rows.band)

@@ -7,6 +7,7 @@ sums them along the chain.
 from typing import Any, NamedTuple
 
 from snapjump.discretization.base import EndHinge, NodeMotion
+from snapjump.discretization.parts.der_skew import Pull, SkewChain, hinge_pull, share_of_pull
 from snapjump.discretization.parts.edge import Edge, half_angle_tangent, make_edge
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import fma
@@ -67,6 +68,14 @@ def hinge_moment(damping: Any, t: Any, angle_rate: Any, density: Any, rate_facto
     return curvature * growth, growth * fma(curvature, t, elastic)
 
 
+class Hinge(NamedTuple):
+    """Moment dE/dphi of a hinge, its derivative by phi, and what both lack of its derivative."""
+
+    moment: Any
+    stiffness: Any
+    pull: Pull
+
+
 class Block(NamedTuple):
     """A symmetric 2 x 2 block of the Hessian with respect to edge vectors (EI/L^3)."""
 
@@ -85,13 +94,14 @@ class Coupling(NamedTuple):
 
 
 class Side(NamedTuple):
-    """An edge as its neighbours see it: one over its length (1/L), unit tangent, the rate of its
-    direction (rad/T) and its axial force (EI/L^2)."""
+    """An edge as its neighbours see it: one over its length (1/L), unit tangent, the rates of its
+    direction (rad/T) and of its length (L/T), and its axial force (EI/L^2)."""
 
     over: Any
     cx: Any
     cy: Any
     turn_rate: Any
+    stretch_rate: Any
     force: Any
 
 
@@ -100,7 +110,8 @@ class Chain(NamedTuple):
 
     edge: edge j, which leaves the node; moment, stiffness: of the hinge at the node; coupling: of
     the edges at the node; before, force_x, force_y: block and force of edge
-    j - 1; largest: force of an edge so far; after: edge j + 1, or the clamp.
+    j - 1; largest: force of an edge so far; after: edge j + 1, or the clamp; skew: what of this
+    only derivatives ask for.
     """
 
     edge: Side
@@ -112,6 +123,7 @@ class Chain(NamedTuple):
     force_y: Any
     largest: Any
     after: Side
+    skew: SkewChain
 
 
 @kernel
@@ -119,20 +131,22 @@ def side_of(rod: Any, damping: Any, edge: Edge) -> Side:
     """What an edge contributes to the nodes and hinges on either side."""
     stretching = rod.stretching_stiffness / rod.element_length
     force = axial_force(rod, damping, stretching, edge)
-    return Side(edge.over, edge.cx, edge.cy, edge.turn_rate, force)
+    return Side(edge.over, edge.cx, edge.cy, edge.turn_rate, edge.stretch_rate, force)
 
 
 @kernel
 def held_edge(x: Any, y: Any, rate: Any, zero: Any) -> Side:
     """A clamp as an edge beyond the chain's end, of a given direction, that does not give way."""
-    return Side(zero, x + zero, y + zero, rate + zero, zero)
+    return Side(zero, x + zero, y + zero, rate + zero, zero, zero)
 
 
 @kernel
-def hinge_between(damping: Any, before: Side, after: Side, density: Any, rate_factor: Any) -> Any:
-    """Moment and stiffness of the hinge between two edges; ``density``: one over its length."""
+def hinge_between(damping: Any, before: Side, after: Side, density: Any, rate_factor: Any) -> Hinge:
+    """The hinge between two edges; ``density``: one over its length."""
     t = half_angle_tangent(before.cx, before.cy, after.cx, after.cy)
-    return hinge_moment(damping, t, after.turn_rate - before.turn_rate, density, rate_factor)
+    angle_rate = after.turn_rate - before.turn_rate
+    moment, stiffness = hinge_moment(damping, t, angle_rate, density, rate_factor)
+    return Hinge(moment, stiffness, hinge_pull(damping, t, before, after, density))
 
 
 @kernel
@@ -144,18 +158,30 @@ def right_clamp(tangents: Any, zero: Any) -> Side:
 @kernel
 def held_hinge(
     rod: Any, damping: Any, edge: Side, clamp: Side, tangents: Any, nodes: NodeMotion
-) -> Any:
-    """Moment and stiffness of the hinge at the clamp on the right, which may be free."""
+) -> Hinge:
+    """The hinge at the clamp on the right, which may be free."""
     density = 1.0 / rod.clamp_hinge_length
-    moment, stiffness = hinge_between(damping, edge, clamp, density, nodes.rate_factor)
+    hinge = hinge_between(damping, edge, clamp, density, nodes.rate_factor)
     share = 1.0 - tangents.right_free
-    return share * moment + tangents.right_free * tangents.right_moment, share * stiffness
+    return Hinge(
+        share * hinge.moment + tangents.right_free * tangents.right_moment,
+        share * hinge.stiffness,
+        share_of_pull(share, hinge.pull),
+    )
 
 
 @kernel
-def end_hinge(moment: Any, stiffness: Any, edge: Side) -> EndHinge:
-    """The hinge at a clamp, of an end edge."""
-    return EndHinge(moment, stiffness, -edge.cy * edge.over, edge.cx * edge.over)
+def end_hinge(hinge: Hinge, edge: Side, rate_x: Any, rate_y: Any) -> EndHinge:
+    """The hinge at a clamp, of an end edge; ``rate_x``, ``rate_y``: that edge's of its pull."""
+    return EndHinge(
+        hinge.moment,
+        hinge.stiffness,
+        -edge.cy * edge.over,
+        edge.cx * edge.over,
+        rate_x,
+        rate_y,
+        hinge.pull.turned,
+    )
 
 
 @kernel

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from numba.extending import overload
 
 from snapjump.number.dispatch import INLINED, kernel
-from snapjump.number.dual import DualType, dual, slopes_of, value_of
+from snapjump.number.dual import DualType, dual, plus, slopes_of, times, times_plus, value_of
 from snapjump.number.functions import fma, sqrt
 
 
@@ -39,20 +39,26 @@ def edge_of(ex: Any, ey: Any, vx: Any, vy: Any) -> Edge:
 
 
 @kernel
+def combined(a: Any, x: Any, b: Any, y: Any) -> Any:
+    """a x + b y of slopes x and y."""
+    return times_plus(x, a, times(y, b))
+
+
+@kernel
 def edge_of_duals(ex: Any, ey: Any, vx: Any, vy: Any) -> Edge:
     """:func:`make_edge` of duals."""
     edge = edge_of(value_of(ex), value_of(ey), value_of(vx), value_of(vy))
     cx = edge.cx
     cy = edge.cy
     over = edge.over
-    along = fma(cx, slopes_of(ex), cy * slopes_of(ey))  # of the length
-    turn = fma(edge.slope_x, slopes_of(ex), edge.slope_y * slopes_of(ey))  # of the direction
-    swept = fma(edge.stretch_rate, turn, edge.turn_rate * along)
-    swing = fma(cx, slopes_of(vy), -cy * slopes_of(vx) - swept)
-    apart = fma(cx, slopes_of(vx), cy * slopes_of(vy))
-    x = dual(cx, -cy * turn)
-    y = dual(cy, cx * turn)
-    inverse = dual(over, -(over * over) * along)
+    along = combined(cx, slopes_of(ex), cy, slopes_of(ey))  # of the length
+    turn = combined(edge.slope_x, slopes_of(ex), edge.slope_y, slopes_of(ey))  # of the direction
+    swept = combined(-edge.stretch_rate, turn, -edge.turn_rate, along)
+    swing = plus(combined(cx, slopes_of(vy), -cy, slopes_of(vx)), swept)
+    apart = combined(cx, slopes_of(vx), cy, slopes_of(vy))
+    x = dual(cx, times(turn, -cy))
+    y = dual(cy, times(turn, cx))
+    inverse = dual(over, times(along, -(over * over)))
     return Edge(
         dual(edge.length, along),
         inverse,
@@ -60,8 +66,8 @@ def edge_of_duals(ex: Any, ey: Any, vx: Any, vy: Any) -> Edge:
         y,
         -y * inverse,
         x * inverse,
-        dual(edge.turn_rate, over * swing),
-        dual(edge.stretch_rate, fma(edge.turn_rate * edge.length, turn, apart)),
+        dual(edge.turn_rate, times(swing, over)),
+        dual(edge.stretch_rate, times_plus(turn, edge.turn_rate * edge.length, apart)),
     )
 
 
@@ -89,14 +95,15 @@ def tangent_between(ax: Any, ay: Any, bx: Any, by: Any) -> Any:
 @kernel
 def turn_of(x: Any, y: Any) -> Any:
     """Derivatives of the direction of a unit vector that stays one."""
-    return fma(value_of(x), slopes_of(y), -value_of(y) * slopes_of(x))
+    return combined(value_of(x), slopes_of(y), -value_of(y), slopes_of(x))
 
 
 @kernel
 def tangent_between_duals(ax: Any, ay: Any, bx: Any, by: Any) -> Any:
     """:func:`half_angle_tangent` of duals."""
     t = tangent_between(value_of(ax), value_of(ay), value_of(bx), value_of(by))
-    return dual(t, fma(0.5 * t, t, 0.5) * (turn_of(bx, by) - turn_of(ax, ay)))
+    turned = times_plus(turn_of(ax, ay), -1.0 + 0.0 * t, turn_of(bx, by))
+    return dual(t, times(turned, fma(0.5 * t, t, 0.5)))
 
 
 def half_angle_tangent(ax: Any, ay: Any, bx: Any, by: Any) -> Any:

@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.discretization.base import ChainPowers, Discretization, EndHinge, NodeMotion
+from snapjump.discretization.base import ChainPowers, Discretization, EndHinge, NodeMotion, no_hinge
 from snapjump.number.dispatch import kernel
 
 
@@ -18,7 +18,7 @@ class LooseNodes(NamedTuple):
 
     def begin_chain(self, damping: Any, nodes: NodeMotion, tangents: Any) -> Any:
         zero = 0.0 * nodes.rate_factor
-        return Nothing(zero), EndHinge(zero, zero, zero, zero)
+        return Nothing(zero), no_hinge(zero)
 
     def add_node_forces(
         self,
@@ -35,7 +35,7 @@ class LooseNodes(NamedTuple):
 
     def last_hinge(self, damping: Any, nodes: NodeMotion, tangents: Any) -> EndHinge:
         zero = 0.0 * nodes.rate_factor
-        return EndHinge(zero, zero, zero, zero)
+        return no_hinge(zero)
 
     def end_chain(self, chain: Any, rows: Any) -> Any:
         leave_uncoupled(rows.band)

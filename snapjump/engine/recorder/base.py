@@ -26,6 +26,12 @@ class Recorder(Contract):
     ) -> None:
         """Called when stages have converged, before the clock's stage moves on."""
 
+    def follow(
+        self, model: Any, masses: Any, motion: Any, scheme: Any, work: Any, course: Any, good: Any
+    ) -> None:
+        """Called when converged stages have been judged, before steps that stand (``good``) are
+        committed; ``course``: the :class:`~snapjump.engine.stage.Course` of the stages."""
+
     def record_step(self, model: Any, masses: Any, scheme: Any, work: Any, good: Any) -> None:
         """Called when steps have been judged; ``good``: mask of those that stand, committed."""
 

@@ -8,19 +8,25 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from snapjump.discretization.base import HALF_BANDWIDTH
 from snapjump.engine.centre_of_mass import centre_of_mass
-from snapjump.engine.clock import MARK
-from snapjump.engine.differentiate import commit, differentiate_stages
+from snapjump.engine.clock import STAGE, STEP
+from snapjump.engine.differentiate import (
+    commit_slopes,
+    differentiate_stage,
+    end_slopes,
+    keep_slopes,
+)
 from snapjump.engine.model import with_numbers
 from snapjump.engine.points import point_at, point_count, share_of
 from snapjump.engine.recorder.base import Recorder
-from snapjump.engine.tangent import TangentState, view_tangent
-from snapjump.engine.view import view_memory
-from snapjump.linear_solver.right_hand_sides import FOUR
+from snapjump.engine.stage import Course, Ended, rates_of
+from snapjump.engine.tangent import TangentState, view_slopes, view_tangent
+from snapjump.engine.view import view_work
 from snapjump.number.array import uncounted
 from snapjump.number.dispatch import kernel, routine
-from snapjump.number.dual import PARAMETERS, constant, dual, slope_at, slopes_of, value_of
-from snapjump.number.functions import any_true, where
+from snapjump.number.dual import PARAMETERS, slopes_of, steepest, value_of
+from snapjump.number.functions import absolute, any_true, maximum, minimum, negate, where
 from snapjump.number.lane import view_numbers
 
 Array = NDArray[np.float64]
@@ -33,15 +39,16 @@ FAR = 1.0e30  # no contact near to being made or broken
 class SensitivityRecorder(NamedTuple):
     """Of R robots in W lanes.
 
-    memory: of the march; tangent: of its lanes; numbers (R, P, 4): derivatives of the model's
-    numbers; starts (R, 3, D, 4): of state, velocity and acceleration at the beginning; flights
-    (R, 4, 4): of x, y, vx, vy of the centre of mass at the end; grazes (R): the change of one
-    parameter (their slopes taken as they are) that would make or break a contact; falling (W, C):
-    1 for points that came down in the last step; nearest (W): of grazes so far; chosen (W): lanes
-    at hand; corrections (1): of a stage's derivatives.
+    memory: of the march; lanes: a tuple of W; tangent: of its lanes; numbers (R, P, 4): derivatives
+    of the model's numbers; starts (R, 3, D, 4): of state, velocity and acceleration at the
+    beginning; flights (R, 4, 4): of x, y, vx, vy of the centre of mass at the end; grazes (R): the
+    change of one parameter (their slopes taken as they are) that would make or break a contact;
+    falling (C, W): 1 for points that came down in the last step; nearest (1, W): of grazes so far;
+    most: corrections of a stage's derivatives, where the matrix is not exact.
     """
 
     memory: Any
+    lanes: tuple[int, ...]
     tangent: TangentState
     numbers: Array
     starts: Array
@@ -49,104 +56,99 @@ class SensitivityRecorder(NamedTuple):
     grazes: Array
     falling: Array
     nearest: Array
-    chosen: NDArray[np.int64]
-    corrections: NDArray[np.int64]
+    most: int
+
+    def watches(self) -> bool:
+        return False
 
     def record_robot(self, lane: Any, robot: Any) -> None:
-        memory = view_memory(self.memory)
-        work = view_tangent(self.tangent, lane)
-        numbers = view_numbers(self.numbers[robot], FOUR)
-        starts = view_numbers(self.starts[robot], FOUR)
-        for k in range(work.numbers.shape[0]):
-            work.numbers[k] = dual(memory.numbers[k, lane], numbers[k])
-        for i in range(work.state.shape[0]):
-            work.start[i] = dual(memory.start[i, lane], starts[0, i])
-            for slot in range(work.velocity.shape[0]):
-                work.velocity[slot, i] = dual(memory.velocity[slot, i, lane], starts[1, i])
-                work.acceleration[slot, i] = dual(memory.acceleration[slot, i, lane], starts[2, i])
-        self.nearest[lane] = FAR
-        for point in range(self.falling.shape[1]):
-            self.falling[lane, point] = 0.0
+        work = view_work(self.memory, self.lanes)
+        slopes = view_slopes(work, uncounted(self.tangent))
+        width = self.nearest.shape[1]
+        numbers = uncounted(self.numbers)
+        starts = uncounted(self.starts)
+        for p in range(PARAMETERS):
+            place = p * width + lane
+            for k in range(slopes.numbers.shape[0]):
+                slopes.numbers[k, place] = numbers[robot, k, p]
+            for i in range(slopes.start.shape[0]):
+                slopes.start[i, place] = starts[robot, 0, i, p]
+                for slot in range(slopes.velocity.shape[0]):
+                    slopes.velocity[slot, i, place] = starts[robot, 1, i, p]
+                    slopes.acceleration[slot, i, place] = starts[robot, 2, i, p]
+        self.nearest[0, lane] = FAR
+        for point in range(self.falling.shape[0]):
+            self.falling[point, lane] = 0.0
 
     def record_stage(
         self, model: Any, masses: Any, motion: Any, scheme: Any, work: Any, converged: Any
     ) -> None:
-        count = marked(self, work, converged)
-        differentiate_stages(
-            model,
-            scheme,
-            masses,
-            view_memory(self.memory),
-            uncounted(self.tangent),
-            uncounted(self.chosen),
-            count,
-            self.corrections[0],
-        )
+        if not scheme.ends_in_a_stage():  # what is judged next moves the state on
+            stage = work.clock[STAGE]
+            step = Ended(work.clock[STEP], rates_of(motion))
+            course = Course(stage, converged, step)
+            twin = view_tangent(work, uncounted(self.tangent))
+            of_duals = with_numbers(model, twin.numbers)
+            last = scheme.stage_count()
+            differentiate_stage(of_duals, scheme, masses, twin, motion, course, self.most)
+            keep_slopes(scheme, twin, course, last)
+            ended = converged & (stage >= 1.0 * last)
+            if any_true(ended):
+                end_slopes(of_duals, scheme, twin, course, ended)
 
-    def record_step(self, model: Any, masses: Any, scheme: Any, work: Any, good: Any) -> None:
+    def follow(
+        self, model: Any, masses: Any, motion: Any, scheme: Any, work: Any, course: Any, good: Any
+    ) -> None:
+        twin = view_tangent(work, uncounted(self.tangent))
+        of_duals = with_numbers(model, twin.numbers)
+        if scheme.ends_in_a_stage():
+            differentiate_stage(of_duals, scheme, masses, twin, motion, course, self.most)
+            keep_slopes(scheme, twin, course, scheme.stage_count() - 1)
         if any_true(good):
-            memory = view_memory(self.memory)
-            tangent = uncounted(self.tangent)
-            for c in range(marked(self, work, good)):
-                commit(scheme, memory, tangent, self.chosen[c])
-                look_for_grazes(self, tangent, model, masses, self.chosen[c])
+            commit_slopes(scheme, twin, course, good)
+            look_for_grazes(self, of_duals, masses, twin, good)
 
     def record_end(self, model: Any, masses: Any, lane: Any, robot: Any) -> None:
-        work = view_tangent(self.tangent, lane)
-        dual_model = with_numbers(model, work.numbers)
-        flight = view_numbers(self.flights[robot], FOUR)
-        x, y, vx, vy = centre_of_mass(dual_model, masses, work.mesh, work.start, work.velocity[0])
-        flight[0] = slopes_of(x)
-        flight[1] = slopes_of(y)
-        flight[2] = slopes_of(vx)
-        flight[3] = slopes_of(vy)
-        self.grazes[robot] = self.nearest[lane]
+        work = view_work(self.memory, self.lanes)
+        twin = view_tangent(work, uncounted(self.tangent))
+        of_duals = with_numbers(model, twin.numbers)
+        flight = centre_of_mass(of_duals, masses, twin.mesh, twin.start, twin.velocity[0])
+        # From here they can be read lane by lane.
+        sides = twin.bare_padded_residual
+        first = HALF_BANDWIDTH
+        for k in range(4):
+            sides[first + k] = slopes_of(flight[k])
+        slopes = view_slopes(work, uncounted(self.tangent)).padded_residual
+        width = self.nearest.shape[1]
+        for k in range(4):
+            for p in range(PARAMETERS):
+                self.flights[robot, k, p] = slopes[first + k, p * width + lane]
+        self.grazes[robot] = self.nearest[0, lane]
 
 
 @kernel
-def marked(recorder: Any, work: Any, mask: Any) -> int:
-    """Put the masked lanes into ``chosen``; returns how many there are."""
-    work.clock[MARK] = where(mask, 1.0, 0.0)
-    clock = view_memory(recorder.memory).clock
-    count = 0
-    for lane in range(recorder.chosen.shape[0]):
-        if clock[MARK, lane] > 0.0:
-            recorder.chosen[count] = lane
-            count += 1
-    return count
-
-
-@kernel
-def graze(falling: Any, point: Any, gap: Any, rise: Any, reach: Any, nearest: Any) -> Any:
+def nearer(gap: Any, reach: Any, nearest: Any) -> Any:
     """How near the lowest place of a point was to touching: in parameters, by the slopes of its
-    distance from there.
-
-    The least of that and ``nearest``.
-    """
-    if rise < 0.0:
-        falling[point] = 1.0
-    elif falling[point] > 0.0:
-        falling[point] = 0.0
-        distance = gap - reach
-        slopes = slopes_of(distance)
-        steepest = 1e-300
-        for k in range(PARAMETERS):
-            steepest = max(steepest, abs(slope_at(slopes, k)))
-        nearest = min(nearest, abs(value_of(distance)) / steepest)
-    return nearest
+    distance from there. The least of that and ``nearest``."""
+    distance = gap - reach
+    slope = maximum(steepest(distance), 1e-300 + 0.0 * nearest)
+    return minimum(absolute(value_of(distance)) / slope, nearest)
 
 
 @routine
-def look_for_grazes(recorder: Any, tangent: Any, template: Any, masses: Any, lane: Any) -> None:
-    """Judge every point of a lane that has stopped falling in the step that was committed."""
-    work = view_tangent(tangent, lane)
-    mesh = work.mesh
-    model = with_numbers(template, work.numbers)
-    reach = model.contact.reach() + constant(0.0)
-    falling = uncounted(recorder.falling[lane])
-    nearest = recorder.nearest[lane]
+def look_for_grazes(recorder: Any, model: Any, masses: Any, twin: Any, good: Any) -> None:
+    """Judge every point that has stopped falling in a step that stands, and is committed."""
+    mesh = twin.mesh
+    every = view_numbers(recorder.falling, recorder.lanes)
+    least = view_numbers(recorder.nearest, recorder.lanes)
     for k in range(point_count(model, masses, mesh)):
-        if any_true(share_of(template, masses, mesh, k) > 0.0):
-            point = point_at(model, masses, mesh, k, work.start, work.velocity[0])
-            nearest = graze(falling, k, point.gap, value_of(point.vy), reach, nearest)
-    recorder.nearest[lane] = nearest
+        if any_true(share_of(model, masses, mesh, k) > 0.0):
+            point = point_at(model, masses, mesh, k, twin.state, twin.velocity[0])
+            before = point_at(model, masses, mesh, k, twin.start, twin.velocity[0])
+            falls = value_of(point.gap) < value_of(before.gap)
+            stopped = good & negate(falls) & (every[k] > 0.0)
+            if any_true(stopped):
+                nearest = least[0]
+                found = nearer(point.gap, model.contact.reach(), nearest)
+                least[0] = where(stopped, found, nearest)
+            every[k] = where(good, where(falls, 1.0 + 0.0 * every[k], 0.0), every[k])

@@ -14,6 +14,7 @@ from snapjump.frame.parts.elastic_mesh import (
     weight_at,
 )
 from snapjump.linear_solver.contact_rows import NodeRows
+from snapjump.number.nowhere import nowhere
 
 
 class ElasticBody(Frame):
@@ -43,7 +44,7 @@ class ElasticBody(Frame):
 
     def contact_rows(self, point: Any, work: Any, rate: Any) -> NodeRows:
         band = work.frame_band
-        return NodeRows(work.frame_residual, band, 2 * point)
+        return NodeRows(work.frame_residual, band, nowhere(), 2 * point)
 
     def point_mass(self, mesh: Any, point: Any, state: Any) -> Any:
         return self.bouncing_mass

@@ -2,8 +2,9 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.discretization.base import EndHinge
+from snapjump.discretization.base import HALF_BANDWIDTH, RIGHT, SKEW, EndHinge
 from snapjump.number.dispatch import kernel
+from snapjump.number.nowhere import keeps
 
 
 class Arm(NamedTuple):
@@ -31,6 +32,8 @@ def release_first_node(dofs: Any, work: Any) -> None:
     """Leave an identity in place of node 0 of ``dofs`` coordinates."""
     band = work.band
     for i in range(dofs):
+        for k in range(SKEW):
+            work.skew[i, k] = 0.0
         for k in range(1, 6):
             band[i, k] = 0.0
         band[i, 0] = 1.0
@@ -48,9 +51,13 @@ def release_last_node(dofs: Any, work: Any) -> None:
         for i in range(dofs):
             if k + i <= 5:
                 band[row - k, k + i] = 0.0
+                work.skew[row - k, k + i] = 0.0
+                work.skew[row - k, RIGHT - 1 + k + i] = 0.0
     for i in range(dofs):
         for k in range(1, dofs - i):
             band[row + i, k] = 0.0
+        for k in range(SKEW):
+            work.skew[row + i, k] = 0.0
         band[row + i, 0] = 1.0
         work.residual[row + i] = 0.0
 
@@ -71,7 +78,8 @@ def end_node(discretization: Any, row: Any, hinge: Any, sign: Any, work: Any) ->
         length = discretization.rotation_length()
         zero = 0.0 * hinge.stiffness  # where no matrix is wanted, too, of the type of all numbers
         moment = zero + length * residual[row + 2]
-        hinge = EndHinge(moment, zero + length * length * band[row + 2, 0], zero, zero)
+        stiffness = zero + length * length * band[row + 2, 0]
+        hinge = EndHinge(moment, stiffness, zero, zero, zero, zero, zero)
         cx = zero + length * band[row, 2]
         cy = zero + length * band[row + 1, 1]
     node = EndNode(
@@ -113,6 +121,58 @@ def add_border(bx: Any, by: Any, arm: Arm, border: Any, row: Any, column: Any) -
 
 
 @kernel
+def move_skew(arm: Arm, row: Any, work: Any) -> None:
+    """Add what an end node's own symmetric block lacks to a rigid frame's."""
+    skew = work.skew
+    block = work.corner_block
+    sx = -arm.y
+    sy = arm.x
+    xx = skew[row, 0]
+    xy = skew[row, RIGHT]
+    yx = skew[row, 1]
+    yy = skew[row + 1, 0]
+    xt = xx * sx + xy * sy
+    yt = yx * sx + yy * sy
+    block[0, 0] += xx
+    block[0, 1] += xy
+    block[0, 2] += xt
+    block[1, 0] += yx
+    block[1, 1] += yy
+    block[1, 2] += yt
+    block[2, 0] += sx * xx + sy * yx
+    block[2, 1] += sx * xy + sy * yy
+    block[2, 2] += sx * xt + sy * yt
+
+
+@kernel
+def add_border_skew(of_columns: Any, of_rows: Any, arm: Arm, border: Any, row: Any) -> None:
+    """Add what the border lacks of the coupling of an end node with a row, in the frame's columns
+    and in its rows."""
+    add_border(of_columns[0], of_columns[1], arm, border, row, 0)
+    add_border(of_rows[0], of_rows[1], arm, border, row, 3)
+
+
+@kernel
+def turn_skew(hinge: Any, sign: Any, row: Any, arm: Arm, work: Any) -> None:
+    """Add what the coupling of the frame's direction with the end edge lacks; ``row``: the x of the
+    edge's other node."""
+    block = work.corner_block
+    border = work.border_skew
+    block[2, 0] += hinge.rate_x
+    block[2, 1] += hinge.rate_y
+    block[2, 2] += hinge.rate_y * arm.x - hinge.rate_x * arm.y
+    border[row, 5] -= hinge.rate_x
+    border[row + 1, 5] -= hinge.rate_y
+    x = sign * hinge.turned * hinge.slope_x
+    y = sign * hinge.turned * hinge.slope_y
+    block[0, 2] -= x
+    block[1, 2] -= y
+    block[2, 2] += hinge.turned - (y * arm.x - x * arm.y)
+    border[row, 2] += x
+    border[row + 1, 2] += y
+
+
+@kernel
 def move_first(discretization: Any, hinge: Any, arm: Arm, residual: Any, work: Any) -> None:
     """Move the first node onto columns 0, 1, 2 of the border: x, y and direction of a mount.
 
@@ -131,6 +191,13 @@ def move_first(discretization: Any, hinge: Any, arm: Arm, residual: Any, work: A
     if dofs == 2:
         border[2, 2] -= hinge.stiffness * hinge.slope_x
         border[3, 2] -= hinge.stiffness * hinge.slope_y
+        if keeps(work.skew):
+            move_skew(arm, 0, work)
+            for k in range(2, 6):
+                of_columns = (work.skew[0, k], work.skew[1, k - 1])
+                of_rows = (work.skew[0, HALF_BANDWIDTH + k], work.skew[1, HALF_BANDWIDTH + k - 1])
+                add_border_skew(of_columns, of_rows, arm, work.border_skew, k)
+            turn_skew(hinge, sign, 2, arm, work)
     release_first_node(dofs, work)
 
 
@@ -154,4 +221,13 @@ def move_last(
     if dofs == 2:
         border[row - 2, column + 2] += hinge.stiffness * hinge.slope_x
         border[row - 1, column + 2] += hinge.stiffness * hinge.slope_y
+        if keeps(work.skew):
+            move_skew(arm, row, work)
+            for k in range(1, 5):
+                j = row - k
+                right = HALF_BANDWIDTH + k
+                of_columns = (work.skew[j, right], work.skew[j, right + 1])
+                of_rows = (work.skew[j, k], work.skew[j, k + 1])
+                add_border_skew(of_columns, of_rows, arm, work.border_skew, j)
+            turn_skew(hinge, 1.0, row - 2, arm, work)
     release_last_node(dofs, work)
