@@ -17,7 +17,8 @@ from snapjump.engine.stage import begin_stage, commit_step, keep_stage, rates_of
 from snapjump.engine.status import OK
 from snapjump.engine.tangent import make_tangent_state, view_tangent
 from snapjump.engine.view import view_work
-from snapjump.number.dual import PARAMETERS, constant, dual, slope_at, slopes_of
+from snapjump.number.dual import constant, dual, slope_at, slopes_of
+from snapjump.number.dual_type import PARAMETERS
 from snapjump.number.lane import view_numbers
 from snapjump.number.memory import aligned_zeros
 from snapjump.scenes.flight import flight

@@ -21,24 +21,26 @@ from snapjump.discretization.base import (
 from snapjump.discretization.parts.der_elements import (
     Block,
     Chain,
-    Coupling,
     axial_force,
     edge_at,
     edge_block,
     edge_force,
-    end_hinge,
     held_edge,
-    held_hinge,
-    hinge_between,
-    hinge_coupling,
-    hinge_energy,
-    hinge_power,
     moving_edge,
     put_columns,
     put_last_node,
     right_clamp,
     side_of,
     stretching_energy,
+)
+from snapjump.discretization.parts.der_hinges import (
+    Coupling,
+    end_hinge,
+    held_hinge,
+    hinge_between,
+    hinge_coupling,
+    hinge_energy,
+    hinge_power,
 )
 from snapjump.discretization.parts.der_skew import add_skew, begin_skew, end_skew
 from snapjump.discretization.parts.edge import half_angle_tangent, make_edge

@@ -12,7 +12,8 @@ from snapjump.engine.tangent import view_tangent, with_exact_system
 from snapjump.engine.view import view_work
 from snapjump.number.array import uncounted
 from snapjump.number.dispatch import released, routine
-from snapjump.number.dual import PARAMETERS, constant, dual, slope_at, slopes_of, value_of
+from snapjump.number.dual import constant, dual, slope_at, slopes_of, value_of
+from snapjump.number.dual_type import PARAMETERS
 from snapjump.number.lane import view_numbers
 
 FOUR = (0, 0, 0, 0)

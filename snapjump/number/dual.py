@@ -12,108 +12,28 @@ from collections.abc import Callable
 from typing import Any
 
 from llvmlite import ir
-from numba.core import cgutils, types
+from numba.core import types
 from numba.core.imputils import lower_builtin, lower_cast
-from numba.core.typeconv import Conversion
 from numba.core.typing.templates import infer_global, signature
-from numba.extending import intrinsic, models, register_model
+from numba.extending import intrinsic
 
 from snapjump.number.array import FirstTemplate
-from snapjump.number.lane import LaneType, MaskType, splat, vector_intrinsic
-
-PARAMETERS = 4
-DOUBLES = 8  # of memory for one dual of a double: the value, padding, and the slopes on a boundary
-FLAGS = ("nnan", "ninf", "nsz")  # for slopes: what is times nothing, is nothing
-
-
-class DualType(types.Type):
-    """The type of a value (``base``: a double, or lanes) with its slopes, one parameter after the
-    other; plain numbers mixed with it have none."""
-
-    def __init__(self, base: types.Type = types.float64) -> None:
-        self.base = base
-        self.width = base.width if isinstance(base, LaneType) else 1
-        self.slopes = LaneType(PARAMETERS * self.width)
-        super().__init__(name=f"Dual({base})")
-
-    def takes(self, other: types.Type) -> bool:
-        """Whether another type is one of plain numbers that mix with this one."""
-        return other == self.base or isinstance(other, (types.Float, types.Integer))
-
-    def can_convert_from(self, typingctx: Any, other: types.Type) -> Any:
-        return Conversion.safe if self.takes(other) else None
-
-    def unify(self, typingctx: Any, other: types.Type) -> Any:
-        return self if self.takes(other) else None
-
-
-@register_model(DualType)
-class DualModel(models.StructModel):
-    """A dual as its value and one vector of all its slopes."""
-
-    def __init__(self, dmm: Any, fe_type: DualType):
-        super().__init__(dmm, fe_type, [("value", fe_type.base), ("slopes", fe_type.slopes)])
-
-
-DUAL = DualType()
-
-
-def no_slopes(kind: DualType) -> ir.Constant:
-    """The slopes of a constant."""
-    return ir.Constant(ir.VectorType(ir.DoubleType(), kind.slopes.width), None)
-
-
-def repeated(builder: Any, value: Any) -> Any:
-    """A double, or lanes, once for every parameter."""
-    if not isinstance(value.type, ir.VectorType):
-        return splat(builder, value, PARAMETERS)
-    lanes = [k for _ in range(PARAMETERS) for k in range(value.type.count)]
-    places = ir.Constant(ir.VectorType(ir.IntType(32), len(lanes)), lanes)
-    return builder.shuffle_vector(value, ir.Constant(value.type, ir.Undefined), places)
-
-
-class Parts:
-    """A dual, or a plain number, taken apart in LLVM: ``value``, and ``slopes`` or None."""
-
-    def __init__(self, context: Any, builder: Any, given: types.Type, number: Any, kind: DualType):
-        if isinstance(given, DualType):
-            pair = cgutils.create_struct_proxy(given)(context, builder, value=number)
-            self.value, self.slopes = pair.value, pair.slopes
-        else:
-            self.value, self.slopes = context.cast(builder, number, given, kind.base), None
-
-
-def together(context: Any, builder: Any, kind: DualType, value: Any, slopes: Any) -> Any:
-    """The dual of a value and its slopes (None: zero)."""
-    pair = cgutils.create_struct_proxy(kind)(context, builder)
-    pair.value = value
-    pair.slopes = no_slopes(kind) if slopes is None else slopes
-    return pair._getvalue()
-
-
-def scaled(builder: Any, slopes: Any, factor: Any) -> Any:
-    """Slopes times a number."""
-    if slopes is None:
-        return None
-    return builder.fmul(slopes, repeated(builder, factor), flags=FLAGS)
-
-
-def scaled_onto(builder: Any, slopes: Any, factor: Any, others: Any) -> Any:
-    """Slopes times a number, rounded once with the other slopes added."""
-    if slopes is None or others is None:
-        return added(builder, scaled(builder, slopes, factor), others)
-    kind = slopes.type
-    fma = cgutils.get_or_insert_function(
-        builder.module, ir.FunctionType(kind, [kind] * 3), f"llvm.fma.v{kind.count}f64"
-    )
-    return builder.call(fma, [slopes, repeated(builder, factor), others], fastmath=FLAGS)
-
-
-def added(builder: Any, a: Any, b: Any) -> Any:
-    """The sum of two slopes, either of which may be None."""
-    if a is None or b is None:
-        return b if a is None else a
-    return builder.fadd(a, b, flags=FLAGS)
+from snapjump.number.dual_type import (
+    PARAMETERS,
+    DualType,
+    Parts,
+    added,
+    by_parameter,
+    compared,
+    dual_over,
+    dual_type,
+    plain,
+    repeated,
+    scaled,
+    scaled_onto,
+    together,
+)
+from snapjump.number.lane import LaneType, splat, vector_intrinsic
 
 
 def _sum(builder: Any, x: Parts, y: Parts) -> Any:
@@ -138,25 +58,6 @@ def _quotient(builder: Any, x: Parts, y: Parts) -> Any:
     over = builder.fdiv(one, y.value)
     change = scaled_onto(builder, y.slopes, builder.fneg(quotient), x.slopes)
     return quotient, scaled(builder, change, over)
-
-
-def dual_type(*kinds: types.Type) -> Any:
-    """The dual among the types where nothing but numbers that mix with it is beside it, or None."""
-    duals = [kind for kind in kinds if isinstance(kind, DualType)]
-    if not duals:
-        return None
-    known = all(kind == duals[0] or duals[0].takes(kind) for kind in kinds)
-    return duals[0] if known else None
-
-
-def plain(kind: types.Type) -> types.Type:
-    """The type as an operation takes it: a dual, lanes, or a double."""
-    return kind if isinstance(kind, (DualType, LaneType)) else types.float64
-
-
-def compared(kind: DualType) -> types.Type:
-    """What a comparison of duals gives."""
-    return MaskType(kind.width) if kind.width > 1 else types.boolean
 
 
 PAIRS = (
@@ -233,11 +134,6 @@ def _negative(context: Any, builder: Any, sig: Any, args: Any) -> Any:
 @lower_cast(LaneType, DualType)
 def _constant(context: Any, builder: Any, fromty: Any, toty: Any, value: Any) -> Any:
     return together(context, builder, toty, context.cast(builder, value, fromty, toty.base), None)
-
-
-def dual_over(value: types.Type) -> DualType:
-    """The type of duals with such values."""
-    return DualType(value) if isinstance(value, LaneType) else DUAL
 
 
 @intrinsic
@@ -326,23 +222,15 @@ def times_plus(typingctx: Any, slopes: Any, factor: Any, others: Any) -> Any:
 @intrinsic
 def steepest(typingctx: Any, number: Any) -> Any:
     """The largest absolute slope of a dual."""
-    width = number.width
 
     def codegen(context: Any, builder: Any, sig: Any, args: Any) -> Any:
         slopes = Parts(context, builder, number, args[0], number).slopes
         sizes = vector_intrinsic(builder, "fabs", slopes)
-        found = None
-        for k in range(PARAMETERS):
-            lanes = [ir.Constant(ir.IntType(32), k * width + lane) for lane in range(width)]
-            if width == 1:
-                one = builder.extract_element(sizes, lanes[0])
-            else:
-                places = ir.Constant(ir.VectorType(ir.IntType(32), width), lanes)
-                one = builder.shuffle_vector(sizes, ir.Constant(sizes.type, ir.Undefined), places)
-            if found is not None:
-                larger = builder.fcmp_ordered(">", one, found)
-                one = builder.select(larger, one, found)
-            found = one
+        found = by_parameter(builder, sizes, 0, number)
+        for k in range(1, PARAMETERS):
+            one = by_parameter(builder, sizes, k, number)
+            larger = builder.fcmp_ordered(">", one, found)
+            found = builder.select(larger, one, found)
         return found
 
     return number.base(number), codegen

@@ -12,7 +12,7 @@ from numba.core.imputils import lower_builtin
 from numba.extending import models, register_model
 
 from snapjump.number.array import NumberArray, View, fenced_store
-from snapjump.number.dual import DualType, Parts, together
+from snapjump.number.dual_type import DualType, Parts, together
 from snapjump.number.scopes import SCOPES, apart
 
 

@@ -14,7 +14,8 @@ from numba.core import types
 from numba.extending import intrinsic, overload
 
 from snapjump.number.dispatch import INLINED, kernel
-from snapjump.number.dual import DualType, dual, slopes_of, times, value_of
+from snapjump.number.dual import dual, slopes_of, times, value_of
+from snapjump.number.dual_type import DualType
 from snapjump.number.functions import fma, is_plain, maximum, minimum, nearest, where
 from snapjump.number.lane import LaneType, splat
 

@@ -12,18 +12,8 @@ from numba.core import cgutils, types
 from numba.extending import intrinsic, overload
 
 from snapjump.number.dispatch import INLINED
-from snapjump.number.dual import (
-    DualType,
-    Parts,
-    dual,
-    dual_type,
-    repeated,
-    scaled_onto,
-    slopes_of,
-    times,
-    together,
-    value_of,
-)
+from snapjump.number.dual import dual, slopes_of, times, value_of
+from snapjump.number.dual_type import DualType, Parts, dual_type, repeated, scaled_onto, together
 from snapjump.number.lane import LaneType, MaskType, lane_type, splat, vector_intrinsic
 
 

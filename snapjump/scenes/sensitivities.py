@@ -15,7 +15,7 @@ from snapjump.engine.differentiate_start import StartSlopes, differentiate_start
 from snapjump.engine.recorder.sensitivities import FAR, SensitivityRecorder
 from snapjump.engine.tangent import make_tangent_state
 from snapjump.engine.work import make_memory
-from snapjump.number.dual import PARAMETERS
+from snapjump.number.dual_type import PARAMETERS
 from snapjump.number.memory import aligned_zeros
 from snapjump.number.once import load
 from snapjump.scenes.crew import Worker, run_crew

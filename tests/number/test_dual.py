@@ -7,7 +7,8 @@ import pytest
 from duals import view_duals
 from numba import njit
 
-from snapjump.number.dual import DOUBLES, constant, dual, slope_at, slopes_of, value_of
+from snapjump.number.dual import constant, dual, slope_at, slopes_of, value_of
+from snapjump.number.dual_type import DOUBLES
 from snapjump.number.exponentials import exp, log
 from snapjump.number.functions import absolute, fma, maximum, minimum, nearest, sqrt, where
 from snapjump.number.memory import aligned_zeros

@@ -6,7 +6,7 @@ from numba.core import types
 from numba.extending import intrinsic
 
 from snapjump.number.array import NumberArray, seen_as
-from snapjump.number.dual import DUAL
+from snapjump.number.dual_type import DUAL
 
 
 @intrinsic

@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 from numba.extending import overload
 
 from snapjump.number.dispatch import INLINED, kernel
-from snapjump.number.dual import DualType, dual, plus, slopes_of, times, times_plus, value_of
+from snapjump.number.dual import dual, plus, slopes_of, times, times_plus, value_of
+from snapjump.number.dual_type import DualType
 from snapjump.number.functions import fma, sqrt
 
 

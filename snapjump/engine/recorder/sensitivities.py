@@ -20,12 +20,14 @@ from snapjump.engine.differentiate import (
 from snapjump.engine.model import with_numbers
 from snapjump.engine.points import point_at, point_count, share_of
 from snapjump.engine.recorder.base import Recorder
+from snapjump.engine.slopes import view_slopes
 from snapjump.engine.stage import Course, Ended, rates_of
-from snapjump.engine.tangent import TangentState, view_slopes, view_tangent
+from snapjump.engine.tangent import TangentState, view_tangent
 from snapjump.engine.view import view_work
 from snapjump.number.array import uncounted
 from snapjump.number.dispatch import kernel, routine
-from snapjump.number.dual import PARAMETERS, slopes_of, steepest, value_of
+from snapjump.number.dual import slopes_of, steepest, value_of
+from snapjump.number.dual_type import PARAMETERS
 from snapjump.number.functions import absolute, any_true, maximum, minimum, negate, where
 from snapjump.number.lane import view_numbers
 

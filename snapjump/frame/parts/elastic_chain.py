@@ -12,14 +12,13 @@ from typing import Any
 from snapjump.discretization.base import NodeMotion
 from snapjump.discretization.parts.der_elements import (
     Block,
-    Coupling,
     edge_at,
     edge_block,
-    hinge_coupling,
     moving_edge,
     put_columns,
     put_last_node,
 )
+from snapjump.discretization.parts.der_hinges import Coupling, hinge_coupling
 from snapjump.discretization.parts.edge import half_angle_tangent
 from snapjump.frame.parts.elastic_mesh import (
     LEFT_CORNER,
