@@ -29,5 +29,4 @@ STABLE_STEP = 25  # largest stable step at the last explicit stage (T)
 SMALLEST_STABLE_STEP = 26  # so far
 ERROR_SUM = 27  # estimates of all steps that stood, added up (L)
 COARSEST = 28  # largest step that stood, times the contact frequency in it
-MARK = 29  # 1 in the lanes that a recorder is to look at
-ROWS = 30
+ROWS = 29
