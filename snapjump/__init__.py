@@ -12,6 +12,7 @@ own: :func:`load_plugins`. Names are loaded when they are first used, so that im
 costs nothing.
 """
 
+import os
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -34,6 +35,9 @@ if TYPE_CHECKING:
     from snapjump.targets.design import inverse_design as inverse_design
 
 __version__ = "0.1.0"
+# numba reads it when it is imported: a tenth of the time of compiling goes into colours of messages
+# that nobody sees.
+os.environ.setdefault("NUMBA_DISABLE_ERROR_MESSAGE_HIGHLIGHTING", "1")
 _HOMES = {
     "simulate_jump": "snapjump.simulation",
     "simulate_designs": "snapjump.batch",

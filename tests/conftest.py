@@ -1,6 +1,5 @@
 """What tests of several folders share."""
 
-import gc
 import os
 import shutil
 from collections.abc import Callable
@@ -20,10 +19,6 @@ os.environ["MLFLOW_DISABLE_TELEMETRY"] = "true"
 # as well, by numpy's library and torch's.
 if "PYTEST_XDIST_WORKER" in os.environ:
     os.environ["OMP_NUM_THREADS"] = "1"
-# A tenth of the time of compiling goes into colours of messages that nobody sees, and into looking
-# through all objects of all libraries for garbage.
-os.environ["NUMBA_DISABLE_ERROR_MESSAGE_HIGHLIGHTING"] = "1"
-gc.set_threshold(100_000, 50, 100)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -26,7 +26,7 @@ ELEMENTS = 16
 WIDTH = 8
 
 
-@njit(cache=True, error_model="numpy")
+@njit(error_model="numpy")
 def solve(template: Any, masses: Any, memory: Any, lanes: Any) -> None:
     work = view_work(memory, lanes)
     model = with_numbers(template, work.numbers)

@@ -15,7 +15,7 @@ from snapjump.number.memory import aligned_zeros
 FIGURES = 9  # the eight of an edge, and the angle to the next one
 
 
-@njit(cache=True, error_model="numpy")
+@njit(error_model="numpy")
 def figures_of_duals(memory: Any, values: Any, slopes: Any) -> None:
     numbers = view_duals(memory)
     rows = view_numbers(slopes, (0, 0, 0, 0))

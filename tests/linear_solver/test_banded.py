@@ -49,7 +49,7 @@ def solve(work: Any, bordered: Any, rotations: Any) -> Any:
     return negative
 
 
-@njit(cache=True, error_model="numpy")
+@njit(error_model="numpy")
 def solve_compiled(memory: Any, lanes: Any, bordered: bool, rotations: bool) -> None:
     work = view_work(memory, lanes)
     work.clock[0] = solve(work, bordered, rotations)

@@ -20,7 +20,7 @@ class Outer(NamedTuple):
     column: Any
 
 
-@njit(cache=True)
+@njit
 def add_up(thing: Any) -> float:
     view = uncounted(thing)
     total = 0.0

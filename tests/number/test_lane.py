@@ -30,7 +30,7 @@ def one(mask: Any) -> Any:
     return where(mask, 1.0, 0.0)
 
 
-@njit(cache=True, error_model="numpy")
+@njit(error_model="numpy")
 def evaluate(a: Any, b: Any, c: Any, out: Any, any_out: Any, lanes: Any) -> None:
     x, y, z = view_numbers(a, lanes), view_numbers(b, lanes), view_numbers(c, lanes)
     r = view_numbers(out, lanes)
