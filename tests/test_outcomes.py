@@ -18,6 +18,7 @@ pytestmark = [pytest.mark.compiles, pytest.mark.exact]
 TWO_MORE = ((0.07, 0.25, 1.00, 0.35), (0.12, 0.15, 1.80, 0.45))
 DESIGNS = np.concatenate([np.array(robots.DESIGNS[:10])[:, [1, 0, 3, 2]], TWO_MORE])
 PROGRAMS = yaml.safe_load((FOLDER / "programs.yaml").read_text())
+NAMES = tuple(PROGRAMS["jumps"])
 # What tolerances make of tier standard for a second-order integrator is dear for the others.
 COARSER = {
     "stepping": {"fixed": {"step_s": 2e-5}},
@@ -31,14 +32,20 @@ def jump(name: str, changes: dict[str, Any] = COARSER) -> Simulation:
     return build(spelled_out({"sim": "jump"} | PROGRAMS["jumps"][name], changes))
 
 
-@pytest.mark.parametrize("name", PROGRAMS["jumps"])
+@pytest.mark.parametrize("name", NAMES)
 def test_jumps(name: str, golden: Golden) -> None:
     lanes = simulate_designs(jump(name), DESIGNS, threads=1, lanes=8)
     assert set(lanes.status) <= {"ok", "no_jump"}
     golden.check(name, outcome(lanes))
-    scalar = simulate_designs(jump(name), DESIGNS[:4], threads=1, lanes=1)
-    few = {key: values[:4] for key, values in plain(outcome(lanes)).items()}
-    assert plain(outcome(scalar)) == few
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=pytest.mark.slow if n != "default" else ()) for n in NAMES]
+)
+def test_jumps_of_one_robot_at_a_time(name: str, golden: Golden) -> None:
+    alone = simulate_designs(jump(name), DESIGNS[:4], threads=1, lanes=1)
+    written = golden.known[name]
+    assert plain(outcome(alone)) == {key: values[:4] for key, values in written.items()}
 
 
 def test_sensitivities(golden: Golden) -> None:

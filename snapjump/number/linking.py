@@ -130,7 +130,7 @@ class KernelLower(Lower):
 
 @contextmanager
 def little_garbage() -> Iterator[None]:
-    """Look for garbage less often: among all objects of a compiler that takes a tenth of its time."""
+    """Look for garbage less often: among all objects of a compiler it takes a tenth of the time."""
     usual = gc.get_threshold()
     gc.set_threshold(100_000, 50, 100)
     try:

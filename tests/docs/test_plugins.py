@@ -114,6 +114,7 @@ def test_a_tableau_is_a_plugin_by_itself(tmp_path: Path) -> None:
 SWEEP = ("-m", "sim=bounce", "contact=cone", *OFF)
 
 
+@pytest.mark.processes
 def test_workers_of_a_sweep_have_it_and_a_cell_is_known_by_it(example: Path) -> None:
     sweep = (*SWEEP, "plugins=mine", "sim.speed_m_s=5,10", "hydra.sweep.dir=sweep")
     kept = [plain(example, *sweep).stdout.count("(kept)") for _ in range(2)]
@@ -155,7 +156,7 @@ def test_folders_that_are_none(example: Path, folder: str, file: str | None, wor
     assert words in refused(example, f"plugins={folder}", "sim=bounce", "contact=cone")
 
 
-@pytest.mark.compiles
+@pytest.mark.slow
 def test_parallel_workers_have_it(example: Path) -> None:
     apart = ("plugins=mine", "sim.speed_m_s=5,10", "hydra/launcher=joblib", "hydra.sweep.dir=out")
     done = run(str(RUN), *SWEEP, *apart, folder=example)

@@ -88,7 +88,7 @@ def test_from_the_command_line_to_record_and_documentation(command, database, tm
     assert f"{summary['cells']} kept" in again.stdout
 
 
-@pytest.mark.compiles
+@pytest.mark.slow
 def test_a_sweep_of_studies(command, tmp_path):
     command("-m", *TINY, "figures=false", "tracking=off", "integrator=tr_bdf2,sdirk2")
     assert len(list(tmp_path.glob("outputs/studies/convergence-*"))) == 2

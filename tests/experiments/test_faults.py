@@ -1,5 +1,6 @@
 """Kills at random moments, on a dataset of a few seconds."""
 
+import pytest
 from small_datasets import OVERRIDES
 
 from experiments.faults import faults
@@ -7,6 +8,7 @@ from experiments.faults import faults
 SMALL = ("plan=sobol", "plan.count=192", "dataset.shard_size=8", *OVERRIDES)
 
 
+@pytest.mark.processes
 def test_killed_runs_end_in_the_same_dataset(tmp_path):
     found = faults(tmp_path, 3, SMALL, seed=1)
     assert found["manifests_identical"]

@@ -44,6 +44,7 @@ def test_throughput():
         assert (values.idle_share == 0.0) == (lanes == 1)
 
 
+@pytest.mark.compiles
 def test_the_pieces_leave_the_march_as_it_was(robots):
     undisturbed, march = started(robots).run(), started(robots)
     worker = march.crew[0]

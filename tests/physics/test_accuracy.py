@@ -39,7 +39,7 @@ def test_two_integrators_agree(design):
 ROWS = Path(__file__).with_name("released_rows.csv")
 
 
-@pytest.mark.compiles
+@pytest.mark.slow
 def test_the_released_program_s_data_are_met():
     """Medians over 60 rows; measured 2 % in x and 0.6 % in y."""
     rows = read_rows(60, ROWS)

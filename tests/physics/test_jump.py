@@ -100,10 +100,8 @@ def test_lanes_give_the_same_jump():
     assert not wide.arrays and "max_residual" not in wide.summary
 
 
-@pytest.mark.parametrize(
-    "name", ["corotational", pytest.param("geometrically_exact", marks=pytest.mark.slow)]
-)
-@pytest.mark.compiles
+@pytest.mark.parametrize("name", ["corotational", "geometrically_exact"])
+@pytest.mark.slow
 def test_elements_with_rotations_jump_like_discrete_rods(name):
     """They agree within 1 % at 104 elements; books balance; lanes are scalars to the bit."""
     members = FAMILIES["discretization"]

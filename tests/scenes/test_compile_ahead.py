@@ -1,6 +1,7 @@
 """A second process compiles a jump's time loop; without one, the first does it all."""
 
 import os
+import shutil
 import subprocess
 import sys
 
@@ -28,6 +29,10 @@ CHANGES = {
 def test_outcomes_are_the_same_whoever_compiles(tmp_path):
     found = {}
     for name, change in CHANGES.items():
+        if found:  # all but the time loop is there
+            kept = shutil.copytree(tmp_path / "two cores", tmp_path / name)
+            for file in kept.rglob("march-*"):
+                file.unlink()
         environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path / name)}
         command = [sys.executable, "-c", JUMP.format(change=change)]
         run = subprocess.run(command, env=environment, capture_output=True, text=True)

@@ -11,6 +11,8 @@ from robots import DESIGNS, QUIET, small_march
 from snapjump.engine import outcome as c
 from snapjump.engine.status import NO_EQUILIBRIUM, OK, TIME_LIMIT
 
+pytestmark = pytest.mark.processes
+
 PROGRAM = ROOT / "tests" / "support" / "card_in_simulator.py"
 ROBOTS = (DESIGNS[1], DESIGNS[3])
 RATES = ("velocity", "acceleration")
