@@ -141,7 +141,12 @@ class Frame(Contract):
         return FrameBox(zero, zero, zero, zero, zero, zero, zero, zero, zero)
 
     def rest(self, mesh: Any, state: Any, gap: Any) -> Any:
-        """Put the frame upright about x = 0, its feet at a gap (L) above the ground."""
+        """Put the frame upright, its feet at a gap (L) above the ground, so that the robot's centre
+        of mass is near x = 0."""
+
+    def rest_middle(self) -> Any:
+        """Where the middle between its feet then is (L)."""
+        return 0.0
 
     def mass_of(self, mesh: Any, coordinate: Any) -> Any:
         """Mass, or moment of inertia, that belongs to one of the frame's own coordinates."""
@@ -172,8 +177,9 @@ class Outline(NamedTuple):
     """Dimensions and masses that a frame is built from: leg, top, leg, and what is clamped to them.
 
     width, height; mount: height of the clamps above the feet (in L); mass: the robot's less the
-    beam's, end: of the beam's nodes that move with one clamp (in rho A L); length_m: of L;
-    stretching: the beam's EA (in EI/L^2); per_length: whether contact belongs to a length.
+    beam's, end: of the beam's nodes that move with one clamp (in rho A L); length_m: of L, mass_kg:
+    of rho A L; stretching: the beam's EA (in EI/L^2); per_length: whether contact belongs to a
+    length.
     """
 
     width: Any
@@ -182,6 +188,7 @@ class Outline(NamedTuple):
     mass: Any
     end: Any
     length_m: float = 1.0
+    mass_kg: float = 1.0
     stretching: float = 0.0
     per_length: bool = True
 
@@ -195,6 +202,7 @@ class FrameOptions(Part):
     explicit: ClassVar[bool] = True  # whether explicit steps lead anywhere
     takes_arrays: ClassVar[bool] = False  # whether many outlines make one body, all of one mesh
     inset_m = 0.0  # distance of the beam's ends from the legs
+    symmetric = True  # whether its mirror image is itself
 
     @required
     def body(self, outline: Outline) -> Any:

@@ -6,8 +6,10 @@ The clamped end nodes of the beam belong to it, so that its mass matrix is diago
 from typing import Any, NamedTuple
 
 from snapjump.discretization.base import EndTangents
-from snapjump.frame.base import Frame, FrameBox, FrameOptions, Outline, Rotations
-from snapjump.frame.parts.ends import Arm, move_first, move_last
+from snapjump.frame.base import Frame, FrameBox, Outline, Rotations
+from snapjump.frame.parts.ends import move_first, move_last
+from snapjump.frame.parts.frame_mass import FrameMass
+from snapjump.frame.parts.rigid_arms import corner_arm, first_arm, last_arm
 from snapjump.linear_solver import banded
 from snapjump.linear_solver.contact_rows import CornerRows
 from snapjump.number.dispatch import kernel
@@ -17,15 +19,21 @@ from snapjump.number.trigonometry import cos, sin
 LIFTED = 0.05  # of the anchor's stiffness, against rise and turn
 
 
-class RigidFrame(FrameOptions):
-    """A rigid body of three coordinates that carries both clamps and can touch the ground."""
+class RigidFrame(FrameMass):
+    """A rigid body of three coordinates that carries both clamps and can touch the ground.
+
+    Its own mass is the robot's less the beam's and what is at the clamps. Its centre and its moment
+    of inertia about that are, unless given, those of a mass evenly along leg, top, leg (the
+    paper's).
+    """
 
     takes_arrays = True
 
     @Frame.member
     class Body(NamedTuple):
         """Half the width; heights of mounts, feet and top against the centre of mass (in L); mass
-        and moment of inertia (in rho A L and rho A L^3)."""
+        and moment of inertia (in rho A L and rho A L^3); how far the centre is right of the middle,
+        and where it rests, for the robot's to be at 0 (in L)."""
 
         half_span: float
         mount_y: float
@@ -33,6 +41,8 @@ class RigidFrame(FrameOptions):
         top_y: float
         mass: float
         inertia: float
+        offset: float
+        rest_x: float
 
         def dofs(self, mesh: Any) -> int:
             return 3
@@ -104,7 +114,7 @@ class RigidFrame(FrameOptions):
             residual[0] -= self.mass * model.load.pull()
             residual[1] += weight
             # Statics leaves x undetermined: a spring that ends up without force holds it.
-            residual[0] += motion.anchor * state[0]
+            residual[0] += motion.anchor * (state[0] - self.rest_x)
             square[0, 0] += motion.anchor
             # Feet that an iterate lifts off the ground have no stiffness: this lets the weight
             # bring them back, and leaves the equilibrium where it is.
@@ -154,11 +164,13 @@ class RigidFrame(FrameOptions):
             return ground.corner_share
 
         def box(self, mesh: Any, state: Any, velocity: Any) -> FrameBox:
+            c = cos(state[2])
+            s = sin(state[2])
             return FrameBox(
-                state[0],
-                state[1],
-                cos(state[2]),
-                sin(state[2]),
+                state[0] - self.offset * c,
+                state[1] - self.offset * s,
+                c,
+                s,
                 velocity[2],
                 self.half_span,
                 self.mount_y,
@@ -167,9 +179,12 @@ class RigidFrame(FrameOptions):
             )
 
         def rest(self, mesh: Any, state: Any, gap: Any) -> None:
-            state[0] = 0.0
+            state[0] = self.rest_x
             state[1] = gap - self.foot_y
             state[2] = 0.0
+
+        def rest_middle(self) -> Any:
+            return self.rest_x - self.offset
 
         def mass_of(self, mesh: Any, coordinate: Any) -> Any:
             return where(coordinate == 2, self.inertia, self.mass)
@@ -183,57 +198,20 @@ class RigidFrame(FrameOptions):
     def body(self, outline: Outline) -> Body:
         """The dimensionless frame of an outline, whose numbers may be arrays.
 
-        The robot's mass lies evenly along leg, top, leg; the clamped end nodes of the beam move
-        with it and belong to it.
+        The clamped end nodes of the beam move with it and belong to it.
         """
-        width, height, mount, mass, end = outline[:5]
-        leg = mass * height / (2.0 * height + width)
-        top = mass * width / (2.0 * height + width)
-        total = mass + 2.0 * end
-        centre = (leg * height + top * height + 2.0 * end * mount) / total
-        half = 0.5 * width
-        to_leg, to_mount, to_top = 0.5 * height - centre, mount - centre, height - centre
-        legs = 2.0 * leg * (height * height / 12.0 + to_leg * to_leg + half * half)
-        beam_ends = 2.0 * end * (half * half + to_mount * to_mount)
-        inertia = legs + top * (width * width / 12.0 + to_top * to_top) + beam_ends
+        whole, mount = self.with_clamps(outline), outline.mount
+        free = 1.0 - 2.0 * outline.end  # of the beam's mass
         return self.Body(
-            half_span=half,
-            mount_y=mount - centre,
-            foot_y=-centre,
-            top_y=height - centre,
-            mass=total,
-            inertia=inertia,
+            half_span=0.5 * outline.width,
+            mount_y=mount - whole.y,
+            foot_y=-whole.y,
+            top_y=outline.height - whole.y,
+            mass=whole.mass,
+            inertia=whole.inertia,
+            offset=whole.x,
+            rest_x=whole.x * free / (whole.mass + free),
         )
-
-
-@kernel
-def corner_arm(frame: Any, corner: Any, c: Any, s: Any) -> Any:
-    """Vector from the centre of mass to a corner: left foot, left top, right top, right foot."""
-    x = -frame.half_span if corner < 2 else frame.half_span
-    y = frame.foot_y if corner == 0 or corner == 3 else frame.top_y
-    return c * x - s * y, s * x + c * y
-
-
-@kernel
-def first_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Arm:
-    """Vector from the centre of mass to the first node."""
-    c = cos(turn)
-    s = sin(turn)
-    return Arm(
-        -frame.mount_y * s - frame.half_span * c + offset * tangents.left_x,
-        frame.mount_y * c - frame.half_span * s + offset * tangents.left_y,
-    )
-
-
-@kernel
-def last_arm(frame: Any, offset: Any, tangents: Any, turn: Any) -> Arm:
-    """Vector from the centre of mass to the last node."""
-    c = cos(turn)
-    s = sin(turn)
-    return Arm(
-        -frame.mount_y * s + frame.half_span * c - offset * tangents.right_x,
-        frame.mount_y * c + frame.half_span * s - offset * tangents.right_y,
-    )
 
 
 @kernel

@@ -38,6 +38,7 @@ def frame_model(simulation: Simulation, mount_height_bar: Any) -> Any:
             mass=simulation.environment.mass_kg(robot) / robot.scales.mass_kg - 1.0,
             end=simulation.discretization.clamped_mass_bar,
             length_m=robot.length_m,
+            mass_kg=robot.scales.mass_kg,
             stretching=robot.stretching_stiffness_bar,
             per_length=simulation.contact.per_length,
         )

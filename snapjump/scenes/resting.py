@@ -28,11 +28,10 @@ def resting_guesses(base: Simulation, models: Sequence[Model], compressions: Arr
     gaps = resting_gaps(side.contact, weights, 2.0 * side.ground.corner_share)
     x, y = arches(base, rod, compressions)
     y = y + (gaps - frame.foot_y)[:, None] + frame.mount_y[:, None]
-    beams = chain_state(rod, x, y)
     held = frame.dofs(mesh)
-    states = np.zeros((robots, held + beams.shape[1]))
-    states[:, held:] = beams
+    states = np.zeros((robots, held + rod.node_dofs() * x.shape[1]))
     frame.rest(mesh, states.T, gaps)
+    states[:, held:] = chain_state(rod, x + np.reshape(frame.rest_middle(), (-1, 1)), y)
     return states
 
 

@@ -28,7 +28,7 @@ def problem_of(
     """
     low, high = np.array(trained.ranges[:2]).T
     mass_bar, mu = base.environment.mass_bar, base.environment.mu
-    symmetric = base.environment.slope_rad == 0.0
+    symmetric = base.environment.slope_rad == 0.0 and base.frame.symmetric
     simulator = JumpSimulator(base)
     return Problem(target, mass_bar, mu, low, high, forward, simulator, seed, symmetric)
 

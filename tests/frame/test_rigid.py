@@ -30,7 +30,7 @@ from snapjump.friction.implicit import ImplicitFriction
 from snapjump.friction.lagged import LaggedFriction
 
 ELEMENTS = 9
-FRAME = RigidFrame.Body(0.4, -0.15, -0.25, 0.25, 15.0, 1.3)
+FRAME = RigidFrame.Body(0.4, -0.15, -0.25, 0.25, 15.0, 1.3, 0.06, 0.01)
 BARRIER = LogBarrier.Law(4e3, 0.025, 0.0)
 FRICTION = ImplicitFriction.Law(0.4, 0.25)
 CLAMP = ConstantRate(0.35, 1.5, 0.6, 0.1)
@@ -73,7 +73,7 @@ class Case:
         """Free coordinates of a tilted robot with a kinked, slightly stretched arch."""
         rng = np.random.default_rng(seed)
         s, inner = np.linspace(-1.0, 1.0, self.nodes), self.nodes - 2
-        x = (FRAME.half_span - self.offset) * s
+        x = (FRAME.half_span - self.offset) * s - FRAME.offset
         y = FRAME.mount_y + 0.25 * (1.0 - s * s) - 0.3 * self.offset
         places = np.stack([x, y], axis=1)[1:-1] + rng.uniform(-1e-3, 1e-3, (inner, 2))
         c, si = np.cos(turn), np.sin(turn)
@@ -261,7 +261,7 @@ def test_ends_are_where_the_frame_holds_them(clamp):
         (state[3 : 3 + case.dofs], -1.0, 0.4 - case.angles.left),
         (state[-case.dofs :], 1.0, 0.4 + case.angles.right),
     ):
-        x, y = side * FRAME.half_span, FRAME.mount_y
+        x, y = side * FRAME.half_span - FRAME.offset, FRAME.mount_y
         c, s = np.cos(0.4), np.sin(0.4)
         mount = state[:2] + [c * x - s * y, s * x + c * y]
         expected = mount - side * case.offset * np.array([np.cos(direction), np.sin(direction)])
@@ -296,7 +296,7 @@ def test_corner_velocity_is_the_derivative_of_its_place():
         moved = complex_step(lambda t, k=k: corner(k, state + t[0] * velocity, velocity)[0], [0.0])
         assert corner(k, state, velocity)[2] == pytest.approx(moved[0], rel=1e-12)
     corners = {tuple(np.round(corner(k, 0 * state, velocity)[:2], 12)) for k in range(4)}
-    assert corners == {(x, y) for x in (-0.4, 0.4) for y in (-0.25, 0.25)}
+    assert corners == {(x, y) for x in (-0.46, 0.34) for y in (-0.25, 0.25)}
 
 
 @clamps

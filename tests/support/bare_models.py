@@ -28,7 +28,9 @@ def loose_nodes(**members: Any) -> Model:
 def on_rigid_frame(per_node: int) -> Model:
     """A robot whose nodes have so many coordinates, where its numbers do not matter."""
     beams = {2: DiscreteElasticRod.Beam(0.1, 1e4, 0.1, 0.0), 3: Corotational.Beam(0.1, 1e4)}
-    return bare_model(beams[per_node], RigidFrame.Body(0.4, -0.15, -0.25, 0.25, 15.0, 1.3))
+    return bare_model(
+        beams[per_node], RigidFrame.Body(0.4, -0.15, -0.25, 0.25, 15.0, 1.3, 0.06, 0.01)
+    )
 
 
 def cantilever(discretization: Any, force_x: float = 0.0) -> Model:
