@@ -3,6 +3,8 @@
 In an empty folder with an environment of its own, and no repository: a jump, a sweep and its
 comparison in MLflow, a forward model of 64 drafts, a design for a target, a contact law of one's
 own. Prints one JSON object with the seconds of each step; ends with what a step said that fails.
+``--cache``: a folder whose compiled kernels are used; by default all are compiled, as a stranger
+must.
 """
 
 import os
@@ -44,11 +46,11 @@ assert snapjump.__file__.startswith({prefix!r}), snapjump.__file__
 class Walk:
     """An empty folder, an environment, and what has been done there."""
 
-    def __init__(self, folder: Path):
+    def __init__(self, folder: Path, cache: str):
         self.folder, self.home = folder / "work", folder / "environment"
         self.folder.mkdir()
         self.seconds: dict[str, float] = {}
-        self.environment = {**os.environ, "XDG_CACHE_HOME": str(folder / "cache")}
+        self.environment = {**os.environ, "XDG_CACHE_HOME": cache or str(folder / "cache")}
         for name in ("NUMBA_CACHE_DIR", "VIRTUAL_ENV", "PYTHONPATH", "MLFLOW_TRACKING_URI"):
             self.environment.pop(name, None)
 
@@ -163,10 +165,10 @@ def answers() -> bool:
         return False
 
 
-def report() -> dict[str, float]:
-    """Walk all of it."""
+def report(cache: str = "") -> dict[str, float]:
+    """Walk all of it; ``cache``: the folder of a cache to use."""
     with tempfile.TemporaryDirectory() as folder:
-        walk = Walk(Path(folder))
+        walk = Walk(Path(folder), cache)
         for name in ("install", "jump", "sweep", "compare", "train", "design", "law"):
             walk.step(name, getattr(walk, name))
         return {**walk.seconds, "total": round(sum(walk.seconds.values()), 1)}

@@ -16,6 +16,8 @@ from snapjump.friction.implicit import ImplicitFriction
 from snapjump.scenes.flight import flight
 from snapjump.statics.threshold_curve import ThresholdCurve
 
+pytestmark = pytest.mark.compiles
+
 BASE = replace(FINE, friction=ImplicitFriction(velocity_threshold_m_s=0.01))
 # delta_alpha, epsilon, mass_bar, mu; the last one cannot be built.
 DESIGNS = np.array([
@@ -44,7 +46,6 @@ def test_jumps_are_the_same_without(batch, curve):
     np.testing.assert_array_equal(batch.newton_iterations, plain.newton_iterations)
 
 
-@pytest.mark.compiles
 def test_they_do_not_depend_on_lanes_and_threads(batch, curve):
     other = simulate_designs(BASE, DESIGNS, curve=curve, threads=2, lanes=1, sensitivities=True)
     for name in ("dx_bar", "dy_bar", "graze_distance", "differentiable"):

@@ -48,6 +48,7 @@ snapjump.load_plugins("mine")
 """
 
 
+@pytest.mark.processes
 def test_a_mended_law_loads_and_one_that_changes_after_that_is_refused(tmp_path: Path) -> None:
     shutil.copytree(PLUGINS, tmp_path / "mine")
     done = run("-c", MENDED, folder=tmp_path, code=1)
@@ -55,6 +56,7 @@ def test_a_mended_law_loads_and_one_that_changes_after_that_is_refused(tmp_path:
     assert "files have changed since, which a new process sees" in done.stderr
 
 
+@pytest.mark.processes
 def test_a_pickle_loads_the_plugin_that_it_needs(tmp_path: Path) -> None:
     run("-c", KEPT, str(PLUGINS), folder=tmp_path)
     assert run("-c", FOUND, folder=tmp_path).stdout == "cone 0.3\n"
@@ -90,6 +92,7 @@ for opened in (lambda: load_dataset("dataset"), lambda: read_checkpoint("forward
 """
 
 
+@pytest.mark.processes
 def test_what_was_made_with_it_is_refused_without_it(tmp_path: Path) -> None:
     run(
         "-c", MADE, str(PLUGINS), folder=tmp_path, PYTHONPATH=f"{ROOT}:{ROOT / 'tests' / 'support'}"
@@ -106,6 +109,7 @@ print("cone" in member_names("contact"), "drop" in member_names("sim"))
 """
 
 
+@pytest.mark.processes
 def test_an_installed_package_offers_its_members(tmp_path: Path) -> None:
     shutil.copytree(PLUGINS, tmp_path / "snapjump_mine")
     for folder in (tmp_path / "snapjump_mine", tmp_path / "snapjump_mine" / "contact"):

@@ -11,6 +11,8 @@ import pytest
 from command_line import ROOT, RUN, Done, python
 from pages import LAW_PAGE, blocks, text_of
 
+pytestmark = pytest.mark.processes
+
 PLUGINS = ROOT / "docs" / "plugins"
 SUPPORT = ROOT / "tests" / "support"
 LAW, OPTIONS = (blocks(LAW_PAGE, language)[0] for language in ("python", "yaml"))
@@ -114,7 +116,6 @@ def test_a_tableau_is_a_plugin_by_itself(tmp_path: Path) -> None:
 SWEEP = ("-m", "sim=bounce", "contact=cone", *OFF)
 
 
-@pytest.mark.processes
 def test_workers_of_a_sweep_have_it_and_a_cell_is_known_by_it(example: Path) -> None:
     sweep = (*SWEEP, "plugins=mine", "sim.speed_m_s=5,10", "hydra.sweep.dir=sweep")
     kept = [plain(example, *sweep).stdout.count("(kept)") for _ in range(2)]
@@ -163,7 +164,6 @@ def test_parallel_workers_have_it(example: Path) -> None:
     assert "2 cells: 2 ok" in done.stdout, done.stderr
 
 
-@pytest.mark.compiles
 def test_an_edited_law_is_another_program(example: Path) -> None:
     gaps = []
     for before, factor in (("2.0", "2.0"), ("2.0", "4.0"), ("4.0", "2.0")):

@@ -60,7 +60,7 @@ def test_derivatives_by_any_inputs(values, curve):
     assert max(found.values()) < 5e-5, found
 
 
-@pytest.mark.compiles
+@pytest.mark.slow
 def test_corrections_make_good_what_a_matrix_lacks():
     """Of elements that do not tell what their symmetric matrix lacks."""
     base = replace(BASE, discretization=Corotational(16))

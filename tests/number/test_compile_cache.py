@@ -82,6 +82,7 @@ def python_of(root, cache, *plugins):
     return python("-c", program, folder=root, **places)
 
 
+@pytest.mark.processes
 def test_a_copy_finds_what_was_compiled_and_an_edited_one_does_not(copied, tmp_path):
     cache, elsewhere = tmp_path / "cache", tmp_path / "elsewhere"
     shutil.copytree(copied, elsewhere / "snapjump")  # with other dates
@@ -97,6 +98,7 @@ def test_a_copy_finds_what_was_compiled_and_an_edited_one_does_not(copied, tmp_p
     assert compiled_in(elsewhere, cache) == (0, 1)
 
 
+@pytest.mark.processes
 def test_programs_follow_the_plugins(tmp_path):
     plugin = tmp_path / "mine" / "contact"
     plugin.mkdir(parents=True)
@@ -115,6 +117,7 @@ def test_kernels_of_others_are_not_kept():
 SAY = "warning: compiled kernels are not kept in"
 
 
+@pytest.mark.processes
 def test_where_no_kernel_can_be_kept_each_process_compiles(copied, tmp_path):
     """numba would keep them beside the sources, and find them there after an edit elsewhere."""
     nowhere = tmp_path / "file" / "below"
@@ -137,6 +140,7 @@ def test_a_full_disk_is_a_warning(monkeypatch, capsys):
     assert capsys.readouterr().err.count(f"{SAY} {compile_cache.folder_in_use()} (No space") == 1
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize("suffix", [".nbi", ".nbc"])
 def test_a_damaged_kernel_is_compiled_anew(copied, tmp_path, suffix):
     cache = tmp_path / "cache"

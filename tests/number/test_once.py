@@ -13,6 +13,8 @@ from snapjump.number import announcement, once
 from snapjump.number.once import one_process_compiles
 from snapjump.statics.resting_gap import resting_gap
 
+pytestmark = pytest.mark.processes
+
 COMPILE = """
 import sys
 from snapjump.contact.logbarrier import LogBarrier

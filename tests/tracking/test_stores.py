@@ -144,6 +144,7 @@ def wait_until_it_answers(process: "subprocess.Popen[bytes]", uri: str, log: Pat
     raise AssertionError(f"no answer from {uri}: {log.read_text()}")
 
 
+@pytest.mark.slow
 def test_a_sweep_on_a_server(process, server, tmp_path):
     done = process(*SWEEP, *TWO_AT_A_TIME, "tracking=server", f"tracking.uri={server}")
     assert "4 cells: 4 ok" in done.stdout
