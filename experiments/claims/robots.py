@@ -1,7 +1,7 @@
 """Robots far from the paper's: one to three inputs moved, or designs from ranges twice as wide.
 
-An input is moved log-uniformly by up to 10 times, every third robot's by up to 100; one that is 0
-is drawn from its range.
+An input is moved log-uniformly by up to 10 times, every third robot's by up to 100; one that is 0,
+or not given, is drawn from its range.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -39,7 +39,7 @@ def moved(base: Simulation, one: Input, factor: float, rng: np.random.Generator)
     here = value_at(base, one.path)
     if isinstance(here, str):
         here = mount_height_bar(base) * base.robot.length_m
-    if here == 0.0:
+    if here is None or here == 0.0:
         low, high = one.plan or (one.allowed.low, one.allowed.high)
         return float(rng.uniform(low, high) * factor / FACTOR)
     return float(here * factor ** rng.uniform(-1.0, 1.0))

@@ -29,4 +29,5 @@ STABLE_STEP = 25  # largest stable step at the last explicit stage (T)
 SMALLEST_STABLE_STEP = 26  # so far
 ERROR_SUM = 27  # estimates of all steps that stood, added up (L)
 COARSEST = 28  # largest step that stood, times the contact frequency in it
-ROWS = 29
+SPIN = 29  # mean rate of rotation when nothing could touch the ground any more (rad/T)
+ROWS = 30

@@ -20,7 +20,8 @@ from snapjump.engine import clock
     ERROR_SUM,  # estimates of all steps that stood, added up (L)
     COARSEST,  # largest step that stood, times the contact frequency in it
     SMALLEST_STABLE_STEP,  # of an explicit scheme (T)
-) = range(17)
+    SPIN,  # mean rate of rotation in flight (rad/T)
+) = range(18)
 
 ROWS_OF_CLOCK = (
     clock.STATUS,
@@ -40,5 +41,6 @@ ROWS_OF_CLOCK = (
     clock.ERROR_SUM,
     clock.COARSEST,
     clock.SMALLEST_STABLE_STEP,
+    clock.SPIN,
 )
 COLUMNS = len(ROWS_OF_CLOCK)

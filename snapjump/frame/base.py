@@ -157,6 +157,12 @@ class Frame(Contract):
         zero = 0.0 * vector[0]
         return zero, zero
 
+    def rotation(self, mesh: Any, state: Any, velocity: Any, about: Any) -> Any:
+        """Angular momentum and moment of inertia of the frame about a moving point: ``about`` is
+        its place (x, y) and velocity (vx, vy)."""
+        zero = 0.0 * state[0]
+        return zero, zero
+
     def slide(self, mesh: Any, vector: Any, along_x: Any) -> Any:
         """Add a displacement along x (or its rate) to the frame's coordinates."""
 

@@ -9,6 +9,7 @@ from snapjump.discretization.base import EndTangents
 from snapjump.frame.base import Frame, FrameBox, Outline, Rotations
 from snapjump.frame.parts.ends import move_first, move_last
 from snapjump.frame.parts.frame_mass import FrameMass
+from snapjump.frame.parts.point_mass import rotation_of
 from snapjump.frame.parts.rigid_arms import corner_arm, first_arm, last_arm
 from snapjump.linear_solver import banded
 from snapjump.linear_solver.contact_rows import CornerRows
@@ -191,6 +192,10 @@ class RigidFrame(FrameMass):
 
         def moments(self, mesh: Any, vector: Any) -> Any:
             return self.mass * vector[0], self.mass * vector[1]
+
+        def rotation(self, mesh: Any, state: Any, velocity: Any, about: Any) -> Any:
+            momentum, square = rotation_of(self.mass, state, velocity, 0, about)
+            return momentum + self.inertia * velocity[2], square + self.inertia
 
         def slide(self, mesh: Any, vector: Any, along_x: Any) -> None:
             vector[0] = vector[0] + along_x

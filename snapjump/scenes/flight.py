@@ -16,7 +16,8 @@ class Flight(NamedTuple):
     """Apex and lift-off of the centre of mass, all dimensionless (L, T), of one jump or of many.
 
     Times count from the beginning of the clamps' rotation. Lift-off is the end of the last
-    contact; place and velocity then follow from the parabola on which the march has ended.
+    contact; place and velocity then follow from the parabola on which the march has ended. Where
+    that is back at the height of lift-off the robot lands.
     """
 
     apex_x: Array
@@ -27,6 +28,7 @@ class Flight(NamedTuple):
     liftoff_vx: Array
     liftoff_vy: Array
     liftoff_time: Array
+    landing_x: Array
 
 
 def flight(begun: Any, load: Gravity, outcome: Array) -> Flight:
@@ -41,15 +43,18 @@ def flight(begun: Any, load: Gravity, outcome: Array) -> Flight:
     rise = np.where(outcome[..., c.STATUS] == OK, np.maximum(load.rise(vx, vy), 0.0), 0.0)
     ahead = rise / load.acceleration
     aloft = time - outcome[..., c.LAST_CONTACT]
+    away_x, away_vx = x - (vx - 0.5 * tug * aloft) * aloft, vx - tug * aloft
+    airtime = 2.0 * np.maximum(vy + fall * aloft, 0.0) / fall
     return Flight(
         x + (vx + 0.5 * load.downhill * rise) * ahead,
         y + (vy - 0.5 * load.cosine * rise) * ahead,
         begun + time + ahead,
-        x - (vx - 0.5 * tug * aloft) * aloft,
+        away_x,
         y - (vy + 0.5 * fall * aloft) * aloft,
-        vx - tug * aloft,
+        away_vx,
         vy + fall * aloft,
         begun + outcome[..., c.LAST_CONTACT],
+        away_x + (away_vx + 0.5 * tug * airtime) * airtime,
     )
 
 

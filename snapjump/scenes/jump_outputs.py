@@ -94,6 +94,22 @@ class JumpOutputs(GroundOutputs):
         """Centre of mass at the last contact, above the ground."""
         return self.flight.liftoff_y
 
+    @output("rad", of=FLOWN, show="lift-off: at {} to the ground")
+    def takeoff_angle_rad(self) -> Array:
+        """Direction of the centre of mass at the last contact, from the ground towards +x."""
+        return np.arctan2(self.flight.liftoff_vy, self.flight.liftoff_vx)
+
+    @output("rad/s", of=FLOWN, show="lift-off: spin {}")
+    def spin_rad_s(self) -> Array:
+        """Mean rate of rotation in flight: angular momentum about the centre of mass over the
+        moment of inertia."""
+        return self.outcome[:, c.SPIN] / self.scales.time_s
+
+    @output("L", of=FLOWN, show="")
+    def landing_x_bar(self) -> Array:
+        """Where the centre of mass is back at its height of lift-off, from where it started."""
+        return self.flight.landing_x
+
     @output("L", show="")
     def mount_height_bar(self) -> Array:
         """Height of the clamps above the feet."""

@@ -2,8 +2,8 @@
 
 from typing import Any, NamedTuple
 
-from snapjump.engine.centre_of_mass import centre_of_mass
-from snapjump.engine.clock import COM_VX, COM_VY, COM_X, COM_Y, GAP, TIME
+from snapjump.engine.centre_of_mass import centre_of_mass, mean_rotation
+from snapjump.engine.clock import COM_VX, COM_VY, COM_X, COM_Y, GAP, SPIN, TIME
 from snapjump.engine.status import OK, RUNNING, TIME_LIMIT
 from snapjump.engine.termination.base import Termination
 from snapjump.number.functions import where
@@ -32,4 +32,7 @@ class ApexTermination(NamedTuple):
         clock[COM_VY] = where(ended, vy, clock[COM_VY])
         sinking = (clock[GAP] >= model.ground.clearance) & (vy <= 0.0) & (y > self.height)
         status = where(over, 1.0 * TIME_LIMIT, 1.0 * RUNNING)
+        about = x, y, vx, vy
+        spin = mean_rotation(model, masses, work.mesh, work.start, work.velocity[0], about)
+        clock[SPIN] = where(ended, spin, clock[SPIN])
         return where(sinking, 1.0 * OK, status)

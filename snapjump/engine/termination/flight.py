@@ -9,8 +9,8 @@ which the centre of mass is higher than the box's radius.
 
 from typing import Any, NamedTuple
 
-from snapjump.engine.centre_of_mass import centre_of_mass
-from snapjump.engine.clock import COM_VX, COM_VY, COM_X, COM_Y, GAP, TIME
+from snapjump.engine.centre_of_mass import centre_of_mass, mean_rotation
+from snapjump.engine.clock import COM_VX, COM_VY, COM_X, COM_Y, GAP, SPIN, TIME
 from snapjump.engine.status import NO_JUMP, OK, RUNNING, TIME_LIMIT
 from snapjump.engine.termination.base import Termination
 from snapjump.number.dispatch import kernel
@@ -61,6 +61,10 @@ class FlightTermination(NamedTuple):
             clock[COM_VY] = where(known, vy, clock[COM_VY])
             clear = airborne & clear_of_ground(model, work, x, y, vx, vy)
             status = where(clear, 1.0 * OK, status)
+            if any_true(clear):
+                about = x, y, vx, vy
+                spin = mean_rotation(model, masses, work.mesh, work.start, work.velocity[0], about)
+                clock[SPIN] = where(clear, spin, clock[SPIN])
         return status
 
 

@@ -13,6 +13,7 @@ from snapjump.frame.parts.elastic_mesh import (
     node_mass,
     weight_at,
 )
+from snapjump.frame.parts.point_mass import rotation_of
 from snapjump.linear_solver.contact_rows import NodeRows
 from snapjump.number.nowhere import nowhere
 
@@ -103,6 +104,16 @@ class ElasticBody(Frame):
             x = x + mass * vector[2 * node]
             y = y + mass * vector[2 * node + 1]
         return x, y
+
+    def rotation(self, mesh: Any, state: Any, velocity: Any, about: Any) -> Any:
+        momentum = 0.0 * state[0]
+        square = 0.0 * state[0]
+        for node in range(node_count(mesh)):
+            mass = node_mass(self, mesh, node)
+            gained, own = rotation_of(mass, state, velocity, 2 * node, about)
+            momentum = momentum + gained
+            square = square + own
+        return momentum, square
 
     def slide(self, mesh: Any, vector: Any, along_x: Any) -> None:
         for node in range(node_count(mesh)):

@@ -18,19 +18,19 @@ class FrameMass(FrameOptions):
 
     mass_centre_height_m: float | None = number(
         None, above=0.0, unit="m", doc="the frame's own centre of mass above the feet",
-        symbol="h_c", takes_arrays=True,
+        symbol="h_c", plan=(3e-3, 1e-2), takes_arrays=True,
     )  # fmt: skip
     mass_centre_offset_m: float = number(
         0.0, unit="m", doc="the frame's own centre of mass to the right of the middle",
-        symbol="x_c", takes_arrays=True,
+        symbol="x_c", plan=(-1e-3, 1e-3), takes_arrays=True,
     )  # fmt: skip
     inertia_kg_m2: float | None = number(
         None, above=0.0, unit="kg m^2", doc="the frame's own moment of inertia about its centre",
-        symbol="I_c", takes_arrays=True,
+        symbol="I_c", plan=(5e-8, 2e-7), takes_arrays=True,
     )  # fmt: skip
     clamp_mass_kg: float = number(
         0.0, least=0.0, unit="kg", doc="mass at each clamp, as of a motor; part of mass_bar",
-        symbol="m_c", takes_arrays=True,
+        symbol="m_c", plan=(0.0, 5e-4), takes_arrays=True,
     )  # fmt: skip
 
     def check_with(self, simulation: Any) -> None:
