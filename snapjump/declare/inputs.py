@@ -127,7 +127,7 @@ def unusual(simulation: Any) -> list[str]:
         part = getattr(simulation, group)
         for field in fields(part):
             value, usual = getattr(part, field.name), field.metadata.get("about", {}).get("usual")
-            if usual and not isinstance(value, str) and not usual[0] <= value <= usual[1]:
+            if usual and isinstance(value, float) and not usual[0] <= value <= usual[1]:
                 unit = f" {field.metadata['allowed'].unit}".rstrip()
                 span = f"[{usual[0]:g}, {usual[1]:g}]{unit}"
                 found.append(f"{group}.{field.name} = {value:g}{unit} is unusual: not in {span}")

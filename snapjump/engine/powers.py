@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 from snapjump.discretization.base import ROTARY_INERTIA
 from snapjump.engine.points import contact_powers
-from snapjump.number.dispatch import routine
+from snapjump.number.dispatch import kernel, routine
 
 
 class Powers(NamedTuple):
@@ -14,6 +14,16 @@ class Powers(NamedTuple):
     damping: Any
     clamps: Any
     contact: Any
+
+
+@kernel
+def clamp_torques(model: Any, chain: Any, tangents: Any) -> Any:
+    """Torques (EI/L) of the left and of the right clamp on the beam, in the sense in which they
+    turn, of a chain's :class:`~snapjump.discretization.base.ChainPowers`."""
+    shift = model.discretization.clamp_distance()
+    left_pull = chain.left_x * tangents.left_y - chain.left_y * tangents.left_x
+    right_pull = chain.right_x * tangents.right_y - chain.right_y * tangents.right_x
+    return chain.left_moment + shift * left_pull, chain.right_moment + shift * right_pull
 
 
 @routine
@@ -47,9 +57,7 @@ def powers(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity
             model.damping, state[offset:], velocity[offset:], tangents
         )
         damping = damping + chain.dissipation
-        shift = model.discretization.clamp_distance()
-        left_pull = chain.left_x * tangents.left_y - chain.left_y * tangents.left_x
-        right_pull = chain.right_x * tangents.right_y - chain.right_y * tangents.right_x
-        clamps = (chain.left_moment + shift * left_pull) * angles.left_rate
-        clamps = clamps + (chain.right_moment + shift * right_pull) * angles.right_rate
+        left, right = clamp_torques(model, chain, tangents)
+        clamps = left * angles.left_rate
+        clamps = clamps + right * angles.right_rate
     return Powers(friction, damping, clamps, contact)

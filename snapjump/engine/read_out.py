@@ -12,7 +12,7 @@ from snapjump.engine.points import (
     point_count,
     share_of,
 )
-from snapjump.frame.base import STILL
+from snapjump.engine.powers import clamp_torques
 from snapjump.number.array import uncounted
 from snapjump.number.dispatch import compiled, kernel
 
@@ -24,7 +24,8 @@ class Readings(NamedTuple):
 
     elastic, stored in contact: energies (S), in EI/L; angles: of the clamps (S, 2), in rad; pose:
     x, y, sine and cosine of the frame (S, 4); corners: places (S, 4, 2), in L; gap (S, P), in L;
-    normal, friction: forces of the ground (S, P), in EI/L^2, zero at points without a share.
+    normal, friction: forces of the ground (S, P), in EI/L^2, zero at points without a share;
+    tangents: directions x, y of both clamps (S, 4); torques: of both on the beam (S, 2), in EI/L.
     """
 
     elastic: Any
@@ -35,6 +36,8 @@ class Readings(NamedTuple):
     gap: Any
     normal: Any
     friction: Any
+    tangents: Any
+    torques: Any
 
 
 @compiled
@@ -59,14 +62,33 @@ def read_states(
         readings.angles[n, 0] = angles.left
         readings.angles[n, 1] = angles.right
         if model.discretization.has_elements():
-            tangents = model.frame.end_tangents(mesh, model.load, angles, state, STILL)
-            coordinates = state[model.frame.dofs(mesh) :]
-            beam = model.discretization.internal_energy(coordinates, tangents)
-            readings.elastic[n] = beam + model.frame.energy(mesh, state)
+            read_beam(model, mesh, n, state, velocity, angles, readings)
         if model.frame.dofs(mesh) > 0:
             read_frame(model, mesh, n, state, velocity, readings)
         if model.contact.exists():
             read_contact(model, masses, mesh, n, state, velocity, readings)
+
+
+@kernel
+def read_beam(
+    model: Any, mesh: Any, n: Any, state: Any, velocity: Any, angles: Any, readings: Any
+) -> None:
+    """Fill the elastic energy, the directions of the clamps and their torques."""
+    rotations = model.frame.mount_rotations(mesh, state, velocity)
+    tangents = model.frame.end_tangents(mesh, model.load, angles, state, rotations)
+    held = model.frame.dofs(mesh)
+    beam = model.discretization.internal_energy(state[held:], tangents)
+    readings.elastic[n] = beam + model.frame.energy(mesh, state)
+    readings.tangents[n, 0] = tangents.left_x
+    readings.tangents[n, 1] = tangents.left_y
+    readings.tangents[n, 2] = tangents.right_x
+    readings.tangents[n, 3] = tangents.right_y
+    chain = model.discretization.chain_powers(
+        model.damping, state[held:], velocity[held:], tangents
+    )
+    left, right = clamp_torques(model, chain, tangents)
+    readings.torques[n, 0] = left
+    readings.torques[n, 1] = right
 
 
 @kernel

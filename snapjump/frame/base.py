@@ -208,11 +208,15 @@ class FrameOptions(Part):
     explicit: ClassVar[bool] = True  # whether explicit steps lead anywhere
     takes_arrays: ClassVar[bool] = False  # whether many outlines make one body, all of one mesh
     inset_m = 0.0  # distance of the beam's ends from the legs
-    symmetric = True  # whether its mirror image is itself
 
     @required
     def body(self, outline: Outline) -> Any:
         """The dimensionless frame: a member of :class:`Frame`."""
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether it is its own mirror image."""
+        return True
 
     def mesh(self, body: Any) -> Mesh:
         """The mesh that goes with a body."""

@@ -84,6 +84,10 @@ class Robot(Part):
         plan=(1.5e-3, 4e-3), doc="height of the clamps above the feet",
         usual=(1e-6, 1.0),
     )  # fmt: skip
+    yield_stress_Pa: float | None = number(
+        None, above=0.0, unit="Pa", doc="stress at which the beam yields; it moves no apex",
+        symbol="σ_y", plan=(1e9, 2e9), usual=(1e4, 1e11),
+    )  # fmt: skip
 
     def __post_init__(self) -> None:
         super().__post_init__()

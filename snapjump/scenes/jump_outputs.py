@@ -13,7 +13,8 @@ from snapjump.engine.clamp.constant_rate import time_turned
 from snapjump.error_estimate import ErrorEstimate, error_estimate
 from snapjump.results import JumpResult
 from snapjump.scenes.flight import Flight, flight, world
-from snapjump.scenes.march_outputs import GroundOutputs, RecordedOutputs, RunOutputs
+from snapjump.scenes.jump_loads import JumpLoads
+from snapjump.scenes.march_outputs import GroundOutputs, RunOutputs
 
 Array = NDArray[np.float64]
 FLOWN = ("ok",)
@@ -166,7 +167,7 @@ class JumpRun(JumpOutputs, RunOutputs):
 
 
 @dataclass(frozen=True)
-class RecordedJump(JumpOutputs, RecordedOutputs):
+class RecordedJump(JumpOutputs, JumpLoads):
     """One jump with its trajectory."""
 
     kind = JumpResult

@@ -11,6 +11,7 @@ from snapjump.engine.points import point_count
 from snapjump.engine.read_out import CORNERS, Readings, read_states
 from snapjump.engine.recorder.trajectory import TrajectoryRecorder
 from snapjump.frame.base import Mesh
+from snapjump.scenes.bending import bending_arrays
 from snapjump.scenes.ground_impulse import impulse_arrays
 from snapjump.scenes.runner import March
 
@@ -54,6 +55,8 @@ def trajectory_arrays(march: March, recorder: TrajectoryRecorder) -> dict[str, A
     if model.contact.exists():
         arrays |= contact_arrays(march, states, readings)
         arrays |= impulse_arrays(march, times, states, velocities)
+    if model.discretization.has_elements():
+        arrays |= bending_arrays(march, nodes, readings)
     arrays |= energy_arrays(march, states, velocities, works, readings)
     return arrays
 
@@ -62,7 +65,7 @@ def read(march: March, times: Array, states: Array, velocities: Array) -> Readin
     """What is read off states and velocities (S, D) at times (S) of a march's first robot."""
     model, masses, mesh = march.models[0], march.masses, march.mesh
     points = point_count(model, masses, mesh)
-    shapes = ((), (), (2,), (4,), (CORNERS, 2), (points,), (points,), (points,))
+    shapes = ((), (), (2,), (4,), (CORNERS, 2), (points,), (points,), (points,), (4,), (2,))
     readings = Readings(*(np.zeros((len(times), *shape)) for shape in shapes))
     read_states(model, numbers_of(model), masses, mesh, times, states, velocities, readings)
     return readings

@@ -14,7 +14,8 @@ from snapjump.engine.recorder.midpoint import make_midpoint_recorder
 from snapjump.engine.recorder.trajectory import make_recorder
 from snapjump.engine.status import NO_SNAP, OK
 from snapjump.results import Result
-from snapjump.scenes.march_outputs import RecordedOutputs, side_by_side
+from snapjump.scenes.beam_outputs import BeamOutputs
+from snapjump.scenes.march_outputs import side_by_side
 from snapjump.scenes.midpoint import Midpoint
 from snapjump.scenes.snap_march import snap_march
 from snapjump.scenes.trajectory import trajectory_arrays
@@ -25,7 +26,7 @@ MARCHED = ("ok", "no_snap")  # to the end
 
 
 @dataclass(frozen=True)
-class SnapOutputs(RecordedOutputs):
+class SnapOutputs(BeamOutputs):
     """When and how the midpoint crosses the line of the clamps. ``midpoint``: at every step of the
     march, between which crossings and largest values are interpolated, so that none of them depends
     on ``sim.sample_interval_s``."""

@@ -50,7 +50,7 @@ def output_lines(
     lines: dict[str, list[str]] = {}
     for each in outputs:
         value = summary.get(each.name)
-        if each.show and value is not None:
+        if each.show and value is not None and value == value:  # NaN is not
             heading, text = each.show.split(": ", 1)
             lines.setdefault(heading, []).append(text.format(quantity(value, each, length_mm)))
     return {heading: ", ".join(texts) for heading, texts in lines.items()}

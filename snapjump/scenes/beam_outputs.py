@@ -1,0 +1,75 @@
+"""Outputs of recorded beams between clamps: strain, stress, and what the clamps must give."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from snapjump.declare.outputs import output
+from snapjump.scenes.march_outputs import RecordedOutputs
+
+
+@dataclass(frozen=True)
+class BeamOutputs(RecordedOutputs):
+    """Of one march with its trajectory: largest values are those of its samples."""
+
+    @cached_property
+    def most_bent(self) -> tuple[int, int]:
+        """Sample and node of the largest bending strain."""
+        strain = np.abs(self.arrays["node_strain"])
+        return divmod(int(strain.argmax()), strain.shape[1])
+
+    def _largest(self, read: str) -> float:
+        return float(np.abs(self.arrays[read]).max()) if self.arrays else np.nan
+
+    @output("1", show="beam: strain {} at most")
+    def max_strain(self) -> float:
+        """Largest bending strain of the beam's outer fibres, at any node and sample."""
+        return self._largest("node_strain")
+
+    @output("L", show="")
+    def max_strain_at_bar(self) -> float:
+        """Where that is, along the beam from the left clamp."""
+        if not self.arrays:
+            return np.nan
+        options = self.simulation.discretization
+        skipped = 0.5 * (options.elements - options.moving_elements)
+        return (self.most_bent[1] + skipped) / options.elements
+
+    @output("s", show="")
+    def max_strain_time_s(self) -> float:
+        """When, since the clamps began to turn."""
+        return float(self.arrays["time_s"][self.most_bent[0]]) if self.arrays else np.nan
+
+    @output("Pa", show="beam: {} of bending at most")
+    def max_stress_Pa(self) -> float:
+        """Largest bending stress, Young's modulus times the strain."""
+        return self.simulation.robot.youngs_modulus_Pa * self.max_strain
+
+    @output("1", unknown=True, show="beam: {} times that it yields at")
+    def safety_factor(self) -> float:
+        """``robot.yield_stress_Pa`` over the largest bending stress; null if that is not given."""
+        given = self.simulation.robot.yield_stress_Pa
+        return np.nan if given is None else given / self.max_stress_Pa
+
+    @output("N m", show="clamps: torque {} at most")
+    def peak_clamp_torque_N_m(self) -> float:
+        """Largest torque of a clamp on the beam, either way."""
+        sides = ("clamp_left_torque_N_m", "clamp_right_torque_N_m")
+        return max(self._largest(side) for side in sides)
+
+    @output("J", show="clamps: work {}")
+    def clamp_work_J(self) -> float:
+        """Work of both clamps since the motion began."""
+        return float(self.arrays["clamp_work_J"][-1]) if self.arrays else np.nan
+
+    @output("W", show="clamps: power {} at most")
+    def peak_clamp_power_W(self) -> float:
+        """Largest power of both clamps together."""
+        if not self.arrays:
+            return np.nan
+        time_s, power = self.arrays["time_s"], 0.0
+        for side in ("left", "right"):
+            rate = np.gradient(self.arrays[f"clamp_{side}_rad"], time_s)
+            power = power + rate * self.arrays[f"clamp_{side}_torque_N_m"]
+        return float(np.max(power))

@@ -1,0 +1,109 @@
+"""Strain of the beam and torques of the clamps: against circles, statics, and the work done."""
+
+import numpy as np
+import pytest
+from physical import DESIGNS, parts_of
+
+from snapjump import simulate_jump
+from snapjump.composition import with_tier
+from snapjump.scenes.bending import turning
+from snapjump.statics.threshold import symmetric_threshold
+
+
+def test_a_circle_turns_by_as_much_at_every_node():
+    radius, angles = 0.3, np.linspace(0.1, 1.5, 33)
+    places = radius * np.stack([np.sin(angles), -np.cos(angles)], axis=1)
+    ends = angles[[0, -1]]
+    tangents = np.stack([np.cos(ends), np.sin(ends)], axis=1)
+    found = turning(places[None], tangents[None])[0]
+    np.testing.assert_allclose(found[1:-1], angles[1] - angles[0], rtol=1e-12)
+    np.testing.assert_allclose(found[[0, -1]], 0.5 * (angles[1] - angles[0]), rtol=1e-12)
+
+
+@pytest.fixture(scope="module")
+def jump():
+    return simulate_jump(
+        accuracy="draft", sim={"sample_interval_s": 1e-5}, **parts_of(DESIGNS["baseline"])
+    )
+
+
+def test_power_adds_up_to_the_clamps_work(jump):
+    kept = jump.arrays
+    power = sum(
+        kept[f"clamp_{side}_torque_N_m"] * np.gradient(kept[f"clamp_{side}_rad"], kept["time_s"])
+        for side in ("left", "right")
+    )
+    work = np.trapezoid(power, kept["time_s"])
+    assert work == pytest.approx(jump.summary["clamp_work_J"], rel=5e-3)
+    assert jump.summary["peak_clamp_power_W"] == pytest.approx(power.max())
+
+
+@pytest.mark.parametrize("rod", ["der", "corotational"])
+def test_at_its_threshold_an_arch_bends_as_the_elastica(rod):
+    """kappa (1 - epsilon) = 2 sin(alpha) at the clamps of a symmetric arch about to snap."""
+    fine = {"name": rod, "elements": 112}
+    slow = simulate_jump(
+        accuracy="draft", design={"epsilon": 0.2, "delta_alpha": 0.0}, discretization=fine,
+        robot={"rotation_rate_rad_s": 5.0}, sim={"start_fraction": 0.85},
+    )  # fmt: skip
+    base = with_tier("draft", discretization=fine)
+    alpha = symmetric_threshold(base.robot, base.discretization, 0.2).alpha_rad
+    at = int(np.abs(slow.arrays["clamp_left_rad"] - alpha).argmin())
+    robot = base.robot
+    curvature = 2.0 * np.sin(alpha) / (0.8 * robot.length_m)
+    torque = slow.arrays["clamp_left_torque_N_m"][at]
+    assert abs(torque) == pytest.approx(robot.bending_stiffness_N_m2 * curvature, rel=0.03)
+    strain = slow.arrays["node_strain"][at]
+    assert np.abs(strain[[0, -1]]) == pytest.approx(0.5 * robot.thickness_m * curvature, rel=0.03)
+
+
+def test_a_builder_s_figures_go_together(jump):
+    told, robot = jump.summary, jump.simulation.robot
+    assert 0.010 < told["max_strain"] < 0.014  # the elastica's largest, at epsilon 0.2: 1.2 %
+    assert told["max_stress_Pa"] == pytest.approx(robot.youngs_modulus_Pa * told["max_strain"])
+    assert np.isnan(told["safety_factor"])
+    sample = int(np.abs(jump.arrays["time_s"] - told["max_strain_time_s"]).argmin())
+    node = round(told["max_strain_at_bar"] * (jump.arrays["node_strain"].shape[1] - 1))
+    assert abs(jump.arrays["node_strain"][sample, node]) == told["max_strain"]
+
+
+def test_a_yield_stress_gives_a_safety_factor_and_moves_nothing(jump):
+    parts = parts_of(DESIGNS["baseline"])
+    steel = simulate_jump(
+        accuracy="draft", sim={"sample_interval_s": 1e-5}, **parts, robot={"yield_stress_Pa": 1.5e9}
+    )
+    assert (steel.x_bar, steel.y_bar) == (jump.x_bar, jump.y_bar)
+    assert steel.summary["safety_factor"] == pytest.approx(1.5e9 / steel.summary["max_stress_Pa"])
+
+
+def test_impulse_is_the_momentum_gained_and_the_weight_borne(jump):
+    kept, told = jump.arrays, jump.summary
+    robot = jump.simulation.robot
+    mass_kg = jump.simulation.environment.mass_kg(robot)
+    flown = kept["time_s"][-1] - kept["time_s"][0]
+    gained = mass_kg * (kept["com_vy_m_s"][-1] - kept["com_vy_m_s"][0])
+    expected = gained + mass_kg * robot.gravity_m_s2 * flown
+    assert told["ground_impulse_N_s"] == pytest.approx(expected, rel=1e-6)
+    assert told["peak_ground_force_N"] > mass_kg * robot.gravity_m_s2
+
+
+def test_lift_off_tells_spin_direction_and_landing(jump):
+    kept, told = jump.arrays, jump.summary
+    aloft = kept["time_s"] > told["liftoff_time_s"]
+    turning = np.polyfit(kept["time_s"][aloft], kept["frame_angle_rad"][aloft], 1)[0]
+    assert told["spin_rad_s"] == pytest.approx(turning, rel=0.01)
+    vx, vy = told["liftoff_vx_m_s"], told["liftoff_vy_m_s"]
+    assert np.tan(told["takeoff_angle_rad"]) == pytest.approx(vy / vx)
+    robot = jump.simulation.robot
+    far = 2.0 * vx * vy / robot.gravity_m_s2 / robot.length_m
+    assert told["landing_x_bar"] == pytest.approx(told["liftoff_x_bar"] + far)
+
+
+def test_efficiency_is_height_over_what_was_given(jump):
+    kept, told = jump.arrays, jump.summary
+    robot = jump.simulation.robot
+    rise_m = told["y_bar"] * robot.length_m - kept["com_y_m"][0]
+    height_J = jump.simulation.environment.mass_kg(robot) * robot.gravity_m_s2 * rise_m
+    assert 0.3 < told["efficiency"] < 1.0
+    given = height_J / told["efficiency"]
+    assert given == pytest.approx(told["clamp_work_J"] + kept["elastic_J"][0], rel=0.5)
