@@ -83,6 +83,20 @@ class JumpResult(Result):
     error_estimate_percent: float
     within_tier: bool | None
     error_unknown_because: str
+    takeoff_angle_rad: float
+    spin_rad_s: float
+    landing_x_bar: float
+    peak_ground_force_N: float
+    ground_impulse_N_s: float
+    efficiency: float
+    max_strain: float
+    max_strain_at_bar: float
+    max_strain_time_s: float
+    max_stress_Pa: float
+    safety_factor: float
+    peak_clamp_torque_N_m: float
+    clamp_work_J: float
+    peak_clamp_power_W: float
     min_gap_m: float
     numerical_loss_share: float
     max_residual: float

@@ -39,7 +39,13 @@ COARSE = {
         "fixed": {"step_s": 4e-5},
     },
     "frame": {
-        "elastic": {"leg_elements": 5, "top_elements": 6, "bending_ratio": 1e4, "inset_m": 3e-4}
+        "elastic": {"leg_elements": 5, "top_elements": 6, "bending_ratio": 1e4, "inset_m": 3e-4},
+        "rigid": {
+            "mass_centre_height_m": 8e-3,
+            "mass_centre_offset_m": 1e-4,
+            "inertia_kg_m2": 1e-7,
+            "clamp_mass_kg": 1e-4,
+        },
     },
     "contact": {
         "logbarrier": {"damping_s": 1e-7},

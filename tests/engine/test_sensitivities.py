@@ -30,7 +30,9 @@ BASE = with_tier(
 # All inputs beside the four, where they are but for some, four at a time.
 VALUES = {path: value_at(BASE, path) for path in inputs_of(BASE) if path not in DEFAULT_INPUTS}
 VALUES |= {"robot.mount_height": 1.4e-3, "contact.damping_s": 1e-6}
-VALUES |= {"design.epsilon": 0.15, "environment.slope_rad": 0.1}
+VALUES |= {"frame.mass_centre_height_m": 8e-3, "frame.inertia_kg_m2": 1.2e-7}
+VALUES |= {"frame.mass_centre_offset_m": 5e-4, "frame.clamp_mass_kg": 2e-4}
+VALUES |= {"robot.yield_stress_Pa": 1.5e9, "design.epsilon": 0.15, "environment.slope_rad": 0.1}
 FOURS = [dict(list(VALUES.items())[k : k + 4]) for k in range(0, len(VALUES), 4)]
 # delta_alpha, epsilon, mass_bar, mu
 DESIGNS = ((0.03, 0.15, 1.3, 0.25), (0.15, 0.18, 1.6, 0.2))

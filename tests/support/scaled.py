@@ -14,7 +14,8 @@ DIMENSIONLESS = ("", "1", "%", "rad", "L", "EI/L", "EI/L^2", "GiB")
 POWERS = dict.fromkeys(DIMENSIONLESS, (0, 0, 0)) | {
     "m": (1, 0, 0), "s": (0, 1, 0), "kg": (0, 0, 1), "m/s": (1, -1, 0), "m/s^2": (1, -2, 0),
     "1/s": (0, -1, 0), "rad/s": (0, -1, 0), "N": (1, -2, 1), "N/m": (0, -2, 1),
-    "Pa": (-1, -2, 1), "kg/m^3": (-3, 0, 1),
+    "Pa": (-1, -2, 1), "kg/m^3": (-3, 0, 1), "kg m^2": (2, 0, 1), "N m": (2, -2, 1),
+    "J": (2, -2, 1), "W": (2, -3, 1), "N s": (1, -1, 1),
 }  # fmt: skip
 
 
@@ -39,12 +40,13 @@ def dimensional(part: Any) -> dict[str, str]:
 
 
 def scaled_part(part: Any, factors: Factors) -> Any:
-    """A part whose numbers are those of a world of other scales; words stay."""
+    """A part whose numbers are those of a world of other scales; words, and what is not given,
+    stay."""
     return part.changed(
         **{
             name: getattr(part, name) * factors.of(unit)
             for name, unit in dimensional(part).items()
-            if not isinstance(getattr(part, name), str)
+            if isinstance(getattr(part, name), float)
         }
     )
 

@@ -21,7 +21,8 @@ class FrameMass(FrameOptions):
         symbol="h_c", plan=(3e-3, 1e-2), takes_arrays=True,
     )  # fmt: skip
     mass_centre_offset_m: float = number(
-        0.0, unit="m", doc="the frame's own centre of mass to the right of the middle",
+        0.0, least=-100.0, most=100.0, unit="m",
+        doc="the frame's own centre of mass to the right of the middle",
         symbol="x_c", plan=(-1e-3, 1e-3), takes_arrays=True,
     )  # fmt: skip
     inertia_kg_m2: float | None = number(
