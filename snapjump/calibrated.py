@@ -72,6 +72,26 @@ def frame_height(model: Any) -> Any:
     return model.frame.top_y - model.frame.foot_y
 
 
+def mass_height(model: Any) -> Any:
+    """Height of the frame's centre of mass over the frame's; of one without, a half."""
+    frame = model.frame
+    return -frame.foot_y / frame_height(model) if hasattr(frame, "inertia") else 0.5
+
+
+def mass_offset(model: Any) -> Any:
+    """Distance of the frame's centre of mass from the middle, over half the clear span."""
+    return np.abs(getattr(model.frame, "offset", 0.0)) / model.frame.half_span
+
+
+def gyration(model: Any) -> Any:
+    """Radius of gyration of the frame over its diagonal; of a frame without, a third."""
+    frame = model.frame
+    diagonal = np.hypot(2.0 * frame.half_span, frame_height(model))
+    return (
+        np.sqrt(frame.inertia / frame.mass) / diagonal if hasattr(frame, "inertia") else 1.0 / 3.0
+    )
+
+
 def reach(model: Any) -> Any:
     """Reach of the ground (L); of a law that begins at its surface it is of no account."""
     found = np.asarray(model.contact.reach())
@@ -95,6 +115,9 @@ GROUPS = (
     Group("stiffness of the ground over EI/L^3", 30.0, 1e7, lambda m: m.contact.stiffness),
     Group("reach of the ground over L", 2e-3, 0.15, reach),
     Group("height of the frame over L", 0.0, 5.0, frame_height),
+    Group("height of the frame's centre of mass over the frame's", 0.1, 1.5, mass_height),
+    Group("offset of that centre over half the clear span", 0.0, 0.35, mass_offset),
+    Group("radius of gyration of the frame over its diagonal", 0.12, 0.9, gyration),
     Group("tangent of the slope", 0.0, 0.2, lambda m: abs(m.load.downhill / m.load.cosine)),
 )
 
