@@ -9,6 +9,7 @@ and leaves an identity in their place, so that the banded solver runs over all n
 for frames whose coordinates are fixed in number, and the same for all robots of a march.
 """
 
+from math import nan
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -159,9 +160,9 @@ class Frame(Contract):
 
     def rotation(self, mesh: Any, state: Any, velocity: Any, about: Any) -> Any:
         """Angular momentum and moment of inertia of the frame about a moving point: ``about`` is
-        its place (x, y) and velocity (vx, vy)."""
-        zero = 0.0 * state[0]
-        return zero, zero
+        its place (x, y) and velocity (vx, vy). NaN, by default, leaves a robot's spin unknown."""
+        unknown = nan + 0.0 * state[0]
+        return unknown, unknown
 
     def slide(self, mesh: Any, vector: Any, along_x: Any) -> Any:
         """Add a displacement along x (or its rate) to the frame's coordinates."""

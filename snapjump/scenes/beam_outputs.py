@@ -46,7 +46,7 @@ class BeamOutputs(RecordedOutputs):
         """Largest bending stress, Young's modulus times the strain."""
         return self.simulation.robot.youngs_modulus_Pa * self.max_strain
 
-    @output("1", unknown=True, show="beam: {} times that it yields at")
+    @output("1", unknown=True, show="beam: yields at {} times that")
     def safety_factor(self) -> float:
         """``robot.yield_stress_Pa`` over the largest bending stress; null if that is not given."""
         given = self.simulation.robot.yield_stress_Pa

@@ -100,7 +100,7 @@ class JumpOutputs(GroundOutputs):
         """Direction of the centre of mass at the last contact, from the ground towards +x."""
         return np.arctan2(self.flight.liftoff_vy, self.flight.liftoff_vx)
 
-    @output("rad/s", of=FLOWN, show="lift-off: spin {}")
+    @output("rad/s", of=FLOWN, unknown=True, show="lift-off: spin {}")
     def spin_rad_s(self) -> Array:
         """Mean rate of rotation in flight: angular momentum about the centre of mass over the
         moment of inertia."""
