@@ -8,6 +8,8 @@ import numpy as np
 from snapjump.declare.outputs import output
 from snapjump.scenes.march_outputs import RecordedOutputs
 
+MARCHED = ("ok", "no_jump", "no_snap")  # to the end
+
 
 @dataclass(frozen=True)
 class BeamOutputs(RecordedOutputs):
@@ -20,54 +22,50 @@ class BeamOutputs(RecordedOutputs):
         return divmod(int(strain.argmax()), strain.shape[1])
 
     def _largest(self, read: str) -> float:
-        return float(np.abs(self.arrays[read]).max()) if self.arrays else np.nan
+        return float(np.abs(self.arrays[read]).max())
 
-    @output("1", show="beam: strain {} at most")
+    @output("1", of=MARCHED, show="beam: strain {} at most")
     def max_strain(self) -> float:
         """Largest bending strain of the beam's outer fibres, at any node and sample."""
         return self._largest("node_strain")
 
-    @output("L", show="")
+    @output("L", of=MARCHED, show="")
     def max_strain_at_bar(self) -> float:
         """Where that is, along the beam from the left clamp."""
-        if not self.arrays:
-            return np.nan
         options = self.simulation.discretization
         skipped = 0.5 * (options.elements - options.moving_elements)
         return (self.most_bent[1] + skipped) / options.elements
 
-    @output("s", show="")
+    @output("s", of=MARCHED, show="")
     def max_strain_time_s(self) -> float:
         """When, since the clamps began to turn."""
-        return float(self.arrays["time_s"][self.most_bent[0]]) if self.arrays else np.nan
+        return float(self.arrays["time_s"][self.most_bent[0]])
 
-    @output("Pa", show="beam: {} of bending at most")
+    @output("Pa", of=MARCHED, show="beam: {} of bending at most")
     def max_stress_Pa(self) -> float:
         """Largest bending stress, Young's modulus times the strain."""
         return self.simulation.robot.youngs_modulus_Pa * self.max_strain
 
-    @output("1", unknown=True, show="beam: yields at {} times that")
+    @output("1", of=MARCHED, unknown=True, show="beam: yields at {} times that")
     def safety_factor(self) -> float:
         """``robot.yield_stress_Pa`` over the largest bending stress; null if that is not given."""
         given = self.simulation.robot.yield_stress_Pa
         return np.nan if given is None else given / self.max_stress_Pa
 
-    @output("N m", show="clamps: torque {} at most")
+    @output("N m", of=MARCHED, show="clamps: torque {} at most")
     def peak_clamp_torque_N_m(self) -> float:
         """Largest torque of a clamp on the beam, either way."""
         sides = ("clamp_left_torque_N_m", "clamp_right_torque_N_m")
         return max(self._largest(side) for side in sides)
 
-    @output("J", show="clamps: work {}")
+    @output("J", of=MARCHED, show="clamps: work {}")
     def clamp_work_J(self) -> float:
         """Work of both clamps since the motion began."""
-        return float(self.arrays["clamp_work_J"][-1]) if self.arrays else np.nan
+        return float(self.arrays["clamp_work_J"][-1])
 
-    @output("W", show="clamps: power {} at most")
+    @output("W", of=MARCHED, show="clamps: power {} at most")
     def peak_clamp_power_W(self) -> float:
         """Largest power of both clamps together."""
-        if not self.arrays:
-            return np.nan
         time_s, power = self.arrays["time_s"], 0.0
         for side in ("left", "right"):
             rate = np.gradient(self.arrays[f"clamp_{side}_rad"], time_s)

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from snapjump.declare.outputs import output
-from snapjump.scenes.beam_outputs import BeamOutputs
+from snapjump.scenes.beam_outputs import MARCHED, BeamOutputs
 
 FLOWN = ("ok",)
 
@@ -15,7 +15,7 @@ FLOWN = ("ok",)
 class JumpLoads(BeamOutputs):
     """Of one jump with its trajectory, beside those of all jumps."""
 
-    @output("N", unknown=True, show="ground: force {} at most")
+    @output("N", of=MARCHED, unknown=True, show="ground: force {} at most")
     def peak_ground_force_N(self) -> float:
         """Largest normal force of the ground on the robot, of all samples; null where contact is a
         constraint, whose forces are none of a state's."""
@@ -24,10 +24,10 @@ class JumpLoads(BeamOutputs):
         sums = (self.arrays[f"{of}_normal_N"].sum(axis=1) for of in ("node", "corner"))
         return float(sum(sums).max())
 
-    @output("N s", show="ground: impulse {}")
+    @output("N s", of=MARCHED, show="ground: impulse {}")
     def ground_impulse_N_s(self) -> float:
         """Impulse of the ground on the robot, across the ground, since the motion began."""
-        return float(self.arrays["ground_impulse_y_N_s"][-1]) if self.arrays else np.nan
+        return float(self.arrays["ground_impulse_y_N_s"][-1])
 
     @output("1", of=FLOWN, show="energy: {} of what clamps and arch gave is height at the apex")
     def efficiency(self: Any) -> float:
