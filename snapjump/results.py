@@ -97,6 +97,8 @@ class JumpResult(Result):
     peak_clamp_torque_N_m: float
     clamp_work_J: float
     peak_clamp_power_W: float
+    damping_ratio_1: float
+    damping_ratio_2: float
     min_gap_m: float
     numerical_loss_share: float
     max_residual: float

@@ -6,7 +6,9 @@ from functools import cached_property
 import numpy as np
 
 from snapjump.declare.outputs import output
+from snapjump.scenes.frame_body import compression
 from snapjump.scenes.march_outputs import RecordedOutputs
+from snapjump.statics.modes import flat_arch_damping
 
 MARCHED = ("ok", "no_jump", "no_snap")  # to the end
 
@@ -71,3 +73,22 @@ class BeamOutputs(RecordedOutputs):
             rate = np.gradient(self.arrays[f"clamp_{side}_rad"], time_s)
             power = power + rate * self.arrays[f"clamp_{side}_torque_N_m"]
         return float(np.max(power))
+
+    @cached_property
+    def damping_ratios(self) -> tuple[float, float]:
+        """Of the first two modes."""
+        one = self.simulation
+        law, shortening = one.damping.law(one.robot.scales), float(compression(one))
+        first, second = flat_arch_damping(one.robot, one.discretization, law, shortening)
+        return float(first), float(second)
+
+    @output("1", of=MARCHED, show="damping: {} of critical in the first mode")
+    def damping_ratio_1(self) -> float:
+        """Share of critical damping that the damping law gives the first mode of the arch between
+        flat clamps."""
+        return self.damping_ratios[0]
+
+    @output("1", of=MARCHED, show="damping: {} in the second")
+    def damping_ratio_2(self) -> float:
+        """The same of the second mode."""
+        return self.damping_ratios[1]

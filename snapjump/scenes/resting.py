@@ -26,12 +26,15 @@ def resting_guesses(base: Simulation, models: Sequence[Model], compressions: Arr
     frame = side.frame
     weights = (frame.mass + float(np.sum(base.discretization.masses()))) * side.load.gravity()
     gaps = resting_gaps(side.contact, weights, 2.0 * side.ground.corner_share)
-    x, y = arches(base, rod, compressions)
-    y = y + (gaps - frame.foot_y)[:, None] + frame.mount_y[:, None]
-    held = frame.dofs(mesh)
-    states = np.zeros((robots, held + rod.node_dofs() * x.shape[1]))
+    held, middle = frame.dofs(mesh), np.broadcast_to(frame.rest_middle(), robots)
+    alike = np.column_stack([compressions, gaps - frame.foot_y, frame.mount_y, middle])
+    different, places = np.unique(alike, axis=0, return_inverse=True)
+    shortening, feet, mounts, middles = different.T[:, :, None]
+    x, y = arches(base, rod, shortening[:, 0])
+    beams = chain_state(rod, x + middles, y + feet + mounts)
+    states = np.empty((robots, held + beams.shape[1]))
+    states[:, held:] = beams[places]
     frame.rest(mesh, states.T, gaps)
-    states[:, held:] = chain_state(rod, x + np.reshape(frame.rest_middle(), (-1, 1)), y)
     return states
 
 

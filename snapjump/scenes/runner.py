@@ -62,7 +62,9 @@ class March:
             numbers=self.numbers,
             state=self.states.copy(),
             velocity=zeros if self.velocities is None else self.velocities.copy(),
-            acceleration=zeros.copy() if self.accelerations is None else self.accelerations.copy(),
+            acceleration=np.zeros_like(zeros)
+            if self.accelerations is None
+            else self.accelerations.copy(),
             status=np.zeros(robots),
             outcome=np.zeros((robots, COLUMNS)),
             cursor=np.zeros(2, dtype=np.int64),
