@@ -69,7 +69,8 @@ def one_of(random: np.random.Generator, things: Sequence[Any]) -> Any:
 def wrong_type(field: Field, random: np.random.Generator) -> Any:
     """A value of a wrong type or, for a word, another word."""
     if field.is_number:
-        choices = NOT_NUMBERS
+        # What may be left out is None.
+        choices = tuple(one for one in NOT_NUMBERS if one is not None or field.default is not None)
     elif field.key == "rows":
         choices = NOT_ROWS
     elif field.key in ("weights", "embedded"):

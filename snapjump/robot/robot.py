@@ -86,7 +86,7 @@ class Robot(Part):
     )  # fmt: skip
     yield_stress_Pa: float | None = number(
         None, above=0.0, unit="Pa", doc="stress at which the beam yields; it moves no apex",
-        symbol="σ_y", plan=(1e9, 2e9), usual=(1e4, 1e11),
+        symbol="σ_y", plan=(1e9, 2e9), usual=(1e4, 1e11), takes_arrays=True,
     )  # fmt: skip
 
     def __post_init__(self) -> None:

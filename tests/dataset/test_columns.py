@@ -27,7 +27,7 @@ def test_every_column_has_its_unit_and_meaning_in_the_schema():
         assert b"unit" in field.metadata
     units = {field.name: field.metadata[b"unit"].decode() for field in schema(COLUMNS)}
     for name in NAMES:
-        suffix = {"_s": "s", "_m_s": "m/s", "_rad": "rad", "_percent": "%"}
+        suffix = {"_s": "s", "_m_s": "m/s", "_rad": "rad", "_percent": "%", "_rad_s": "rad/s"}
         expected = [unit for end, unit in suffix.items() if name.endswith(end)]
         if expected:
             assert units[name] == expected[-1], name

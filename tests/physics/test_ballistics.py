@@ -43,7 +43,9 @@ def test_liftoff():
     found = flight(np.array([1.0, 2.0]), Gravity(np.array([G, G])), outcome)
     thrown = [values[0] for values in found]
     reached = [0.2 + VX * VY / G, 0.1 + 0.5 * VY**2 / G, 1.5 + VY / G]
-    assert thrown == pytest.approx([*reached, 0.2, 0.1, VX, VY, 1.5], rel=1e-12)
+    assert thrown == pytest.approx(
+        [*reached, 0.2, 0.1, VX, VY, 1.5, 0.2 + 2.0 * VX * VY / G], rel=1e-12
+    )
     assert found.apex_x[1] == outcome[1, c.COM_X]
     assert found.apex_y[1] == outcome[1, c.COM_Y]
     assert found.apex_time[1] == 2.0 + outcome[1, c.TIME]
