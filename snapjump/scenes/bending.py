@@ -51,12 +51,12 @@ def of_rotations(turned: Array) -> Array:
 
 
 def turning(places: Array, tangents: Array) -> Array:
-    """Angles (S, N + 1) by which chains of nodes (S, N + 1, 2) turn at each, between clamps of
-    these directions (S, 2, 2)."""
+    """Turning (S, N + 1) of chains of nodes (S, N + 1, 2) at each, between clamps of these
+    directions (S, 2, 2): 2 tan(phi/2), as discrete rods have it."""
     edges = np.diff(places, axis=1)
-    edges /= np.linalg.norm(edges, axis=2, keepdims=True)
+    edges /= np.sqrt((edges * edges).sum(axis=2, keepdims=True))
     directions = np.concatenate([tangents[:, :1], edges, tangents[:, 1:]], axis=1)
     before, after = directions[:, :-1], directions[:, 1:]
     across = before[..., 0] * after[..., 1] - before[..., 1] * after[..., 0]
-    turned: Array = np.arctan2(across, (before * after).sum(axis=2))
+    turned: Array = 2.0 * across / (1.0 + (before * after).sum(axis=2))
     return turned

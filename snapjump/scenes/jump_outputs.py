@@ -11,6 +11,7 @@ from snapjump.declare.outputs import FLAG, WORD, output
 from snapjump.engine import outcome as c
 from snapjump.engine.clamp.constant_rate import time_turned
 from snapjump.error_estimate import ErrorEstimate, error_estimate
+from snapjump.number.trigonometry import arctan
 from snapjump.results import JumpResult
 from snapjump.scenes.flight import Flight, flight, world
 from snapjump.scenes.jump_loads import JumpLoads
@@ -98,7 +99,10 @@ class JumpOutputs(GroundOutputs):
     @output("rad", of=FLOWN, show="lift-off: at {} to the ground")
     def takeoff_angle_rad(self) -> Array:
         """Direction of the centre of mass at the last contact, from the ground towards +x."""
-        return np.arctan2(self.flight.liftoff_vy, self.flight.liftoff_vx)
+        vx, vy = self.flight.liftoff_vx, self.flight.liftoff_vy
+        with np.errstate(invalid="ignore", divide="ignore"):  # of what has not jumped
+            half = vy / (np.sqrt(vx * vx + vy * vy) + vx)
+        return 2.0 * arctan(half)
 
     @output("rad/s", of=FLOWN, unknown=True, show="lift-off: spin {}")
     def spin_rad_s(self) -> Array:

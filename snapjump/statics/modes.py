@@ -22,13 +22,19 @@ class Modes(NamedTuple):
 
 
 def modes(arch: StaticArch, count: int = 2) -> Modes:
-    """The lowest modes about the equilibrium that the arch was solved for last."""
+    """The lowest modes about the equilibrium that the arch was solved for last.
+
+    Raises ArithmeticError where that is not stable.
+    """
     dofs = arch.node_dofs
     inertia = np.outer(arch.masses, [1.0, 1.0, ROTARY_INERTIA][:dofs]).ravel()[arch.free]
     band = arch.tangent_band().T.copy()
     for k in range(len(band)):
         band[k, : len(inertia) - k] /= np.sqrt(inertia[: len(inertia) - k] * inertia[k:])
+    # The last bits are those of the processor's LAPACK.
     squares, vectors = eig_banded(band, lower=True, select="i", select_range=(0, count - 1))
+    if not squares[0] > 0.0:
+        raise ArithmeticError("no frequencies about an equilibrium that is not stable")
     shapes = np.zeros((count, arch.size))
     shapes[:, arch.free] = vectors.T / np.sqrt(inertia)
     return Modes(np.sqrt(squares), shapes)

@@ -14,8 +14,9 @@ def test_a_circle_turns_by_as_much_at_every_node():
     ends = angles[[0, -1]]
     tangents = np.stack([np.cos(ends), np.sin(ends)], axis=1)
     found = turning(places[None], tangents[None])[0]
-    np.testing.assert_allclose(found[1:-1], angles[1] - angles[0], rtol=1e-12)
-    np.testing.assert_allclose(found[[0, -1]], 0.5 * (angles[1] - angles[0]), rtol=1e-12)
+    turn = angles[1] - angles[0]
+    np.testing.assert_allclose(found[1:-1], 2.0 * np.tan(0.5 * turn), rtol=1e-12)
+    np.testing.assert_allclose(found[[0, -1]], 2.0 * np.tan(0.25 * turn), rtol=1e-12)
 
 
 @pytest.fixture(scope="module")
