@@ -102,7 +102,7 @@ class JumpOutputs(GroundOutputs):
         vx, vy = self.flight.liftoff_vx, self.flight.liftoff_vy
         with np.errstate(invalid="ignore", divide="ignore"):  # of what has not jumped
             half = vy / (np.sqrt(vx * vx + vy * vy) + vx)
-        return 2.0 * np.vectorize(arctan, [float])(half)  # whose bits are no processor's
+            return 2.0 * np.vectorize(arctan, [float])(half)  # whose bits are no processor's
 
     @output("rad/s", of=FLOWN, unknown=True, show="lift-off: spin {}")
     def spin_rad_s(self) -> Array:
