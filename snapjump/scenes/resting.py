@@ -32,8 +32,9 @@ def resting_guesses(base: Simulation, models: Sequence[Model], compressions: Arr
     shortening, feet, mounts, middles = different.T[:, :, None]
     x, y = arches(base, rod, shortening[:, 0])
     beams = chain_state(rod, x + middles, y + feet + mounts)
-    states = np.empty((robots, held + beams.shape[1]))
-    states[:, held:] = beams[places]
+    kinds = np.zeros((len(beams), held + beams.shape[1]))
+    kinds[:, held:] = beams
+    states: Array = kinds[places]
     frame.rest(mesh, states.T, gaps)
     return states
 

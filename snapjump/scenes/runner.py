@@ -62,7 +62,7 @@ class March:
             numbers=self.numbers,
             state=self.states.copy(),
             velocity=zeros if self.velocities is None else self.velocities.copy(),
-            acceleration=np.zeros_like(zeros)
+            acceleration=np.zeros((robots, size))
             if self.accelerations is None
             else self.accelerations.copy(),
             status=np.zeros(robots),
