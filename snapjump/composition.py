@@ -14,6 +14,7 @@ from snapjump.declare.inputs import inputs_of
 from snapjump.declare.members import make_member, member_group, members_with
 from snapjump.declare.scenes import SceneOptions
 from snapjump.discretization.base import DiscretizationOptions
+from snapjump.drag.base import DragOptions
 from snapjump.frame.base import FrameOptions
 from snapjump.friction.base import FrictionOptions
 from snapjump.integrator.base import IntegratorOptions
@@ -30,6 +31,7 @@ DEFAULTS = {
     "discretization": "der",
     "frame": "rigid",
     "contact": "logbarrier",
+    "drag": "none",
     "backend": "scalar",
 }
 CHOSEN: Any = None  # by the accuracy tier, or by the scene
@@ -55,6 +57,7 @@ class Simulation:
     contact: ContactOptions = CHOSEN
     friction: FrictionOptions = CHOSEN
     damping: DampingOptions = CHOSEN
+    drag: DragOptions = CHOSEN
     integrator: IntegratorOptions = CHOSEN
     stepping: SteppingOptions = CHOSEN
     backend: BackendOptions = CHOSEN

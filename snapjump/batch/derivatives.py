@@ -136,7 +136,12 @@ def scale_of(one: Input, here: float) -> float:
     return abs(here) or default or 1.0
 
 
+def places(model: Model, family: str) -> slice:
+    """Where the numbers of a member are among those of its model."""
+    first = sum(len(member) for member in model[: model._fields.index(family)])
+    return slice(first, first + len(getattr(model, family)))
+
+
 def place(model: Model, family: str, field: str) -> int:
     """The index of a member's number among the numbers of its model."""
-    before = model[: model._fields.index(family)]
-    return sum(len(member) for member in before) + getattr(model, family)._fields.index(field)
+    return int(places(model, family).start) + getattr(model, family)._fields.index(field)

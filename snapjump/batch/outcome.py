@@ -9,7 +9,6 @@ from snapjump.batch.prepare import Prepared
 from snapjump.batch.sensitivities import Sensitivities, Slopes, apex_sensitivities
 from snapjump.composition import Simulation
 from snapjump.engine import outcome as c
-from snapjump.engine.load.gravity import Gravity
 from snapjump.files.extras import extras_named
 from snapjump.scenes.flight_check import checked_status
 from snapjump.scenes.jump_outputs import JumpOutputs
@@ -81,9 +80,7 @@ def batch_of(
     sensitivities = None
     if marched.slopes is not None:
         slopes = Slopes(*(ready.spread(values) for values in marched.slopes))
-        sensitivities = apex_sensitivities(
-            outcome, Gravity(*(n[:, None] for n in model.load)), slopes
-        )
+        sensitivities = apex_sensitivities(outcome, model.load, model.drag, slopes)
     passes = marched.lane_passes
     seconds = marched.kernel_seconds
     return Batch(base, model, outcome, seconds, passes, ready, sensitivities, designs)

@@ -9,7 +9,7 @@ from snapjump.arrays import Array
 from snapjump.backend.base import MOST_THREADS, WIDTHS
 from snapjump.backend.lanes import LanesBackend
 from snapjump.batch.alike import check_alike
-from snapjump.batch.derivatives import model_derivatives, place
+from snapjump.batch.derivatives import model_derivatives, places
 from snapjump.batch.outcome import Batch, Marched, batch_of
 from snapjump.batch.prepare import Prepared, prepare_designs
 from snapjump.batch.progress import BatchProgress
@@ -27,6 +27,7 @@ from snapjump.declare.inputs import (
 from snapjump.declare.scenes import Progress
 from snapjump.declare.tables import rows_of
 from snapjump.engine import outcome as c
+from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.models import Models
 from snapjump.engine.status import RUNNING
 from snapjump.scenes.card_march import check_backend
@@ -76,9 +77,8 @@ def march_all(
     outcome, slopes = np.zeros((count, c.COLUMNS)), None
     if numbers is not None:
         inputs = numbers.shape[2]
-        slopes = Slopes(
-            np.zeros((count, 4, inputs)), gravity_slopes(ready, numbers), np.zeros(count)
-        )
+        load, drag = (slopes_of_member(ready, numbers, which) for which in ("load", "drag"))
+        slopes = Slopes(np.zeros((count, 4, inputs)), load, drag, np.zeros(count))
     told = BatchProgress(count, progress or (lambda share, text: None))
     kernel_seconds, lane_passes = 0.0, 0
     for group, march in marches(ready, lanes, threads, most_iterations):
@@ -96,12 +96,12 @@ def march_all(
     return Marched(outcome, kernel_seconds, lane_passes, slopes)
 
 
-def gravity_slopes(ready: Prepared, numbers: Array) -> Array:
-    """Slopes of the models' gravity (M, 3, I), among those (M, P, I) of all their numbers."""
+def slopes_of_member(ready: Prepared, numbers: Array, family: str) -> Array:
+    """Slopes (M, N, I) of the numbers of the models' members of a family, among those (M, P, I) of
+    all their numbers."""
     if not ready.models:
-        return np.zeros((0, 3, numbers.shape[2]))
-    first = place(ready.models[0], "load", "acceleration")
-    return numbers[:, first : first + 3]
+        return np.zeros((0, len(Gravity._fields), numbers.shape[2]))
+    return numbers[:, places(ready.models[0], family)]
 
 
 def simulate_batch(

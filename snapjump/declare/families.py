@@ -21,6 +21,7 @@ BASE = "base"
 # Of a simulation, in the order in which they are told.
 FAMILIES = (
     *("sim", "discretization", "frame", "contact", "friction", "damping"),
+    "drag",
     *("integrator", "stepping", "backend"),
 )
 

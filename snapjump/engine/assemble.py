@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from snapjump.contact.base import Extremes
 from snapjump.discretization.base import ROTARY_INERTIA, SKEW, NodeMotion
 from snapjump.engine.points import add_frame_contacts, add_node_contact
-from snapjump.frame.base import Rotations
+from snapjump.frame.base import Rotations, body_acceleration
 from snapjump.linear_solver.contact_rows import NodeRows, rows_of
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, maximum
@@ -56,7 +56,7 @@ def clear_border(work: Any, dofs: Any, node: Any, width: Any, zero: Any) -> None
 
 @kernel
 def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any, rows: NodeRows) -> Any:
-    """Begin a node's own rows with inertia, drag and weight; returns the inertial force."""
+    """Begin a node's own rows with inertia, damping and weight; returns the inertial force."""
     rate = motion.rate_factor
     i = model.discretization.node_dofs() * node + model.frame.dofs(work.mesh)
     vx = (work.state[i] - work.position_predictor[i]) * rate
@@ -75,8 +75,9 @@ def begin_node(model: Any, motion: Any, mass: Any, node: Any, work: Any, rows: N
     for axis in range(model.discretization.node_dofs()):
         for k in range(SKEW):
             rows.skew[axis, k] = 0.0
-    rows.residual[0] = mass * (force_x - model.load.pull())
-    rows.residual[1] = mass * (force_y + model.load.gravity())
+    along, across = body_acceleration(model, work)
+    rows.residual[0] = mass * (force_x - along)
+    rows.residual[1] = mass * (force_y - across)
     rows.band[0, 0] = diagonal
     rows.band[1, 0] = diagonal
     if model.discretization.node_dofs() == 3:

@@ -7,22 +7,33 @@ from snapjump.number.dispatch import routine
 
 
 @routine
-def centre_of_mass(model: Any, masses: Any, mesh: Any, state: Any, velocity: Any) -> Any:
-    """Position (x, y) and velocity (vx, vy)."""
-    mass = model.frame.mass
-    x, y = model.frame.moments(mesh, state)
-    vx, vy = model.frame.moments(mesh, velocity)
+def whole_mass(model: Any, masses: Any) -> Any:
+    """Mass of frame and beam (rho A L)."""
     beam = 0.0
+    for node in range(masses.shape[0]):
+        beam += masses[node]
+    return model.frame.mass + beam
+
+
+@routine
+def mean_of(model: Any, masses: Any, mesh: Any, vector: Any) -> Any:
+    """What frame and beam have of a vector of all coordinates, by mass: (x, y)."""
+    x, y = model.frame.moments(mesh, vector)
     for node in range(masses.shape[0]):
         weight = masses[node]
         i = model.discretization.node_dofs() * node + model.frame.dofs(mesh)
-        x = x + weight * state[i]
-        y = y + weight * state[i + 1]
-        vx = vx + weight * velocity[i]
-        vy = vy + weight * velocity[i + 1]
-        beam += weight
-    total = mass + beam
-    return x / total, y / total, vx / total, vy / total
+        x = x + weight * vector[i]
+        y = y + weight * vector[i + 1]
+    total = whole_mass(model, masses)
+    return x / total, y / total
+
+
+@routine
+def centre_of_mass(model: Any, masses: Any, mesh: Any, state: Any, velocity: Any) -> Any:
+    """Position (x, y) and velocity (vx, vy)."""
+    x, y = mean_of(model, masses, mesh, state)
+    vx, vy = mean_of(model, masses, mesh, velocity)
+    return x, y, vx, vy
 
 
 @routine

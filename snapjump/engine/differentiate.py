@@ -11,6 +11,7 @@ from typing import Any
 
 from numba.extending import overload
 
+from snapjump.engine.air import feel_air
 from snapjump.engine.assemble import Motion, add_node, assemble_nodes, begin_again, begin_assembly
 from snapjump.engine.clock import TIME
 from snapjump.engine.linearised import ENDS
@@ -149,6 +150,9 @@ def differentiate_stage(
         work.velocity_predictor[i] = velocity
         if guessed:
             work.state[i] = guess
+    if model.drag.exists():
+        ahead = scheme.abscissa(course.stage) * course.step.size
+        feel_air(model, masses, work, constant(ahead), course.converged)
     if not guessed:
         forget_ends(model, work)
     place_ends_at(model, motion.time, work)

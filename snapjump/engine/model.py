@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from snapjump.contact.base import Ground
 from snapjump.contact.none import NoContact
 from snapjump.damping.none import NoDamping
+from snapjump.drag.none import NoDrag
 from snapjump.engine.load.none import NoLoad
 from snapjump.friction.none import NoFriction
 from snapjump.number.array import INDEX
@@ -40,6 +41,7 @@ class Model(NamedTuple):
     contact: Any = NoContact.Law()
     friction: Any = NoFriction.Law()
     damping: Any = NoDamping.Law()
+    drag: Any = NoDrag.Law()
     load: Any = NoLoad()
     ground: Any = NO_GROUND
     time_limit: Any = NO_LIMIT

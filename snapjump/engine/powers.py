@@ -1,19 +1,22 @@
-"""Powers of friction, contact, damping and clamps at a stage: what the energy ledger adds up."""
+"""Powers of friction, contact, damping, drag and clamps at a stage: what the energy ledger adds up."""
 
 from typing import Any, NamedTuple
 
 from snapjump.discretization.base import ROTARY_INERTIA
+from snapjump.engine.centre_of_mass import mean_of, whole_mass
 from snapjump.engine.points import contact_powers
 from snapjump.number.dispatch import kernel, routine
 
 
 class Powers(NamedTuple):
-    """Losses by friction, damping and contact, and the power that clamps put in (EI/(L T))."""
+    """Losses by friction, damping, contact and drag, and the power that clamps put in
+    (EI/(L T))."""
 
     friction: Any
     damping: Any
     clamps: Any
     contact: Any
+    drag: Any
 
 
 @kernel
@@ -60,4 +63,8 @@ def powers(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity
         left, right = clamp_torques(model, chain, tangents)
         clamps = left * angles.left_rate
         clamps = clamps + right * angles.right_rate
-    return Powers(friction, damping, clamps, contact)
+    air = 0.0 * state[0]
+    if model.drag.exists():
+        vx, vy = mean_of(model, masses, mesh, velocity)
+        air = -whole_mass(model, masses) * (work.air[0] * vx + work.air[1] * vy)
+    return Powers(friction, damping, clamps, contact, air)

@@ -47,6 +47,8 @@ def load_robot(memory: Any, lane: int, queue: Any, robot: int, step: float) -> N
             memory.acceleration[slot, i, lane] = queue.acceleration[robot, i]
     for k in range(memory.clock.shape[0]):
         memory.clock[k, lane] = 0.0
+    for k in range(memory.air.shape[0]):
+        memory.air[k, lane] = 0.0
     memory.clock[STEP, lane] = step
     memory.clock[STAGE, lane] = 1.0
     memory.clock[SMALLEST_GAP, lane] = 1e30

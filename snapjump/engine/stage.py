@@ -2,6 +2,7 @@
 
 from typing import Any, NamedTuple
 
+from snapjump.engine.air import feel_air
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import BACKTRACKS, ITERATION, LAST_STEP, SHARE, SIZE, STAGE, STEP, TIME
 from snapjump.engine.gaps import frame_gap_share, keeps_gaps, limited
@@ -164,6 +165,8 @@ def move_on(
         for i in range(work.state.shape[0]):
             work.state[i] = work.state[i] + (1.0 - share) * work.correction[i]
     forget_iterations(model, work, share, mask)
+    if model.drag.exists():
+        feel_air(model, masses, work, scheme.abscissa(stage) * step, mask)
     if model.discretization.has_elements():
         time = clock[TIME] + scheme.abscissa(stage) * step
         angles = model.clamp.angles(time)

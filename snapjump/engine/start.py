@@ -32,6 +32,7 @@ def with_angles(model: Any, left: Any, delta_alpha: Any) -> Any:
         model.contact,
         Holding(model.load.pull() / model.load.gravity()),
         model.damping,
+        model.drag,
         model.load,
         model.ground,
         model.time_limit,

@@ -51,6 +51,7 @@ SLOPED: dict[str, Shape] = {
     "velocity": ("stages", "coordinates"),  # slot 0 is the step's beginning
     "acceleration": ("stages", "coordinates"),
     "numbers": ("numbers",),  # of the model
+    "air": (2,),  # acceleration (x, y) that drag gives all masses in the stage at hand
     "padded_residual": ("padded_beam",),  # of the nodes; then the correction
     "padded_frame_residual": ("padded_frame",),  # of the frame; then the correction
 }

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from snapjump.declare.fields import Part
 from snapjump.linear_solver.contact_rows import NodeRows
+from snapjump.number.dispatch import kernel
 from snapjump.number.methods import Contract, required
 from snapjump.number.nowhere import nowhere
 
@@ -174,6 +175,17 @@ class Frame(Contract):
     def dissipation(self, damping: Any, mesh: Any, state: Any, velocity: Any) -> Any:
         """Power that material damping takes out of the frame (in EI/(L T))."""
         return 0.0 * state[0]
+
+
+@kernel
+def body_acceleration(model: Any, work: Any) -> Any:
+    """Acceleration (x, y) that gravity and the air give every mass (in L/T^2)."""
+    along = model.load.pull()
+    across = -model.load.gravity()
+    if model.drag.exists():
+        along = along + work.air[0]
+        across = across + work.air[1]
+    return along, across
 
 
 Mesh = NDArray[np.int64]

@@ -118,8 +118,7 @@ class ElasticFrame(FrameOptions):
             band = work.frame_band
             rate = motion.rate_factor
             drag = model.damping.drag()
-            fall = model.load.gravity()
-            tug = model.load.pull()
+            tug, rise = body_acceleration(model, work)
             largest = 0.0 * rate
             clear_mounts(work, largest)
             for node in range(node_count(mesh)):
@@ -130,10 +129,10 @@ class ElasticFrame(FrameOptions):
                 ax = (vx - work.velocity_predictor[i]) * motion.inertia_rate
                 ay = (vy - work.velocity_predictor[i + 1]) * motion.inertia_rate
                 residual[i] = mass * (ax + drag * vx - tug)
-                residual[i + 1] = mass * (ay + drag * vy + fall)
+                residual[i + 1] = mass * (ay + drag * vy - rise)
                 band[i, 0] = mass * (motion.inertia_rate + drag) * rate
                 band[i + 1, 0] = mass * (motion.inertia_rate + drag) * rate
-                largest = maximum(largest, mass * (absolute(ax) + absolute(ay) + fall))
+                largest = maximum(largest, mass * (absolute(ax) + absolute(ay) - rise))
             return largest
 
         def add_elasticity(self, model: Any, motion: Any, work: Any) -> Any:

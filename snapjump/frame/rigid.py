@@ -6,7 +6,7 @@ The clamped end nodes of the beam belong to it, so that its mass matrix is diago
 from typing import Any, NamedTuple
 
 from snapjump.discretization.base import EndTangents
-from snapjump.frame.base import Frame, FrameBox, Outline, Rotations
+from snapjump.frame.base import Frame, FrameBox, Outline, Rotations, body_acceleration
 from snapjump.frame.parts.ends import move_first, move_last
 from snapjump.frame.parts.frame_mass import FrameMass
 from snapjump.frame.parts.point_mass import rotation_of
@@ -111,8 +111,9 @@ class RigidFrame(FrameMass):
                 residual[k] += inertial + mass * drag * velocity
                 square[k, k] += mass * (motion.inertia_rate + drag) * rate
                 largest = maximum(largest, absolute(inertial))
-            weight = self.mass * model.load.gravity()
-            residual[0] -= self.mass * model.load.pull()
+            along, across = body_acceleration(model, work)
+            weight = -self.mass * across
+            residual[0] -= self.mass * along
             residual[1] += weight
             # Statics leaves x undetermined: a spring that ends up without force holds it.
             residual[0] += motion.anchor * (state[0] - self.rest_x)

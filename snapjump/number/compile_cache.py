@@ -26,6 +26,7 @@ KERNEL_PACKAGES = (
     "contact",
     "damping",
     "discretization",
+    "drag",
     "engine",
     "frame",
     "friction",

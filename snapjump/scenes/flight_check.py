@@ -48,7 +48,7 @@ def driven_too_far(model: Any, outcome: Array) -> Any:
 def checked_status(model: Any, beam_mass: float, outcome: Array) -> Array:
     """The statuses (R) of jumps that ended with outcomes (R, COLUMNS); a flight that cannot be true
     is no success."""
-    flown = flight(0.0, model.load, outcome)
+    flown = flight(0.0, model.load, outcome, model.drag)
     distance, height = world(model.load, flown.apex_x, flown.apex_y)
     # Thrown at the best angle, the apex is half as high as straight up, and as far as that.
     gained = np.maximum(height, np.abs(distance)) > farthest_apex(model, beam_mass)

@@ -7,6 +7,7 @@ draft, 7, 16 and 0.03 % at standard, 0.8, 1.6 and 0.0005 % at reference; normal 
 """
 
 import numpy as np
+from scipy.integrate import cumulative_trapezoid
 
 from snapjump.arrays import Array
 from snapjump.engine.centre_of_mass import centre_of_mass
@@ -19,7 +20,7 @@ def impulse_arrays(
     """Impulses (S), in N s, since the start and all points together, along and across the ground.
 
     states, velocities (S, D) at times (S). They balance the momentum of the samples to rounding,
-    and are as accurate as its velocity.
+    and are as accurate as its velocity; what the air takes is added up between samples.
     """
     model, scales = march.models[0], march.scales
     x, y, vx, vy = centre_of_mass(model, march.masses, march.mesh, states.T, velocities.T)
@@ -27,6 +28,10 @@ def impulse_arrays(
     drag, load = model.damping.drag(), model.load
     along = vx - vx[0] + drag * (x - x[0]) - load.pull() * times
     across = vy - vy[0] + drag * (y - y[0]) + load.gravity() * times
+    if model.drag.exists():
+        air = np.array([model.drag.acceleration(*v) for v in zip(vx, vy, strict=True)])
+        gained = cumulative_trapezoid(air, times, axis=0, initial=0.0)
+        along, across = along - gained[:, 0], across - gained[:, 1]
     return {
         "ground_impulse_x_N_s": along * scales.velocity_m_s * mass_kg,
         "ground_impulse_y_N_s": across * scales.velocity_m_s * mass_kg,

@@ -32,7 +32,8 @@ class JumpOutputs(GroundOutputs):
     @cached_property
     def flight(self) -> Flight:
         """Apex and lift-off, dimensionless, whatever the status."""
-        return flight(time_turned(self.model.clamp), self.model.load, self.outcome)
+        begun, model = time_turned(self.model.clamp), self.model
+        return flight(begun, model.load, self.outcome, model.drag)
 
     @cached_property
     def estimate(self) -> ErrorEstimate:

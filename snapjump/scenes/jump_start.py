@@ -165,6 +165,7 @@ def composed_model(simulation: Simulation, start: Any, mount_height: Any, limit_
         contact=simulation.contact.law(scales),
         friction=friction,
         damping=simulation.damping.law(scales),
+        drag=simulation.drag.law_of(simulation),
         load=weight(simulation, friction),
         ground=simulation.contact.ground(scales, simulation.discretization.elements),
         time_limit=TimeLimit(limit_s / scales.time_s),

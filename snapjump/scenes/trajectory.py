@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 
 def samples_of(march: March, recorder: TrajectoryRecorder) -> tuple[Array, Array, Array, Array]:
-    """Times (S), states and velocities (S, D), works (S, 4), the march's last state included."""
+    """Times (S), states and velocities (S, D), works (S, 5), the march's last state included."""
     count = int(recorder.filled[0])
     times, states = recorder.times[:count], recorder.states[:count]
     velocities, works = recorder.velocities[:count], recorder.works[:count]
@@ -151,8 +151,8 @@ def energy_arrays(
         potential = potential + fall * across - tug * along
     elastic, contact = readings.elastic, readings.contact
     stored = elastic + kinetic + potential + contact
-    friction, damping, clamps, impacts = works.T
-    numerical = stored[0] + clamps - friction - damping - impacts - stored
+    friction, damping, clamps, impacts, drag = works.T
+    numerical = stored[0] + clamps - friction - damping - impacts - drag - stored
     ledger = {
         "elastic_J": elastic,
         "kinetic_J": kinetic,
@@ -162,6 +162,7 @@ def energy_arrays(
         "friction_loss_J": friction,
         "damping_loss_J": damping,
         "contact_loss_J": impacts,
+        "drag_loss_J": drag,
         "numerical_loss_J": numerical,
     }
     energy_J = march.scales.energy_J

@@ -7,10 +7,11 @@ from snapjump.declare.scenes import SceneOptions as SceneOptions
 
 MOST_SAMPLES, MOST_ELEMENT_SAMPLES = 200_000, 200_000_000
 ONE_AT_A_TIME = Need("backend", "one_at_a_time")
-NO_GROUND = (Need("contact", "absent"), Need("friction", "absent"))
+NO_DRAG = Need("drag", "absent", "in which nothing flies")
+NO_GROUND = (Need("contact", "absent"), Need("friction", "absent"), NO_DRAG)
 HELD = Need("frame", "held")
 NEEDS_NO_GROUND = (*NO_GROUND, HELD, ONE_AT_A_TIME)
-NEEDS_A_GROUND = (Need("contact", "pushes"), HELD, ONE_AT_A_TIME)
+NEEDS_A_GROUND = (Need("contact", "pushes"), NO_DRAG, HELD, ONE_AT_A_TIME)
 WITHOUT_GROUND = {"frame": "fixed", "contact": "none", "friction": "none"}
 AT_REST = {**WITHOUT_GROUND, "damping": "none"}
 

@@ -17,7 +17,7 @@ from snapjump.engine.view import without_matrix
 from snapjump.number.dispatch import kernel
 from snapjump.number.functions import absolute, any_true, maximum
 
-LEDGER = 4  # works of friction, damping, clamps, contact
+LEDGER = 5  # works of friction, damping, clamps, contact, drag
 
 
 @Recorder.member
@@ -25,8 +25,8 @@ class TrajectoryRecorder(NamedTuple):
     """Samples, at most S of them, and the ledger between them.
 
     interval (1): least time between samples (T); filled (1): samples so far; times (S); states,
-    velocities (S, D); works (S, 4): of friction, damping, clamps, contact since the start (EI/L);
-    totals, pending (4): works committed and of the step under way; powers_at_start, powers_now (4):
+    velocities (S, D); works (S, 5): of friction, damping, clamps, contact, drag since the start
+    (EI/L); totals, pending (5): works committed and of the step under way; powers_at_start, powers_now (5):
     at the step's beginning and at its last stage; clock (1): time up to which works are committed.
     """
 

@@ -41,7 +41,8 @@ class FlightTermination(NamedTuple):
         # ground.
         clock = work.clock
         rise = maximum(clock[COM_VY], 0.0 * clock[TIME])
-        height = clock[COM_Y] + 0.5 * rise * rise / model.load.gravity()
+        _, slowing = braking(model, clock[COM_VX], clock[COM_VY])
+        height = clock[COM_Y] + 0.5 * rise * rise / slowing
         aloft = (clock[GAP] >= model.ground.clearance) & (height > SURE_HEIGHT)
         loading = where(arch_height(model, work) > LOADING_HEIGHT, LOADING_TOLERANCE_FACTOR, 1.0)
         return where(aloft, FLIGHT_TOLERANCE_FACTOR, loading)
@@ -69,6 +70,18 @@ class FlightTermination(NamedTuple):
 
 
 @kernel
+def braking(model: Any, along: Any, rise: Any) -> Any:
+    """How fast (L/T^2) a robot that rises loses its speed across the ground at least and at most,
+    up to its apex: by gravity alone, and with as much drag as now."""
+    least = model.load.gravity()
+    most = least
+    if model.drag.exists():
+        x, y = model.drag.acceleration(along, rise)
+        most = least + sqrt(x * x + y * y)
+    return least, most
+
+
+@kernel
 def arch_height(model: Any, work: Any) -> Any:
     """Height of the beam's middle above the middle of its ends (L)."""
     stride = model.discretization.node_dofs()
@@ -82,7 +95,7 @@ def arch_height(model: Any, work: Any) -> Any:
 def clear_of_ground(model: Any, work: Any, com_x: Any, com_y: Any, along: Any, rise: Any) -> Any:
     """Whether the box cannot touch the ground before the apex (see the module's text)."""
     frame = model.frame.box(work.mesh, work.start, work.velocity[0])
-    fall = model.load.gravity()
+    freely, fall = braking(model, along, rise)
     reach = model.ground.clearance
     turn = frame.turn_rate
     c = frame.cosine
@@ -101,7 +114,7 @@ def clear_of_ground(model: Any, work: Any, com_x: Any, com_y: Any, along: Any, r
         radius = maximum(radius, sqrt(rx * rx + ry * ry))
     missing = maximum(radius + reach - com_y, 0.0 * c)
     discriminant = rise * rise - 2.0 * fall * missing
-    apex = rise / fall
+    apex = rise / freely
     horizon = where(discriminant > 0.0, (rise - sqrt(maximum(discriminant, 0.0 * c))) / fall, apex)
     clear = rise > 0.0
     for corner in range(4):

@@ -1,0 +1,1 @@
+"""Family: what the air does to a robot that moves."""
