@@ -17,7 +17,10 @@ from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.simulation import build
 
-SWEPT = ("integrator", "contact", "friction", "discretization", "damping", "frame", "stepping")
+SWEPT = (
+    *("integrator", "contact", "friction", "discretization", "damping", "frame", "stepping"),
+    "drag",
+)
 Choice = dict[str, str]
 Pair = frozenset[tuple[str, str]]
 
@@ -116,7 +119,11 @@ def test_what_cannot_be_combined_is_refused_with_a_reason() -> None:
     assert refused(frozenset({("contact", "signorini"), ("integrator", "bdf2")}))
     assert not refused(frozenset({("contact", "penalty"), ("friction", "lagged")}))
     # Nearly everything goes with everything.
-    free = [p for p in all_pairs() if not {"fixed", "none"} & {n for f, n in p if f != "damping"}]
+    free = [
+        p
+        for p in all_pairs()
+        if not {"fixed", "none"} & {n for f, n in p if f not in ("damping", "drag")}
+    ]
     assert sum(bool(refused(p)) for p in free) < 0.15 * len(free)
 
 

@@ -53,6 +53,7 @@ COARSE = {
         "hunt_crossley": {"stiffness_N_m": 1e4},
     },
     "damping": {"kelvin_voigt": {"relaxation_time_s": 1e-6}},
+    "drag": {"quadratic": {"area_m2": 2e-4}},
 }
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from snapjump.batch import model_derivatives, prepare_designs, simulate_designs
-from snapjump.batch.derivatives import place, threshold_slopes
+from snapjump.batch.derivatives import places, threshold_slopes
 from snapjump.batch.sensitivities import Slopes, apex_sensitivities
 from snapjump.batch.thresholds import thresholds
 from snapjump.batch.variants import variant
@@ -16,6 +16,7 @@ from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.engine.termination.timed import TimedTermination
 from snapjump.scenes.jump_march import jump_march
 from snapjump.scenes.jump_start import critical, leading_start, loading_time, start_angle_rad
+from snapjump.scenes.march_outputs import side_by_side
 from snapjump.scenes.runner import March
 from snapjump.scenes.sensitivities import record_sensitivities
 from snapjump.statics.threshold import Threshold
@@ -79,9 +80,10 @@ def derivatives(jump: March, numbers: Any, steps: Any, solutions: Any, correctio
     )
     jump.termination = TimedTermination(float(np.sum(steps)) * (1.0 - 1e-12))
     frozen.march_along(jump, steps, solutions)
-    first = place(jump.models[0], "load", "acceleration")
-    slopes = Slopes(flights[:, :, : numbers.shape[2]], numbers[:, first : first + 3], grazes)
-    found = apex_sensitivities(frozen.outcome_of(jump), jump.models[0].load, slopes)
+    model = side_by_side(jump.models)
+    load, drag = (numbers[:, places(model, family)] for family in ("load", "drag"))
+    slopes = Slopes(flights[:, :, : numbers.shape[2]], load, drag, grazes)
+    found = apex_sensitivities(frozen.outcome_of(jump), model.load, model.drag, slopes)
     return np.vstack([found.dx_bar, found.dy_bar]).T
 
 

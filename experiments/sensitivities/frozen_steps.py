@@ -186,7 +186,8 @@ def outcome_of(jump: March) -> Any:
 
 def apex(jump: March) -> Any:
     """Apex (x, y) of the flight after the last step."""
-    flown = flight(0.0, jump.models[0].load, outcome_of(jump)[0])
+    model = jump.models[0]
+    flown = flight(0.0, model.load, outcome_of(jump)[0], model.drag)
     return np.array([flown.apex_x, flown.apex_y])
 
 

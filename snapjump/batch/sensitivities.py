@@ -16,7 +16,7 @@ NEAREST = 1e-5
 MOVING = [c.COM_VX, c.COM_VY]
 # Of flights with drag: shares by which velocity, gravity or drag change, and the deceleration over
 # the speed squared (1/L) below which they are shares of that.
-DIFFERENCE, SMALLEST_DRAG = 1e-5, 1e-3
+DIFFERENCE, SMALLEST_DRAG = 1e-4, 1e-3
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,7 @@ def in_vacuum(outcome: Array, load: Any, slopes: Slopes) -> tuple[Array, Array]:
 
 
 def through_air(outcome: Array, load: Any, drag: Any, slopes: Slopes) -> tuple[Array, Array]:
-    """The same of flights with drag: central differences of them, which are smooth (1e-9)."""
+    """The same of flights with drag: central differences of them, which are smooth (1e-6)."""
     velocity = outcome[:, MOVING]
     numbers = np.column_stack([velocity, *load, *drag])
     rates = np.concatenate([slopes.flights[:, 2:], slopes.load, slopes.drag], axis=1)

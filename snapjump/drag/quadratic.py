@@ -50,8 +50,7 @@ class QuadraticDrag(DragOptions):
             return share * vx, share * vy
 
     def law(self, scales: Scales, mass_kg: Any, plate_m2: Any) -> Law:
-        """The dimensionless law. Raises ParameterError for a robot that the air would stop at once.
-        """
+        """The dimensionless law. Raises ParameterError where the air would stop a robot at once."""
         area_m2 = plate_m2 if self.area_m2 is None else self.area_m2
         # Of the deceleration: a coefficient of one.
         unit = 0.5 * self.air_density_kg_m3 * area_m2 * scales.length_m / mass_kg

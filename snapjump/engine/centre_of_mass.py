@@ -7,12 +7,12 @@ from snapjump.number.dispatch import routine
 
 
 @routine
-def whole_mass(model: Any, masses: Any) -> Any:
+def whole_mass(model: Any, masses: Any, mesh: Any) -> Any:
     """Mass of frame and beam (rho A L)."""
     beam = 0.0
     for node in range(masses.shape[0]):
         beam += masses[node]
-    return model.frame.mass + beam
+    return model.frame.whole_mass(mesh) + beam
 
 
 @routine
@@ -24,7 +24,7 @@ def mean_of(model: Any, masses: Any, mesh: Any, vector: Any) -> Any:
         i = model.discretization.node_dofs() * node + model.frame.dofs(mesh)
         x = x + weight * vector[i]
         y = y + weight * vector[i + 1]
-    total = whole_mass(model, masses)
+    total = whole_mass(model, masses, mesh)
     return x / total, y / total
 
 

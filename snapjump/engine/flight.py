@@ -7,12 +7,13 @@ from typing import Any, NamedTuple
 from snapjump.engine.model import with_numbers
 from snapjump.number.array import uncounted
 from snapjump.number.dispatch import compiled, kernel
+from snapjump.number.functions import sqrt
 
-# Of the classical Runge-Kutta method, for a flight of any length. The drag of the whole height is
-# then off by less than 1e-8 of it, at the most that a robot may have.
-STEPS = 64
-# Newton iterations for the moment of an apex or a landing, which five bring to rounding.
-ITERATIONS = 8
+# Of the classical Runge-Kutta method: of a flight of any length, and beside them for each time in
+# which drag would stop it. Throws up to 60 times as fast as what falls in the end are 3e-8 off.
+STEPS, STEPS_A_STOP, MOST_STEPS = 64, 16, 4096
+# Newton iterations for the moment of an apex or a landing, and the share of it that is rounding.
+MOST_ITERATIONS, ENOUGH = 20, 1e-14
 
 
 class Surroundings(NamedTuple):
@@ -53,11 +54,21 @@ def acceleration(around: Any, vx: Any, vy: Any) -> Any:
 
 
 @kernel
+def steps_of(around: Any, now: Moving, time: Any) -> int:
+    """How many steps a flight of so long a time (T) takes."""
+    ax, ay = around.drag.acceleration(now.vx, now.vy)
+    slowing = sqrt(ax * ax + ay * ay)
+    speed = sqrt(now.vx * now.vx + now.vy * now.vy) + 1e-300
+    return int(min(STEPS + STEPS_A_STOP * abs(time) * slowing / speed, 1.0 * MOST_STEPS))
+
+
+@kernel
 def after(around: Any, now: Moving, time: Any) -> Moving:
     """Place and velocity after a time (T), or before it where that is negative."""
-    h = time / STEPS
+    steps = steps_of(around, now, time)
+    h = time / steps
     x, y, vx, vy = now
-    for _ in range(STEPS):
+    for _ in range(steps):
         ax, ay = acceleration(around, vx, vy)
         bx, by = acceleration(around, vx + 0.5 * h * ax, vy + 0.5 * h * ay)
         cx, cy = acceleration(around, vx + 0.5 * h * bx, vy + 0.5 * h * by)
@@ -72,21 +83,29 @@ def after(around: Any, now: Moving, time: Any) -> Moving:
 @kernel
 def time_to_apex(around: Any, now: Moving) -> Any:
     """When (T) a robot that rises is highest against gravity."""
-    time = around.load.time_to_apex(now.vx, now.vy)
-    for _ in range(ITERATIONS):
+    # A rise that slows less and less is approached from before, without going too far.
+    time = 0.0
+    for _ in range(MOST_ITERATIONS):
         then = after(around, now, time)
         ax, ay = acceleration(around, then.vx, then.vy)
-        time = time - around.load.rise(then.vx, then.vy) / around.load.rise(ax, ay)
+        missing = -around.load.rise(then.vx, then.vy) / around.load.rise(ax, ay)
+        time = time + missing
+        if abs(missing) <= ENOUGH * time:
+            break
     return time
 
 
 @kernel
 def time_to_land(around: Any, liftoff: Moving) -> Any:
     """When (T) a robot that leaves the ground is back at its height of lift-off."""
+    # A fall that gathers speed is approached from behind: it takes no longer than in vacuum.
     time = 2.0 * liftoff.vy / around.load.gravity()
-    for _ in range(ITERATIONS):
+    for _ in range(MOST_ITERATIONS):
         then = after(around, liftoff, time)
-        time = time - (then.y - liftoff.y) / then.vy
+        missing = (liftoff.y - then.y) / then.vy
+        time = time + missing
+        if abs(missing) <= ENOUGH * time:
+            break
     return time
 
 

@@ -10,9 +10,9 @@ from snapjump.arrays import Array
 from snapjump.engine.model import Model, numbers_of, with_numbers
 
 
-def numbers_of_columns(model: Model, robots: int) -> Array:
-    """All numbers (R, P) of so many robots that are one model, whose numbers are the same for all
-    or arrays (R)."""
+def numbers_of_columns(model: Sequence[Any], robots: int) -> Array:
+    """All numbers (R, P) of so many robots that are one model, or members of one, whose numbers are
+    the same for all or arrays (R)."""
     values = [value for member in model for value in member]
     numbers = np.empty((robots, len(values)))
     for k, value in enumerate(values):

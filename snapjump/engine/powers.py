@@ -1,4 +1,4 @@
-"""Powers of friction, contact, damping, drag and clamps at a stage: what the energy ledger adds up."""
+"""Powers of friction, contact, damping, drag and clamps at a stage: the energy ledger's sums."""
 
 from typing import Any, NamedTuple
 
@@ -66,5 +66,5 @@ def powers(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity
     air = 0.0 * state[0]
     if model.drag.exists():
         vx, vy = mean_of(model, masses, mesh, velocity)
-        air = -whole_mass(model, masses) * (work.air[0] * vx + work.air[1] * vy)
+        air = -whole_mass(model, masses, mesh) * (work.air[0] * vx + work.air[1] * vy)
     return Powers(friction, damping, clamps, contact, air)

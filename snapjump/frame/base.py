@@ -154,6 +154,10 @@ class Frame(Contract):
         """Mass, or moment of inertia, that belongs to one of the frame's own coordinates."""
         return 0.0
 
+    def whole_mass(self, mesh: Any) -> Any:
+        """Mass of the frame (in rho A L): by default that of its first coordinate."""
+        return self.mass_of(mesh, 0)
+
     def moments(self, mesh: Any, vector: Any) -> Any:
         """Sums of mass times x and of mass times y over the frame: of a state or of a velocity."""
         zero = 0.0 * vector[0]

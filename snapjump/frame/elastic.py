@@ -12,7 +12,7 @@ from snapjump.checks import ParameterError
 from snapjump.contact.base import PAPER_ELEMENTS
 from snapjump.declare.fields import Need, choice, flag, integer, number
 from snapjump.discretization.base import NodeMotion
-from snapjump.frame.base import FrameOptions, Mesh, Outline
+from snapjump.frame.base import FrameOptions, Mesh, Outline, body_acceleration
 from snapjump.frame.parts.elastic_chain import add_chain_forces, chain_dissipation, chain_energy
 from snapjump.frame.parts.elastic_mesh import DOFS, LEFT_CORNER, RIGHT_CORNER, node_count, node_mass
 from snapjump.frame.parts.elastic_mounts import ElasticMounts, clear_mounts

@@ -191,6 +191,9 @@ class RigidFrame(FrameMass):
         def mass_of(self, mesh: Any, coordinate: Any) -> Any:
             return where(coordinate == 2, self.inertia, self.mass)
 
+        def whole_mass(self, mesh: Any) -> Any:
+            return self.mass
+
         def moments(self, mesh: Any, vector: Any) -> Any:
             return self.mass * vector[0], self.mass * vector[1]
 

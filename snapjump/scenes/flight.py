@@ -13,6 +13,7 @@ from snapjump.engine.models import numbers_of_columns
 from snapjump.engine.status import OK
 
 Array = NDArray[np.float64]
+VACUUM = NoDrag.Law()
 
 
 class Flight(NamedTuple):
@@ -34,7 +35,7 @@ class Flight(NamedTuple):
     landing_x: Array
 
 
-def flight(begun: Any, load: Gravity, outcome: Array, drag: Any = NoDrag.Law()) -> Flight:
+def flight(begun: Any, load: Gravity, outcome: Array, drag: Any = VACUUM) -> Flight:
     """The flight of outcomes (..., COLUMNS) of marches that began at times ``begun`` (T) of the
     rotation. The apex is the highest point against gravity.
 

@@ -24,7 +24,7 @@ def impulse_arrays(
     """
     model, scales = march.models[0], march.scales
     x, y, vx, vy = centre_of_mass(model, march.masses, march.mesh, states.T, velocities.T)
-    mass_kg = (model.frame.mass + np.sum(march.masses)) * scales.mass_kg
+    mass_kg = (model.frame.whole_mass(march.mesh) + np.sum(march.masses)) * scales.mass_kg
     drag, load = model.damping.drag(), model.load
     along = vx - vx[0] + drag * (x - x[0]) - load.pull() * times
     across = vy - vy[0] + drag * (y - y[0]) + load.gravity() * times

@@ -22,6 +22,7 @@ MEMBERS = {
     "contact": ("logbarrier", "penalty", "hunt_crossley", "signorini"),
     "friction": ("implicit", "lagged", "none"),
     "damping": ("kelvin_voigt", "mass_proportional", "none"),
+    "drag": ("quadratic", "none"),
 }
 NEEDED = {"signorini": {"integrator": make_member("integrator", {"name": "implicit_euler"})}}
 ROBOTS = 12

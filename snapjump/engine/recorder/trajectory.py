@@ -26,8 +26,9 @@ class TrajectoryRecorder(NamedTuple):
 
     interval (1): least time between samples (T); filled (1): samples so far; times (S); states,
     velocities (S, D); works (S, 5): of friction, damping, clamps, contact, drag since the start
-    (EI/L); totals, pending (5): works committed and of the step under way; powers_at_start, powers_now (5):
-    at the step's beginning and at its last stage; clock (1): time up to which works are committed.
+    (EI/L); totals, pending (5): works committed and of the step under way; powers_at_start,
+    powers_now (5): at the step's beginning and at its last stage; clock (1): time up to which works
+    are committed.
     """
 
     interval: NDArray[np.float64]

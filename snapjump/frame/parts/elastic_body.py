@@ -96,6 +96,9 @@ class ElasticBody(Frame):
     def mass_of(self, mesh: Any, coordinate: Any) -> Any:
         return node_mass(self, mesh, coordinate // 2)
 
+    def whole_mass(self, mesh: Any) -> Any:
+        return self.mass
+
     def moments(self, mesh: Any, vector: Any) -> Any:
         x = 0.0 * vector[0]
         y = 0.0 * vector[0]

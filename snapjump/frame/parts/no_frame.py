@@ -10,11 +10,6 @@ from snapjump.frame.base import Frame
 class NoFrame(NamedTuple):
     """Nothing is held."""
 
-    @property
-    def mass(self) -> float:
-        """Of what is not there."""
-        return 0.0
-
     def end_tangents(self, mesh: Any, load: Any, angles: Any, state: Any, rotations: Any) -> Any:
         zero = 0.0 * state[0]
         return EndTangents(zero, zero, zero, zero, zero, zero, zero, zero)

@@ -41,7 +41,7 @@ def march(recorder, steps, accepted=lambda k: True):
 @pytest.fixture(autouse=True)
 def known_powers(monkeypatch):
     def known(model, motion, *others):
-        return 1.0, 2.0 * motion.time, -motion.time, 3.0
+        return 1.0, 2.0 * motion.time, -motion.time, 3.0, 4.0 * motion.time
 
     monkeypatch.setattr(trajectory, "powers", known)
 
@@ -52,7 +52,7 @@ def test_works_are_integrals_of_the_powers():
     count = recorder.filled[0]
     t = np.array(times)
     np.testing.assert_allclose(recorder.times[:count], t, atol=1e-15)
-    expected = np.stack([t, t**2, -0.5 * t**2, 3.0 * t], axis=1)
+    expected = np.stack([t, t**2, -0.5 * t**2, 3.0 * t, 2.0 * t**2], axis=1)
     np.testing.assert_allclose(recorder.works[:count], expected, atol=1e-14)
     np.testing.assert_allclose(recorder.states[:count, 0], t, atol=1e-15)
     assert recorder.velocities[:count, 0].tolist() == [0.0, 10.0, 11.0, 12.0, 13.0]
