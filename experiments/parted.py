@@ -59,7 +59,7 @@ def labelled(cells: Sequence[Cell], part: str, digest: str) -> list[Cell]:
 
 
 # Modules that say what was found, draw it and judge it: no row depends on them, nor on words.md.
-TOLD = re.compile(r"experiments\.\w+\.((\w+\.)?words|\w+\.figure|limits)")
+TOLD = re.compile(r"experiments\.\w+\.((\w+\.)?(words|figure)|limits)")
 
 
 def row_sources(part: Part) -> list[Source]:

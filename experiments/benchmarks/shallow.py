@@ -1,9 +1,13 @@
 """The shallow arch: its fold in closed form, and the amplitude equation of the motion close to it.
 
-Heights are sqrt(epsilon) W(s) in L, angles sqrt(epsilon) mu, times T: W'''' + P W'' = -W_tt - nu W_t,
+Heights are sqrt(epsilon) W(s) in L, angles sqrt(epsilon) mu, times in T:
+
+    W'''' + P W'' = -W_tt - nu W_t,
+
 the integral of W'^2 / 2 is 1, W vanishes at both ends, W'(0) = -left, W'(1) = right. Along the
-branch the thrust P grows until mu does not: there dW/dP = phi is the mode in which the arch gives
-way. Multiplied by it and integrated, the equation of second order for W = W0 + A phi is
+branch the thrust P grows, and still does where mu turns back: there phi = dW/dP is the mode in
+which the arch gives way. Multiplied by it and integrated, the equation of second order for
+W = W0 + A phi is
 
     A_tt + nu A_t = c1 (mu - mu_fold) + c2 A^2,
 
@@ -108,7 +112,7 @@ def fold(drive: Drive) -> Fold:
 
     size, bent = WEIGHTS @ mode(0, PLACES) ** 2, WEIGHTS @ mode(1, PLACES) ** 2
     pushed = -float(np.array(drive.turned) @ mode(2, places)) / size
-    return Fold(-float(found.fun), thrust, pushed * 1.5 * bent / size)
+    return Fold(-float(found.fun), thrust, float(pushed * 1.5 * bent / size))
 
 
 def pitchfork() -> Fold:

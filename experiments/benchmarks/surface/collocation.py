@@ -9,7 +9,7 @@ the undeformed abscissa s in [0, 1], and the force (H, V) on its right end (EI/L
 
 theta = -left, x = y = 0 at s = 0, and theta = right, x = 1 - epsilon, y = 0 at s = 1. A branch is
 followed by its thrust -H, which still grows where the angle turns back. At its fold the linearised
-equations have a solution too: both are solved together, the angle and the thrust among the unknowns.
+equations have a solution too: both are solved together, angle and thrust among the unknowns.
 """
 
 from dataclasses import dataclass
