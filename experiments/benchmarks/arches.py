@@ -4,6 +4,8 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from snapjump.declare.families import FAMILIES
+
 from ..arches.swings import BARE
 from ..compositions import Groups, changed, composed
 
@@ -17,7 +19,8 @@ DRAG = 100.0
 INERTIA, DAMPING = "inertia", "damping"
 STEP_S = 4e-5  # of the undamped arch, a hundredth of T; of the damped one steps adapt
 TOLERANCE = 1e-7
-AT_REST = {**BARE, "damping": {"name": "none"}}
+WITHOUT_DRAG = {"drag": {"name": "none"}} if "drag" in FAMILIES else {}
+AT_REST = {**BARE, **WITHOUT_DRAG, "damping": {"name": "none"}}
 
 
 def static_groups(groups: Mapping[str, Any]) -> Groups:

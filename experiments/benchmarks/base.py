@@ -95,6 +95,12 @@ class Source(Part):
         """What it is compared with."""
         return SOURCES[self.name]
 
+    def number(self, name: str) -> float:
+        """A number of the source that can be read."""
+        value = self.literature.numbers[name].value
+        assert value is not None, f"{self.name}.{name} cannot be read"
+        return value
+
     def compared(
         self, name: str, ours: str, difference: str, verdict: str, theirs: str = "", **values: Any
     ) -> Comparison:

@@ -11,14 +11,21 @@ from ..paper.study import duration
 from ..paper.words import Words
 from ..parted import Parted
 from .base import ALL_VERDICTS, LIMITS, Compared, Comparison, Source
+from .cascade.part import Cascade
+from .cubes.part import Cubes
 from .delay.part import Delay
+from .rotations.part import Rotations
 from .slowing.part import Slowing
+from .span.part import Span
 from .surface.part import Surface
 from .symmetries.part import Symmetries
 
 # In the order of the report; a new one is a folder, with its words.md, an entry in sources.yaml,
 # and a name here.
-PARTS: dict[str, type[Source]] = {part.name: part for part in (Symmetries, Surface, Delay, Slowing)}
+PARTS: dict[str, type[Source]] = {
+    part.name: part
+    for part in (Symmetries, Surface, Delay, Slowing, Span, Rotations, Cascade, Cubes)
+}
 
 WORDS = Words(__file__)
 TITLE = "Beside the literature"

@@ -2,24 +2,16 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 from snapjump.composition import Simulation
-from snapjump.engine import outcome as c
 from snapjump.engine.clamp.constant_rate import ConstantRate
-from snapjump.engine.recorder.midpoint import make_midpoint_recorder
-from snapjump.engine.recorder.trajectory import make_recorder
-from snapjump.engine.status import NAMES
-from snapjump.engine.termination.timed import TimedTermination
 from snapjump.run.studies.base import Row
-from snapjump.scenes.midpoint import Midpoint
-from snapjump.scenes.snap_march import snap_march
 from snapjump.statics.critical import find_snap
 
 from ...compositions import composed
+from ..held_march import crossing_of
 
-SAMPLES = 20  # of the trajectory, which is not looked at
 LATEST, AFTER = 3.0, 20.0  # times the expected time, and T
 
 
@@ -39,24 +31,10 @@ def time_rows(inputs: Mapping[str, Any]) -> list[Row]:
 def held(simulation: Simulation, distance: float, duration: float) -> tuple[str, float]:
     """How it ended, and when (T) the midpoint crossed, of an arch that has the shape of the fold
     when its clamps are turned further by the distance at once, and held."""
-    design, scales = simulation.design, simulation.robot.scales
+    design = simulation.design
     snap = find_snap(
         simulation.robot, simulation.discretization, design.epsilon, design.delta_alpha
     )
     left = snap.alpha_rad + distance * math.sqrt(design.epsilon)
-
-    def recorder(size: int, steps: int) -> Any:
-        kept = make_recorder(size, duration, duration / SAMPLES)
-        return make_midpoint_recorder(kept, steps)
-
-    march = snap_march(simulation, recorder)
     clamp = ConstantRate(start=left, end=left, rate=0.0, delta_alpha=design.delta_alpha)
-    march = replace(
-        march,
-        models=[march.models[0]._replace(clamp=clamp)],
-        states=snap.before.state[None, :],
-        termination=TimedTermination(duration),
-    )
-    ended = march.run()[0]
-    crossing = Midpoint.of(march.recorder, scales).crossing_s / scales.time_s
-    return NAMES[int(ended[c.STATUS])], crossing
+    return crossing_of(simulation, clamp, snap.before.state, duration)

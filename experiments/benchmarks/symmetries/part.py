@@ -61,7 +61,7 @@ class Symmetries(Source):
         }
         comparisons = [self.comparison(name, limit) for name, limit in limits.items()]
         finest = done[cell_name(ELEMENTS[-1], THIN_M)].rows
-        theirs = {key: self.theirs(name) for name, key in NAMES.items()}
+        theirs = {key: self.number(name) for name, key in NAMES.items()}
         values = {NAMES[name]: limit.value for name, limit in limits.items()}
         draw = partial(draw_angles, finest, meshes, theirs, values)
         section = self.section(
@@ -73,15 +73,9 @@ class Symmetries(Source):
         summary = {f"symmetries_{name}": limit.value for name, limit in limits.items()}
         return Compared(section, [], summary, comparisons)
 
-    def theirs(self, name: str) -> float:
-        """The source's number."""
-        value = self.literature.numbers[name].value
-        assert value is not None
-        return value
-
     def comparison(self, name: str, limit: Limit) -> Comparison:
         """One angle; its order of convergence is part of the verdict."""
-        theirs, theory = self.theirs(name), shallow_angle(name)
+        theirs, theory = self.number(name), shallow_angle(name)
         off, theory_off = percent_off(limit.value, theirs), percent_off(theory, theirs)
         verdict = self.weakest_of(
             ("limit", off), ("order", abs(limit.order - 2.0)), ("theory", theory_off)
