@@ -11,7 +11,7 @@ import yaml
 from snapjump.run.studies.base import Row, Section
 
 from ..paper.base import VERDICTS, Found, Part, prose, weakest
-from ..paper.limits import Limit, read_limits, verdict_by
+from ..paper.limits import read_limits, verdict_by
 from ..paper.words import Words
 
 INCOMPARABLE = "not comparable"
@@ -21,10 +21,15 @@ LIMITS = read_limits(__file__)
 
 
 class Number(NamedTuple):
-    """A number of a source, None where it cannot be read, and where it stands, or why not."""
+    """A number of a source, None where it cannot be read, and where it stands, or why not;
+    ``says``: what the source says in words instead."""
 
     value: float | None
     place: str
+    says: str = ""
+
+    def __str__(self) -> str:
+        return self.says or (UNREADABLE if self.value is None else f"{self.value:.7g}")
 
 
 class Literature(NamedTuple):
@@ -65,11 +70,10 @@ class Comparison(NamedTuple):
 
     def row(self) -> Row:
         """A line of the section's table."""
-        value = self.theirs.value
         return {
             "quantity": self.what,
             "ours": self.ours,
-            "theirs": UNREADABLE if value is None else f"{value:.7g}",
+            "theirs": str(self.theirs),
             "difference": self.difference,
             "verdict": f"**{self.verdict}**",
             "remark": self.remark,
@@ -102,12 +106,18 @@ class Source(Part):
         return value
 
     def compared(
-        self, name: str, ours: str, difference: str, verdict: str, theirs: str = "", **values: Any
+        self,
+        name: str,
+        ours: str,
+        difference: str,
+        verdict: str,
+        theirs: str | Number = "",
+        **values: Any,
     ) -> Comparison:
-        """A comparison; ``theirs``: the source's number, if not of the same name; ``values`` fill
-        its words."""
+        """A comparison; ``theirs``: the source's number, or its name if that is another; ``values``
+        fill its words."""
         what, remark = (self.words(f"{name}: {word}", **values) for word in ("what", "remark"))
-        number = self.literature.numbers[theirs or name]
+        number = self.literature.numbers[theirs or name] if isinstance(theirs, str) else theirs
         return Comparison(f"{self.name}.{name}", what, ours, number, difference, verdict, remark)
 
     def told(self, name: str, ours: str, theirs: str = "", **values: Any) -> Comparison:
@@ -147,8 +157,3 @@ class Source(Part):
 def percent_off(ours: float, theirs: float) -> float:
     """The difference (% of theirs), without its sign."""
     return 100.0 * abs(ours / theirs - 1.0)
-
-
-def limits_of(part: str) -> dict[str, Limit]:
-    """The limits of a part."""
-    return {key: limit for key, limit in LIMITS.items() if key.split(".")[0] == part}

@@ -19,9 +19,11 @@ SAMPLES = 20  # of the trajectory, which is not looked at
 def crossing_of(
     simulation: Simulation, clamp: Any, state: Array, duration: float
 ) -> tuple[str, float]:
-    """How it ended, and when (T) the midpoint crossed the line of the clamps (NaN if it did not), of
-    an arch at rest in a state, for a duration (T); ``clamp``: a member of
-    :class:`snapjump.engine.clamp.base.ClampProgramme`."""
+    """How it ended, and when (T) the midpoint crossed the line of the clamps, NaN if it did not.
+
+    Of an arch at rest in a state, followed for a duration (T); ``clamp``: a member of
+    :class:`snapjump.engine.clamp.base.ClampProgramme`.
+    """
 
     def recorder(size: int, steps: int) -> Any:
         return make_midpoint_recorder(make_recorder(size, duration, duration / SAMPLES), steps)

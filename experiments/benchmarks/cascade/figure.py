@@ -1,4 +1,4 @@
-"""cascade.png: heights of jumps by pre-compression, the band of what is unknown, and the source's."""
+"""cascade.png: heights of jumps by pre-compression, with what is unknown, and the source's."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -18,10 +18,10 @@ def draw_heights(
     """``ends``: of the band (m)."""
     title = "How high a robot of 1.6 g and 20 mm jumps"
     with panels(path, SIZE, title, *boxes(SIZE, 1, 1, left=0.8, right=2.6)) as (axes,):
-        axes.axhspan(*ends, color=palette.SHADE, lw=0, zorder=0)
+        axes.axhspan(*ends, color=palette.GROUND, lw=0, zorder=0)
         axes.plot(
-            column(band, "design.epsilon"), column(band, "height_m"), ".", color=palette.PALE,
-            label="what is unknown, varied",
+            column(band, "design.epsilon"), column(band, "height_m"), ".", ms=4,
+            color=palette.QUIET, label="what is unknown, varied",
         )  # fmt: skip
         epsilon = column(rows, "design.epsilon")
         axes.plot(epsilon, column(rows, "height_m"), color=palette.BEAM, lw=2.2, label="no drag")

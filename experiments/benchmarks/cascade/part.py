@@ -66,8 +66,9 @@ class Cascade(Source):
             {key: row[key] for key in ("unknown", "value", "height_m", "with_drag_m")}
             for row in done[SINGLE].rows
         ]
+        draw = partial(draw_heights, rows, band, ends, self.number("height"))
         section = self.section(
-            comparisons, {"cascade": partial(draw_heights, rows, band, ends, self.number("height"))},
+            comparisons, {"cascade": draw},
             {"cascade_heights": rows, "cascade_unknowns": unknowns},
             coefficient=COEFFICIENT, air=AIR_KG_M3,
         )  # fmt: skip
@@ -84,7 +85,9 @@ class Cascade(Source):
         if DRAG in done:
             simulated = self.words("simulated drag", height=done[DRAG].rows[0]["height_m"])
         off = percent_off(middle["height_m"], self.number("height"))
-        length = middle["height_m"] / 0.02
+        length_m = done[HEIGHTS].cell.inputs["groups"]["robot"]["length_m"]
+        lengths = middle["height_m"] / length_m
+        lengths_off = percent_off(lengths, self.number("lengths"))
         return [
             self.compared(
                 "height", f"{middle['height_m']:.3f}", f"{off:.2g} %", self.by_limit("height", off),
@@ -93,7 +96,10 @@ class Cascade(Source):
                 low_drag=drag.min(), high_drag=drag.max(), gravity=GRAVITY_M_S2,
                 ten=done[PAPERS].rows[0]["height_m"],
             ),
-            self.compared("lengths", f"{length:.1f}", "", self.by_limit("height", off)),
+            self.compared(
+                "lengths", f"{lengths:.1f}", f"{lengths_off:.2g} %",
+                self.by_limit("height", lengths_off), quotient=self.number("height") / length_m,
+            ),
         ]  # fmt: skip
 
     def band(self, rows: Sequence[Row], ends: tuple[float, float]) -> Comparison:

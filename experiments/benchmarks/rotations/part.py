@@ -61,7 +61,11 @@ class Rotations(Source):
             name: listed((row[name] * row["epsilon"] ** 0.5 for row in done[ANGLES].rows), ".5f")
             for name in (ONE_END, ALIKE, FOLD)
         }
-        told = {"epsilons": listed(EPSILONS), "elements": ELEMENTS, "alike": angles[ALIKE]}
+        told: dict[str, Any] = {
+            "epsilons": listed(EPSILONS),
+            "elements": ELEMENTS,
+            "alike": angles[ALIKE],
+        }
         comparisons = [
             *(exponent(self, regime, one) for regime, one in scalings.items()),
             self.told("one_end_angle", angles[ONE_END], **told),

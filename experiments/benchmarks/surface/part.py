@@ -75,25 +75,22 @@ class Surface(Source):
         ]
 
     def judge(self, done: Mapping[str, Done]) -> Compared:
-        """Angles, and orders."""
+        """All points, by the worst of them."""
         solved = done[COLLOCATION].rows
         count = len(EPSILONS) * len(MISMATCHES_RAD)
         rows = points(solved[:count], {n: done[mesh_name(n)].rows for n in ELEMENTS})
         known, off = known_percent(solved[count:]), column(rows, "difference_percent")
         worst, orders = rows[int(np.argmax(off))], column(rows, "order")
+        order = float(np.abs(orders - 2.0).max())
         finest = [percent_off(row[str(ELEMENTS[-1])], row["collocation_rad"]) for row in rows]
         comparisons = [
             self.compared(
                 "surface", f"{worst['extrapolated_rad']:.7f} rad",
                 f"{off.max():.2g} % from {worst['collocation_rad']:.7f} rad",
-                self.weakest_of(("limit", float(off.max())), ("known", known)), count=count,
-                epsilon=worst["epsilon"], delta=worst["delta_alpha_rad"], elements=ELEMENTS[-1],
+                self.weakest_of(("limit", float(off.max())), ("known", known), ("order", order)),
+                count=count, epsilon=worst["epsilon"], delta=worst["delta_alpha_rad"], elements=ELEMENTS[-1],
                 finest=max(finest), known=known, agrees=self.by_limit("known", known),
-            ),
-            self.compared(
-                "order", f"{orders.min():.3f} to {orders.max():.3f}",
-                f"{np.abs(orders - 2.0).max():.1g} from 2",
-                self.by_limit("order", *np.abs(orders - 2.0)),
+                least=orders.min(), most=orders.max(), second=self.by_limit("order", order),
             ),
         ]  # fmt: skip
         section = self.section(
