@@ -89,7 +89,8 @@ class Surface(Source):
                 f"{off.max():.2g} % from {worst['collocation_rad']:.7f} rad",
                 self.weakest_of(("limit", float(off.max())), ("known", known), ("order", order)),
                 count=count, epsilon=worst["epsilon"], delta=worst["delta_alpha_rad"],
-                elements=ELEMENTS[-1], finest=max(finest), known=known, agrees=self.by_limit("known", known),
+                elements=ELEMENTS[-1], finest=max(finest), known=known,
+                agrees=self.by_limit("known", known),
                 least=orders.min(), most=orders.max(), second=self.by_limit("order", order),
             ),
         ]  # fmt: skip

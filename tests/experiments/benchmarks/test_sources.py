@@ -131,8 +131,11 @@ def cascade(cell: Cell, off: float) -> list[Row]:
 
 
 def cubes(cell: Cell, off: float) -> list[Row]:
-    made = {"default ground": {"restitution": 0.125 + 100 * off}, "bounce": {"restitution": 0.78854},
-            "slide": {"distance_m": (1 + 10 * off) / (2.0 * 0.15 * 9.81)}}  # fmt: skip
+    made = {
+        "default ground": {"restitution": 0.125 + 100 * off},
+        "bounce": {"restitution": 0.78854},
+        "slide": {"distance_m": (1 + 10 * off) / (2.0 * 0.15 * 9.81)},
+    }
     return [made[cell.name]]
 
 
