@@ -57,8 +57,13 @@ def test_when_the_amplitude_blows_up(monkeypatch):
 def test_the_overdamped_delay_by_integration():
     """A' = t + A^2 from far below blows up at the first zero of Airy's function."""
     begun = [math.atan(-math.sqrt(30.0))]
-    found = solve_ivp(
-        lambda t, a: np.cos(a) ** 2 * t + np.sin(a) ** 2, (-30.0, 3.0), begun, rtol=1e-10, atol=1e-12, events=lambda t, a: a[0] - 0.5 * math.pi,
-    )  # fmt: skip
+
+    def slope(t: float, angle: np.ndarray) -> np.ndarray:  # of arctan A
+        return np.cos(angle) ** 2 * t + np.sin(angle) ** 2
+
+    def blows_up(t: float, angle: np.ndarray) -> float:
+        return angle[0] - 0.5 * math.pi
+
+    found = solve_ivp(slope, (-30.0, 3.0), begun, rtol=1e-10, atol=1e-12, events=blows_up)
     blown = float(found.t_events[0][0])
     assert amplitude.delay_prefactor(DAMPING, DRAG**2) == pytest.approx(blown, abs=1e-4)
