@@ -35,6 +35,11 @@ class Scaling:
         return abs(self.fitted - self.exponent)
 
     @property
+    def whole(self) -> float:
+        """The exponent of all values."""
+        return power(self.places, self.values)
+
+    @property
     def prefactor_percent(self) -> float:
         """Difference of the last value from the law's (%), with its sign."""
         return float(100.0 * (self.ratios[-1] - 1.0))

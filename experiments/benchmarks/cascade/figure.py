@@ -21,7 +21,7 @@ def draw_heights(
         axes.axhspan(*ends, color=palette.GROUND, lw=0, zorder=0)
         axes.plot(
             column(band, "design.epsilon"), column(band, "height_m"), ".", ms=4,
-            color=palette.QUIET, label="what is unknown, varied",
+            color=palette.QUIET, label="what is unknown, varied\n(shaded: 5 to 95 %)",
         )  # fmt: skip
         epsilon = column(rows, "design.epsilon")
         axes.plot(epsilon, column(rows, "height_m"), color=palette.BEAM, lw=2.2, label="no drag")

@@ -8,7 +8,6 @@ from snapjump.run.studies.base import Cell, Done
 
 from ...compositions import composed, groups_at
 from ...paper.words import Words
-from ...trends import power
 from .. import shallow
 from ..amplitude import DELAY_EXPONENTS, delay_prefactor
 from ..arches import DAMPING, DRAG, ELEMENTS, EPSILON, INERTIA, MISMATCH, snapping_groups
@@ -86,7 +85,8 @@ def exponent(part: Delay, regime: str, one: Scaling) -> Comparison:
     return part.compared(
         regime, f"{one.fitted:.4f}", f"{one.fitted - one.exponent:+.4f}",
         part.by_limit("exponent", one.off), low=low, high=high, slow=low * rad_s,
-        fast=high * rad_s, whole=power(one.places, one.values), drag=DRAG,
+        fast=high * rad_s, whole=one.whole,
+        all=part.by_limit("exponent", abs(one.whole - one.exponent)), drag=DRAG,
     )  # fmt: skip
 
 

@@ -99,5 +99,6 @@ def exponent(part: Rotations, regime: str, one: Scaling) -> Comparison:
     return part.compared(
         f"exponent {regime}", f"{one.fitted:.4f}", f"{one.fitted - one.exponent:+.4f}",
         part.by_limit("exponent", one.off), regime, low=one.places[-1], high=one.places[-3],
-        percent=one.prefactor_percent, drag=DRAG,
+        percent=one.prefactor_percent, whole=one.whole,
+        all=part.by_limit("exponent", abs(one.whole - one.exponent)), drag=DRAG,
     )  # fmt: skip

@@ -8,7 +8,6 @@ from snapjump.run.studies.base import Cell, Done
 
 from ...compositions import groups_at
 from ...paper.words import Words
-from ...trends import power
 from .. import shallow
 from ..amplitude import TIME_EXPONENTS, time_prefactor
 from ..arches import DRAG, EPSILON, MISMATCH, snapping_groups
@@ -78,7 +77,8 @@ def exponent(part: Slowing, regime: str, one: Scaling) -> Comparison:
     return part.compared(
         regime, f"{one.fitted:.4f}", f"{one.fitted - one.exponent:+.4f}",
         part.by_limit("exponent", one.off), low=one.places[-1], high=one.places[-3],
-        whole=power(one.places, one.values), drag=DRAG,
+        whole=one.whole,
+        all=part.by_limit("exponent", abs(one.whole - one.exponent)), drag=DRAG,
     )  # fmt: skip
 
 
