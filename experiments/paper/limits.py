@@ -4,6 +4,7 @@ They stand in ``limits.yaml``, which says what its words mean.
 """
 
 import math
+from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -28,19 +29,28 @@ class Limit(NamedTuple):
         return value >= limit if self.at_least else value <= limit
 
 
-ROWS = yaml.safe_load(Path(__file__).with_name("limits.yaml").read_text(encoding="utf-8"))
-LIMITS = {key: Limit(**row) for key, row in ROWS.items()}
+def read_limits(module: str) -> dict[str, Limit]:
+    """The limits in ``limits.yaml`` beside a module, given by its ``__file__``."""
+    rows = yaml.safe_load(Path(module).with_name("limits.yaml").read_text(encoding="utf-8"))
+    return {key: Limit(**row) for key, row in rows.items()}
+
+
+LIMITS = read_limits(__file__)
 
 
 def judged(key: str, *values: float) -> str:
-    """The verdict by one limit, on the worst of the values: what is not within it is not confirmed,
+    """The verdict by one of the paper's limits."""
+    return verdict_by(LIMITS[key], *values)
+
+
+def verdict_by(limit: Limit, *values: float) -> str:
+    """The verdict by a limit, on the worst of the values: what is not within it is not confirmed,
     also where any value would do for the rest."""
-    limit = LIMITS[key]
     within = all(limit.holds(value, limit.within) for value in values)
     return verdict(within and all(limit.holds(value, limit.confirmed) for value in values), within)
 
 
-def limit_rows() -> list[Row]:
+def limit_rows(limits: Mapping[str, Limit] = LIMITS) -> list[Row]:
     """The table of limits."""
 
     def told(limit: Limit, value: float) -> str:
@@ -55,5 +65,5 @@ def limit_rows() -> list[Row]:
             "within a limit": told(limit, limit.within),
             "source": limit.source,
         }
-        for key, limit in LIMITS.items()
+        for key, limit in limits.items()
     ]

@@ -1,23 +1,19 @@
 """``python run.py task=paper``: every figure and every testable statement of the paper."""
 
-import re
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from datetime import datetime
 from typing import Any
 
 from snapjump.checks import ParameterError, check_choice
 from snapjump.composition import with_tier
 from snapjump.dataset.specification import first_difference
-from snapjump.files.sources import Source, combined_hash
-from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Row, Section, Table
-from snapjump.run.studies.fingerprint import sources
-from snapjump.run.studies.study import Study
+from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Section, Table
 from snapjump.run.tasks.base import SIMULATION
 from snapjump.show.terminal.block import markdown_table
 from snapjump.tiers import TIERS
 
 from ..compositions import composed, described, groups_of
+from ..parted import Parted
 from .asymmetry.part import Asymmetry
 from .base import VERDICTS, Part, Statement, statement_rows
 from .bifurcation.part import Bifurcation
@@ -54,14 +50,12 @@ def readme_block(statements: Sequence[Statement]) -> str:
 ALL = "all"
 
 
-class Paper(Study):
+class Paper(Parted):
     """The parts, each with cells of its own, and the table of all statements."""
 
     keys = (*SIMULATION, "figure")
 
     choices = ("figure",)
-    # Cells name the sources of their own part among their inputs, so that an edited part is done
-    # again and no other.
     sources = ("experiments.paper.settings",)
 
     def plan(self, config: Mapping[str, Any]) -> list[Cell]:
@@ -73,26 +67,12 @@ class Paper(Study):
             raise ParameterError("figure", figure, allowed)
         groups = groups_of(config)
         check_standard(groups)
-        self.parts: dict[str, Part] = {
-            name: part() for name, part in PARTS.items() if figure in (ALL, name)
-        }
-        return [
-            cell
-            for name, part in self.parts.items()
-            for cell in labelled(part.plan(groups, config["seed"]), name, source_digest(part))
-        ]
-
-    def compute(self, cell: Cell) -> list[Row]:
-        """The rows of a cell, by its part."""
-        return self.parts[cell.inputs["part"]].compute(cell.inputs)
+        chosen = [part for name, part in PARTS.items() if figure in (ALL, name)]
+        return self.cells_of(chosen, groups, config["seed"])
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
         """The table of statements, then a section for each part."""
-        of: dict[str, dict[str, Done]] = {name: {} for name in self.parts}
-        for label, one in done.items():
-            name = one.cell.inputs["part"]
-            of[name][label.removeprefix(f"{name}: ")] = one
-        found = {name: part.conclude(of[name]) for name, part in self.parts.items()}
+        found = self.found(done)
         statements = [one for part in found.values() for one in part.statements]
         judged = Section(
             "Statement by statement",
@@ -135,18 +115,6 @@ def check_standard(groups: Mapping[str, Any]) -> None:
         raise ParameterError(key, value, f"{standard} with task=paper, as accuracy=standard has it")
 
 
-def labelled(cells: Sequence[Cell], part: str, digest: str) -> list[Cell]:
-    """A part's cells among those of all parts, with the hash of what computes them."""
-    return [
-        replace(
-            cell,
-            name=f"{part}: {cell.name}",
-            inputs={**cell.inputs, "part": part, "sources": digest},
-        )
-        for cell in cells
-    ]
-
-
 def count(statements: Sequence[Statement], verdict: str) -> int:
     """How many statements have this verdict."""
     return sum(one.verdict == verdict for one in statements)
@@ -165,18 +133,3 @@ def duration(done: Mapping[str, Done]) -> str:
         for one in done.values()
     )  # fmt: skip
     return f"The {len(done)} computations behind them took {seconds / 60.0:.0f} minutes in all."
-
-
-# Modules that say what was found, draw it and judge it: no row depends on them, nor on words.md.
-TOLD = re.compile(r"experiments\.paper\.((\w+\.)?words|\w+\.figure|limits)")
-
-
-def row_sources(part: Part) -> list[Source]:
-    """The modules that compute a part, and those that they import."""
-    used = sources(part.sources or (type(part).__module__,))
-    return [one for one in used if not TOLD.fullmatch(one.name)]
-
-
-def source_digest(part: Part) -> str:
-    """A hash of these."""
-    return combined_hash(row_sources(part))[:16]

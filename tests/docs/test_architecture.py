@@ -15,7 +15,7 @@ CONTRACT = tomllib.loads(text_of("pyproject.toml"))["tool"]["importlinter"]
 LAYERS = [re.split(r" [|:] ", layer) for layer in CONTRACT["contracts"][0]["layers"]]
 WALKS = re.findall(r"\n`([\w.]+)`\n\n((?:\d\. .*\n)+)", PAGE)
 # Folders of tests that are no folder of the library.
-OF_NO_ROOM = {"docs", "experiments", "experiments/paper", "physics"}
+OF_NO_ROOM = {"docs", "experiments", "experiments/benchmarks", "experiments/paper", "physics"}
 MOST_ARGUMENTS, MOST_LINES, MOST_STATIONS = 8, 250, 9
 
 

@@ -24,6 +24,7 @@ TASKS = {
     "robustness": "experiments.robustness.study:Robustness",
     "scenes": "experiments.scenes.study:Scenes",
     "released": "experiments.released.study:Released",
+    "benchmarks": "experiments.benchmarks.study:Benchmarks",
 }
 
 

@@ -9,7 +9,8 @@ from cells import GIVEN, STANDARD, done, run_study
 
 from experiments.paper import study as module
 from experiments.paper.base import CONFIRMED, Found, Part, Statement
-from experiments.paper.study import PARTS, Paper, row_sources, source_digest
+from experiments.paper.study import PARTS, Paper
+from experiments.parted import row_sources, source_digest
 from snapjump.checks import ParameterError
 from snapjump.files.result_folder import ResultFolder
 from snapjump.run.studies.base import FAILED, Cell, Done, Section
