@@ -62,7 +62,7 @@ def test_refused_steps_leave_no_trace():
     recorder = trajectory.make_recorder(2, 2.0, 0.01)
     march(recorder, [0.1, 0.7, 0.2], accepted=lambda k: k != 1)
     assert recorder.filled[0] == 3
-    np.testing.assert_allclose(recorder.totals, [0.3, 0.09, -0.045, 0.9], atol=1e-15)
+    np.testing.assert_allclose(recorder.totals, [0.3, 0.09, -0.045, 0.9, 0.18], atol=1e-15)
 
 
 def test_samples_keep_their_distance_and_never_overflow():
