@@ -15,6 +15,7 @@ from snapjump.declare.members import make_member, member_group, members_with
 from snapjump.declare.scenes import SceneOptions
 from snapjump.discretization.base import DiscretizationOptions
 from snapjump.drag.base import DragOptions
+from snapjump.drive.base import DriveOptions
 from snapjump.frame.base import FrameOptions
 from snapjump.friction.base import FrictionOptions
 from snapjump.integrator.base import IntegratorOptions
@@ -30,6 +31,7 @@ DEFAULTS = {
     "sim": "jump",
     "discretization": "der",
     "frame": "rigid",
+    "drive": "constant_rate",
     "contact": "logbarrier",
     "drag": "none",
     "backend": "scalar",
@@ -54,6 +56,7 @@ class Simulation:
     environment: Environment = Environment()
     discretization: DiscretizationOptions = CHOSEN
     frame: FrameOptions = CHOSEN
+    drive: DriveOptions = CHOSEN
     contact: ContactOptions = CHOSEN
     friction: FrictionOptions = CHOSEN
     damping: DampingOptions = CHOSEN

@@ -48,7 +48,7 @@ def snap_of(
             groups,
             {
                 "design": {"epsilon": epsilon, "delta_alpha": delta_alpha},
-                "robot": {"rotation_rate_rad_s": rate_rad_s},
+                "drive": {"rate_rad_s": rate_rad_s},
                 "sim": {"duration_s": duration},
             },
         )

@@ -22,7 +22,7 @@ def crossing_of(
     """How it ended, and when (T) the midpoint crossed the line of the clamps, NaN if it did not.
 
     Of an arch at rest in a state, followed for a duration (T); ``clamp``: a member of
-    :class:`snapjump.engine.clamp.base.ClampProgramme`.
+    :class:`snapjump.drive.base.Programme`.
     """
 
     def recorder(size: int, steps: int) -> Any:

@@ -80,7 +80,7 @@ COMBINATIONS: tuple[tuple[str, Make], ...] = (
     ("robot.thickness_m", value("robot", "thickness_m", 2.1e-3, 1.0)),
     ("robot.thickness_m", value("robot", "length_m", 1e-9, 4e-4)),
     ("robot.mount_height", value("robot", "mount_height", 0.0101, 1.0)),
-    ("robot.rotation_end_rad", value("robot", "rotation_end_rad", 0.0, 0.7)),
+    ("drive.end_rad", value("drive", "end_rad", 0.0, 0.7)),
     ("design.epsilon", power("design", "epsilon", -12.0, -4.8)),  # taken without buckling
     ("integrator.beta", value("integrator", "beta", 0.0, 0.44, name="newmark", gamma=0.9)),
     # More samples than memory holds.

@@ -74,7 +74,7 @@ def _mass(mass_bar: float, rate: float) -> Mapping[str, Any]:
     # Slow clamps need their time; the interval matters to no outcome, only to what is allowed.
     return {
         "environment": {"mass_bar": mass_bar},
-        "robot": {"rotation_rate_rad_s": rate},
+        "drive": {"rate_rad_s": rate},
         "sim": {"time_limit_s": 0.08 + 1.0 / rate, "sample_interval_s": 1e-3},
     }
 

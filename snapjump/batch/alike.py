@@ -6,7 +6,7 @@ from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 
 SAME = ("sim", "discretization", "integrator", "stepping", "backend")
-OF_ONE_KIND = ("frame", "contact", "friction", "damping", "drag")
+OF_ONE_KIND = ("frame", "contact", "friction", "damping", "drag", "drive")
 
 
 def check_alike(simulations: Sequence[Simulation]) -> None:

@@ -91,7 +91,7 @@ def beginnings(
     figures = critical_figures(together, compressions, curve)
     start = start_angle_rad(together, threshold_of(figures))
     # Nothing is larger than the angle of an arch without a threshold, which is NaN.
-    snaps = least_end_rad(together, threshold_of(figures), start) < together.robot.rotation_end_rad
+    snaps = least_end_rad(together, threshold_of(figures), start) < together.drive.end_rad
     return snaps & together.environment.has_mass(together.robot), figures
 
 

@@ -20,7 +20,7 @@ from snapjump.declare.fields import Part
 BASE = "base"
 # Of a simulation, in the order in which they are told.
 FAMILIES = (
-    *("sim", "discretization", "frame", "contact", "friction", "damping"),
+    *("sim", "discretization", "frame", "drive", "contact", "friction", "damping"),
     "drag",
     *("integrator", "stepping", "backend"),
 )

@@ -22,6 +22,11 @@ class Former(NamedTuple):
 
 FORMER = {
     "linear_solver": Former("", "left out: there is one linear solver, which nothing chooses"),
+    "robot.rotation_rate_rad_s": Former("drive.rate_rad_s", "drive.rate_rad_s now"),
+    "robot.rotation_end_rad": Former("drive.end_rad", "drive.end_rad now"),
+    "sim.rise_time_s": Former(
+        "drive.rise_time_s", "drive.rise_time_s now, of drive=smooth_start, which sim=snap chooses"
+    ),
     "sim.incline": Former(
         "environment.slope_rad",
         "environment.slope_rad now: minus the arctangent of it",

@@ -14,7 +14,10 @@ from snapjump.declare.fields import Number
 
 S = TypeVar("S")
 # The parts of a simulation whose numbers are inputs.
-PARTS = (*("robot", "design", "environment", "frame", "contact", "friction", "damping"), "drag")
+PARTS = (
+    *("robot", "design", "environment", "frame", "drive"),
+    *("contact", "friction", "damping", "drag"),
+)
 DEFAULT_INPUTS = ("design.delta_alpha", "design.epsilon", "environment.mass_bar", "environment.mu")
 
 

@@ -63,6 +63,7 @@ def powers(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity
         left, right = clamp_torques(model, chain, tangents)
         clamps = left * angles.left_rate
         clamps = clamps + right * angles.right_rate
+        clamps = clamps + 0.5 * angles.apart_rate * (chain.right_x - chain.left_x)
     air = 0.0 * state[0]
     if model.drag.exists():
         vx, vy = mean_of(model, masses, mesh, velocity)

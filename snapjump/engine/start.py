@@ -6,8 +6,8 @@ branch's tangent and the acceleration its curvature.
 
 from typing import Any
 
+from snapjump.drive.constant_rate import ConstantRate
 from snapjump.engine.centre_of_mass import centre_of_mass
-from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.equilibrium import solve_equilibrium
 from snapjump.engine.model import Model
 from snapjump.engine.status import NO_EQUILIBRIUM, RUNNING
@@ -17,6 +17,7 @@ from snapjump.number.functions import negate, where
 
 CONTINUATION_STEPS = 16
 FIRST_TURN = 0.02  # of a step
+TURNING = ConstantRate.Law  # what every drive's clamps do near the start, but for how fast
 DIFFERENCE_RAD = 2e-3  # clamp angle between the equilibria that velocity is taken from
 
 
@@ -24,7 +25,8 @@ DIFFERENCE_RAD = 2e-3  # clamp angle between the equilibria that velocity is tak
 def with_angles(model: Any, left: Any, delta_alpha: Any) -> Any:
     """The model with other clamp angles at time 0, and friction that holds it on its slope: slow
     loading has no sliding velocity, and a lagged law would look for one that is not there yet."""
-    clamp = ConstantRate(left, model.clamp.end, model.clamp.rate, delta_alpha)
+    drive = model.clamp
+    clamp = TURNING(left, drive.end, drive.rate, delta_alpha, drive.right_share)
     return Model(
         model.discretization,
         model.frame,
@@ -116,8 +118,10 @@ def follow_branch(model: Any, masses: Any, work: Any) -> Any:
         before = work.velocity[0, i]
         after = state[i]
         now = work.start[i]
-        work.velocity[0, i] = (after - before) / (2.0 * difference)
-        work.acceleration[0, i] = (after - 2.0 * now + before) / (difference * difference)
+        share = clamp.initial_share()
+        bend = (after - 2.0 * now + before) / (difference * difference)
+        work.velocity[0, i] = share * ((after - before) / (2.0 * difference))
+        work.acceleration[0, i] = share * share * bend
         state[i] = now
     dofs = model.frame.dofs(work.mesh)
     if dofs > 0:

@@ -40,9 +40,10 @@ class FixedFrame(FrameOptions):
             dofs = discretization.node_dofs()
             offset = discretization.clamp_distance()
             last = state.shape[0] - dofs
-            state[0] = -self.half_span + offset * cos(angles.left)
+            half = self.half_span + 0.5 * angles.apart
+            state[0] = -half + offset * cos(angles.left)
             state[1] = self.mount_height - offset * sin(angles.left)
-            state[last] = self.half_span - offset * cos(angles.right)
+            state[last] = half - offset * cos(angles.right)
             state[last + 1] = self.mount_height - offset * sin(angles.right)
             if dofs == 3:
                 state[2] = -discretization.rotation_length() * angles.left

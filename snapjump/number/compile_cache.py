@@ -27,6 +27,7 @@ KERNEL_PACKAGES = (
     "damping",
     "discretization",
     "drag",
+    "drive",
     "engine",
     "frame",
     "friction",

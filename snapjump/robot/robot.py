@@ -65,20 +65,6 @@ class Robot(Part):
         10.0, least=0.0, most=LARGEST, unit="m/s^2", doc="gravity", symbol="g", plan=(1.6, 10.0),
         kind="environment", usual=(0.0, 300.0), takes_arrays=True,
     )  # fmt: skip
-    rotation_rate_rad_s: float = positive(
-        20.0,
-        unit="rad/s",
-        doc="rate of the clamps",
-        symbol="Ω",
-        plan=(5.0, 40.0),
-        kind="control",
-        usual=(1e-4, 1e4),
-        takes_arrays=True,
-    )
-    rotation_end_rad: float = number(
-        1.5, least=0.0, most=math.pi / 2, unit="rad", doc="angle at which the clamps stop",
-        symbol="α₁", plan=(1.3, 1.55), kind="control", takes_arrays=True,
-    )  # fmt: skip
     mount_height: float | Literal["optimal", "fitted"] = number(
         "optimal", above=0.0, unit="m", words=("optimal", "fitted"), symbol="h",
         plan=(1.5e-3, 4e-3), doc="height of the clamps above the feet",

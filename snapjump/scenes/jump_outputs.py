@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from snapjump.declare.outputs import FLAG, WORD, output
 from snapjump.engine import outcome as c
-from snapjump.engine.clamp.constant_rate import time_turned
 from snapjump.error_estimate import ErrorEstimate, error_estimate
 from snapjump.number.trigonometry import arctan
 from snapjump.results import JumpResult
@@ -32,7 +31,7 @@ class JumpOutputs(GroundOutputs):
     @cached_property
     def flight(self) -> Flight:
         """Apex and lift-off, dimensionless, whatever the status."""
-        begun, model = time_turned(self.model.clamp), self.model
+        begun, model = self.model.clamp.time_turned(), self.model
         return flight(begun, model.load, self.outcome, model.drag)
 
     @cached_property

@@ -10,7 +10,6 @@ import numpy as np
 
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
-from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.model import Model, TimeLimit
 from snapjump.number.trigonometry import cos, sin
@@ -81,7 +80,7 @@ def start_angle_rad(simulation: Simulation, threshold: Threshold | None = None) 
     the same share of the critical angle."""
     share = simulation.sim.start_fraction
     alpha = (threshold or critical(simulation)).alpha_rad if share > 0.0 else 0.0
-    return share * alpha - ahead(simulation)
+    return simulation.drive.start_rad(share * alpha - ahead(simulation))
 
 
 def positive_part(value: Any) -> Any:
@@ -97,12 +96,12 @@ def ahead(simulation: Simulation) -> Any:
 def loading_time(simulation: Simulation, start: Any, threshold: Threshold) -> Any:
     """Time (T) from the start of the motion until the leading clamp is at the critical angle."""
     angle = threshold.alpha_rad - ahead(simulation) - start
-    return angle / (simulation.robot.rotation_rate_rad_s * simulation.robot.scales.time_s)
+    return angle / (simulation.drive.rate_rad_s * simulation.robot.scales.time_s)
 
 
 def leading_start(simulation: Simulation, threshold: Threshold, loading: Any) -> Any:
     """Left clamp angle a time (T) before the leading clamp is at the critical angle."""
-    turned = simulation.robot.rotation_rate_rad_s * simulation.robot.scales.time_s * loading
+    turned = simulation.drive.rate_rad_s * simulation.robot.scales.time_s * loading
     return threshold.alpha_rad - ahead(simulation) - turned
 
 
@@ -139,12 +138,12 @@ def jump_model(simulation: Simulation, threshold: Threshold | None = None) -> Mo
     start = start_angle_rad(simulation, threshold)
     check_mount_height(simulation, start)
     least = least_end_rad(simulation, threshold, start)
-    if np.any(least >= robot.rotation_end_rad):
+    if np.any(least >= simulation.drive.end_rad):
         why = "to make the arch snap, and beyond the start of the motion (sim.start_fraction)"
         allowed = f"above {least:.4g} rad, {why}"
-        raise ParameterError("robot.rotation_end_rad", robot.rotation_end_rad, allowed)
+        raise ParameterError("drive.end_rad", simulation.drive.end_rad, allowed)
     loading_s = loading_time(simulation, start, threshold) * robot.scales.time_s
-    limit_s = positive_part(loading_s) + simulation.sim.time_limit_s
+    limit_s = positive_part(loading_s) + simulation.drive.delay_s + simulation.sim.time_limit_s
     return composed_model(simulation, start, mount_height_bar(simulation, threshold), limit_s)
 
 
@@ -156,12 +155,7 @@ def composed_model(simulation: Simulation, start: Any, mount_height: Any, limit_
     return Model(
         discretization=simulation.discretization.beam(robot),
         frame=frame_model(simulation, mount_height),
-        clamp=ConstantRate(
-            start=start,
-            end=robot.rotation_end_rad,
-            rate=robot.rotation_rate_rad_s * scales.time_s,
-            delta_alpha=simulation.design.delta_alpha,
-        ),
+        clamp=simulation.drive.programme(simulation, start),
         contact=simulation.contact.law(scales),
         friction=friction,
         damping=simulation.damping.law(scales),

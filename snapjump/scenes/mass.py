@@ -9,7 +9,7 @@ import numpy as np
 from snapjump.composition import Simulation
 from snapjump.contact.base import ContactState, force_if_active
 from snapjump.discretization.parts.loose_nodes import LooseNodes
-from snapjump.engine.clamp.constant_rate import ConstantRate
+from snapjump.drive.constant_rate import ConstantRate
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.model import Model
 from snapjump.engine.recorder.trajectory import make_recorder
@@ -41,7 +41,7 @@ def mass_model(
     return Model(
         LooseNodes(),
         NoFrame(),
-        ConstantRate(0.0, 1.0, 1.0, 0.0),
+        ConstantRate.Law(0.0, 1.0, 1.0, 0.0, 1.0),
         contact=simulation.contact.law(scales),
         friction=simulation.friction.law(scales, simulation.environment.mu),
         damping=simulation.damping.law(scales),

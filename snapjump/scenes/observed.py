@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
 from snapjump.declare.outputs import output
-from snapjump.engine.clamp.constant_rate import time_turned
 from snapjump.engine.recorder.observables import make_observables
 from snapjump.scenes.between_steps import crossing, peak
 from snapjump.scenes.jump_march import jump_march, jumped
@@ -33,7 +32,7 @@ class ObservedJump(JumpOutputs):
     @output("s")
     def snap_time_s(self) -> Array:
         """When the beam's middle passes the line of its mounts, since the clamps began to turn."""
-        begun = time_turned(self.model.clamp)
+        begun = self.model.clamp.time_turned()
         return (crossing(self.times, self.heights) + begun) * self.simulation.robot.scales.time_s
 
     @output("N")

@@ -1,18 +1,18 @@
-"""The march of a beam that snaps alone: clamps held in space, turning from flat."""
+"""The march of a beam that snaps alone: clamps held in space, as the drive moves them."""
 
 from collections.abc import Callable
 from typing import Any
 
 from snapjump.composition import Simulation
 from snapjump.contact.base import ContactOptions
-from snapjump.engine.clamp.smooth_start import SmoothStart
 from snapjump.engine.model import Model
 from snapjump.engine.recorder.none import NoRecorder
 from snapjump.engine.status import NO_EQUILIBRIUM, RUNNING
 from snapjump.engine.termination.timed import TimedTermination
 from snapjump.frame.fixed import FixedFrame
-from snapjump.scenes.runner import MOST_ITERATIONS, March
+from snapjump.scenes.runner import MOST_ITERATIONS, Array, March
 from snapjump.statics.arch import StaticArch
+from snapjump.statics.critical import find_snap
 
 # Of Newton's method, times the nodes that each of them moves: half a minute of a core.
 MOST_NODE_ITERATIONS = 4.0e8
@@ -36,24 +36,14 @@ def snap_march(
     none.
     """
     robot, scene, scales = simulation.robot, simulation.sim, simulation.robot.scales
-    epsilon, delta_alpha = simulation.design.epsilon, simulation.design.delta_alpha
+    epsilon = simulation.design.epsilon
     arch = StaticArch(robot, simulation.discretization, epsilon)
-    try:
-        state = arch.flat(delta_alpha)
-        found = arch.negative_pivots == 0
-    except ArithmeticError:
-        state, found = arch.guess(), False
+    start, state, found = beginning(simulation, arch)
     state[1 :: arch.node_dofs] += height
     model = Model(
         discretization=simulation.discretization.beam(robot),
         frame=FixedFrame.Body(0.5 * (1.0 - epsilon), height),
-        clamp=SmoothStart(
-            start=0.0,
-            end=robot.rotation_end_rad,
-            rate=robot.rotation_rate_rad_s * scales.time_s,
-            delta_alpha=delta_alpha,
-            rise_time=scene.rise_time_s / scales.time_s,
-        ),
+        clamp=simulation.drive.programme(simulation, start),
         contact=(contact or simulation.contact).law(scales),
         friction=simulation.friction.law(scales, simulation.environment.mu),
         damping=simulation.damping.law(scales),
@@ -71,3 +61,19 @@ def snap_march(
     )
     march.queue.status[0] = RUNNING if found else NO_EQUILIBRIUM
     return march
+
+
+def beginning(simulation: Simulation, arch: StaticArch) -> tuple[float, Array, bool]:
+    """The left clamp's angle (rad) and the state of the arch at rest, and whether there is a stable
+    one: where it is flat, or, of one that is held there, where it snaps."""
+    drive, design = simulation.drive, simulation.design
+    try:
+        if drive.held:
+            snap = find_snap(
+                simulation.robot, simulation.discretization, design.epsilon, design.delta_alpha
+            )
+            return snap.alpha_rad, snap.before.state, True
+        state = drive.rest(simulation, arch)
+        return drive.start_rad(0.0), state, arch.negative_pivots == 0
+    except ArithmeticError:
+        return 0.0, arch.guess(), False

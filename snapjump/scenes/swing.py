@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from snapjump.composition import Simulation
 from snapjump.engine import outcome as c
-from snapjump.engine.clamp.smooth_start import SmoothStart
 from snapjump.engine.recorder.trajectory import make_recorder
 from snapjump.engine.status import NAMES, REASONS
 from snapjump.scenes.snap_march import snap_march
@@ -33,7 +32,7 @@ class Swing:
     x: Array
     y: Array
     speed_m_s: Array
-    clamp: SmoothStart
+    clamp: Any
     unit_s: float
 
     @property

@@ -5,7 +5,6 @@ from numpy.typing import NDArray
 
 from snapjump.discretization.base import ROTARY_INERTIA
 from snapjump.engine.centre_of_mass import centre_of_mass
-from snapjump.engine.clamp.constant_rate import time_turned
 from snapjump.engine.model import Model, numbers_of
 from snapjump.engine.points import point_count
 from snapjump.engine.read_out import CORNERS, Readings, read_states
@@ -39,10 +38,9 @@ def trajectory_arrays(march: March, recorder: TrajectoryRecorder) -> dict[str, A
     dofs = model.frame.dofs(march.mesh)
     stride = model.discretization.node_dofs()
     nodes, speeds = states[:, dofs:], velocities[:, dofs:]
-    begun = time_turned(model.clamp) if model.clamp.rate else 0.0
     readings = read(march, times, states, velocities)
     arrays = {
-        "time_s": (times + begun) * scales.time_s,
+        "time_s": (times + model.clamp.time_turned()) * scales.time_s,
         "node_x_m": nodes[:, 0::stride] * scales.length_m,
         "node_y_m": nodes[:, 1::stride] * scales.length_m,
         "node_vx_m_s": speeds[:, 0::stride] * scales.velocity_m_s,

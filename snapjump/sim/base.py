@@ -10,6 +10,7 @@ ONE_AT_A_TIME = Need("backend", "one_at_a_time")
 NO_DRAG = Need("drag", "absent", "in which nothing flies")
 NO_GROUND = (Need("contact", "absent"), Need("friction", "absent"), NO_DRAG)
 HELD = Need("frame", "held")
+TURNS = Need("drive", "turns", "which begins in equilibrium, its clamps as far apart as they stay")
 NEEDS_NO_GROUND = (*NO_GROUND, HELD, ONE_AT_A_TIME)
 NEEDS_A_GROUND = (Need("contact", "pushes"), NO_DRAG, HELD, ONE_AT_A_TIME)
 WITHOUT_GROUND = {"frame": "fixed", "contact": "none", "friction": "none"}

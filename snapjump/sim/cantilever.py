@@ -9,8 +9,8 @@ import numpy as np
 from snapjump.composition import Simulation
 from snapjump.declare.fields import number
 from snapjump.declare.outputs import INTEGER, output
-from snapjump.engine.clamp.base import ClampAngles
-from snapjump.engine.clamp.constant_rate import ConstantRate
+from snapjump.drive.base import ClampAngles
+from snapjump.drive.constant_rate import ConstantRate
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.load.tip import TipLoad
 from snapjump.engine.model import Model, numbers_of
@@ -29,7 +29,7 @@ def bend_cantilever(
 ) -> tuple[np.ndarray, float, int]:
     """Nodes (N + 1, 2) in L, elastic energy (EI/L) and negative pivots under a tip load.
     Force in EI/L^2, moment in EI/L. Raises ArithmeticError where Newton's method fails."""
-    clamp, load = ConstantRate(0.0, 1.0, 1.0, 0.0), TipLoad(0.0, 0.0, 0.0)
+    clamp, load = ConstantRate.Law(0.0, 1.0, 1.0, 0.0, 1.0), TipLoad(0.0, 0.0, 0.0)
     model = Model(rod, CantileverFrame(), clamp, load=load)
     dofs = rod.node_dofs()
     memory = make_memory(sizes_of(model, elements + 1))

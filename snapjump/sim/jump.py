@@ -13,7 +13,7 @@ from snapjump.scenes.jump_march import jump_march, jumped, no_recorder
 from snapjump.scenes.jump_outputs import JumpRun, RecordedJump
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.trajectory import trajectory_arrays
-from snapjump.sim.base import Progress, SceneOptions, check_samples
+from snapjump.sim.base import TURNS, Progress, SceneOptions, check_samples
 
 
 class Jump(SceneOptions):
@@ -27,7 +27,7 @@ class Jump(SceneOptions):
     moves_a_beam = True
     tells = ("design.epsilon", "design.delta_alpha", "environment.mu", "environment.mass_bar")
     outputs = RecordedJump
-    needs = (Need("frame", "flies"), Need("contact", "pushes"))
+    needs = (Need("frame", "flies"), Need("contact", "pushes"), TURNS)
 
     start_fraction: float = number(0.0, least=0.0, most=0.95)
     time_limit_s: float = number(0.1, above=0.0, unit="s")

@@ -9,7 +9,6 @@ from snapjump.composition import Simulation
 from snapjump.declare.fields import number
 from snapjump.declare.outputs import output
 from snapjump.engine import outcome as c
-from snapjump.engine.clamp.smooth_start import SmoothStart
 from snapjump.engine.recorder.midpoint import make_midpoint_recorder
 from snapjump.engine.recorder.trajectory import make_recorder
 from snapjump.engine.status import NO_SNAP, OK
@@ -32,7 +31,7 @@ class SnapOutputs(BeamOutputs):
     on ``sim.sample_interval_s``."""
 
     midpoint: Midpoint
-    clamp: SmoothStart
+    clamp: Any
 
     @output("rad", of=SNAPPED)
     def alpha_snap_rad(self) -> float:
@@ -67,17 +66,15 @@ class SnapOutputs(BeamOutputs):
 
 
 class Snap(SampledScene):
-    """The beam alone snaps in a frame that is held still, without gravity or ground.
-    The clamps start from flat and reach their rate within about ``rise_time_s``."""
+    """The beam alone snaps in a frame that is held still, without gravity or ground."""
 
     moves_a_beam = True
     tells = ("design.epsilon", "design.delta_alpha")
-    chooses = WITHOUT_GROUND
+    chooses = {**WITHOUT_GROUND, "drive": "smooth_start"}
     outputs = SnapOutputs
     needs = NEEDS_NO_GROUND
 
     duration_s: float = number(0.06, above=0.0, unit="s")
-    rise_time_s: float = number(1.0e-3, above=0.0, unit="s")
     sample_interval_s: float = number(5.0e-5, above=0.0, unit="s")
 
     def check_with(self, simulation: Any) -> None:

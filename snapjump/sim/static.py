@@ -163,7 +163,7 @@ class Static(SceneOptions):
         for upward in (True, False):  # from flat clamps, towards larger angles
             starts.append(start_point(branch, upward))
             walk = chain(starts[-1:], islice(branch.follow(starts[-1], LENGTH / steps), steps))
-            tables.append(_points(arch, branch, walk, robot.rotation_end_rad))
+            tables.append(_points(arch, branch, walk, simulation.drive.end_rad))
             if progress is not None:
                 progress(0.5 * len(tables), "branches")
         if delta_alpha == 0.0:

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from snapjump.engine.clamp.base import ClampAngles
-from snapjump.engine.clamp.constant_rate import ConstantRate
+from snapjump.drive.base import ClampAngles
+from snapjump.drive.constant_rate import ConstantRate
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.load.none import NoLoad
 from snapjump.engine.model import Model, numbers_of
@@ -80,7 +80,7 @@ class StaticArch:
         self.band: Array = self.memory.band[self.free, :, 0]
 
     def _model(self, left: float, right: float) -> Model:
-        return Model(self.rod, self.frame, ConstantRate(left, 10.0, 1.0, left - right))
+        return Model(self.rod, self.frame, ConstantRate.Law(left, 10.0, 1.0, left - right, 1.0))
 
     def guess(self, upward: bool = True) -> Array:
         """State of the exact arch between flat clamps, buckled up or down."""

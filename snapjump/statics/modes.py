@@ -8,7 +8,7 @@ from scipy.linalg import eig_banded
 
 from snapjump.arrays import Array
 from snapjump.discretization.base import ROTARY_INERTIA
-from snapjump.engine.clamp.base import ClampAngles
+from snapjump.drive.base import ClampAngles
 from snapjump.engine.load.none import NoLoad
 from snapjump.frame.base import NO_MESH, STILL
 from snapjump.statics.arch import StaticArch

@@ -10,8 +10,8 @@ from numba import njit
 from snapjump.contact.base import Ground
 from snapjump.contact.logbarrier import LogBarrier
 from snapjump.damping.kelvin_voigt import KelvinVoigt
+from snapjump.drive.constant_rate import ConstantRate
 from snapjump.engine.assemble import Motion
-from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.linearised import solve_linearised
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.model import Model, numbers_of, with_numbers
@@ -45,7 +45,7 @@ def test_lanes_and_scalars_agree_to_the_last_bit(name):
     model = Model(
         options.beam(Robot()),
         RigidFrame.Body(0.4, -0.15, -0.25, 0.25, 15.0, 1.3, 0.06, 0.01),
-        ConstantRate(0.35, 1.5, 0.6, 0.1),
+        ConstantRate.Law(0.35, 1.5, 0.6, 0.1, 1.0),
         LogBarrier.Law(4e3, 0.025, 0.0),
         ImplicitFriction.Law(0.4, 0.25),
         KelvinVoigt.Law(1e-3),

@@ -16,14 +16,14 @@ from snapjump.damping.mass_proportional import MassProportional
 from snapjump.damping.none import NoDamping
 from snapjump.discretization.base import EndTangents
 from snapjump.discretization.parts.beam_elements import Span
+from snapjump.drive.constant_rate import ConstantRate
 from snapjump.engine.assemble import Motion
-from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.load.tip import TipLoad
 from snapjump.engine.model import Model
 from snapjump.frame.fixed import FixedFrame
 from snapjump.frame.parts.cantilever import CantileverFrame
 
-CLAMP = ConstantRate(0.3, 1.5, 0.7, 0.1)
+CLAMP = ConstantRate.Law(0.3, 1.5, 0.7, 0.1, 1.0)
 STILL = Motion(0.0, 0.0, 0.0, 0.0)
 MOVING = Motion(0.4, 30.0, 30.0, 0.0)
 RELAXATION = 2e-3

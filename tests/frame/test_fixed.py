@@ -3,7 +3,7 @@ import pytest
 
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
-from snapjump.engine.clamp.base import ClampAngles
+from snapjump.drive.base import ClampAngles
 from snapjump.engine.load.none import NoLoad
 from snapjump.engine.load.tip import TipLoad
 from snapjump.frame.base import NO_MESH, STILL

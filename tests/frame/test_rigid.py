@@ -17,9 +17,9 @@ from snapjump.contact.logbarrier import LogBarrier
 from snapjump.damping.kelvin_voigt import KelvinVoigt
 from snapjump.damping.mass_proportional import MassProportional
 from snapjump.damping.none import NoDamping
+from snapjump.drive.constant_rate import ConstantRate
 from snapjump.engine.assemble import Motion
 from snapjump.engine.centre_of_mass import centre_of_mass
-from snapjump.engine.clamp.constant_rate import ConstantRate
 from snapjump.engine.gaps import gap_safe_share
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.powers import powers
@@ -33,7 +33,7 @@ ELEMENTS = 9
 FRAME = RigidFrame.Body(0.4, -0.15, -0.25, 0.25, 15.0, 1.3, 0.06, 0.01)
 BARRIER = LogBarrier.Law(4e3, 0.025, 0.0)
 FRICTION = ImplicitFriction.Law(0.4, 0.25)
-CLAMP = ConstantRate(0.35, 1.5, 0.6, 0.1)
+CLAMP = ConstantRate.Law(0.35, 1.5, 0.6, 0.1, 1.0)
 HELD = CLAMP._replace(rate=0.0)
 STILL = Motion(0.0, 0.0, 0.0, 0.0)
 MOVING = Motion(0.2, 50.0, 50.0, 0.0)

@@ -11,7 +11,7 @@ from references import outputs_of as reference
 from scipy.linalg import eigh
 
 from snapjump.discretization.base import ROTARY_INERTIA
-from snapjump.engine.clamp.smooth_start import SmoothStart
+from snapjump.drive.smooth_start import SmoothStart
 from snapjump.engine.equilibrate import equilibrate
 from snapjump.engine.model import numbers_of
 from snapjump.engine.recorder.trajectory import make_recorder
@@ -146,7 +146,7 @@ def marched(straight, integrator, mode, place, speed, step, steps) -> tuple[floa
     state, velocity = straight.state.copy(), np.zeros_like(straight.state)
     state[3:-2:2] = AMPLITUDE * place * shape
     velocity[3:-2:2] = AMPLITUDE * speed * omega * shape
-    still = SmoothStart(0.0, 1.0, 0.0, 0.0, 1.0)
+    still = SmoothStart.Law(0.0, 1.0, 0.0, 0.0, 1.0, 1.0)
     march = March(
         models=[bare_model(straight.beam.rod, FixedFrame.Body(0.5, 0.0), clamp=still)],
         masses=straight.beam.masses,

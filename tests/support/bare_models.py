@@ -5,14 +5,14 @@ from typing import Any
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.discretization.parts.loose_nodes import LooseNodes
-from snapjump.engine.clamp.constant_rate import ConstantRate
+from snapjump.drive.constant_rate import ConstantRate
 from snapjump.engine.load.tip import TipLoad
 from snapjump.engine.model import Model
 from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.frame.rigid import RigidFrame
 
-STILL = ConstantRate(0.0, 1.0, 1.0, 0.0)
+STILL = ConstantRate.Law(0.0, 1.0, 1.0, 0.0, 1.0)
 
 
 def bare_model(discretization: Any, frame: Any, **members: Any) -> Model:

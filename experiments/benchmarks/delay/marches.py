@@ -30,18 +30,14 @@ def delayed(groups: Mapping[str, Any], rate: float, inputs: Mapping[str, Any]) -
     fold = fold_rad(made) / root
     expected = inputs["prefactor"] * rate ** inputs["exponent"]
     duration_s = ((fold + LATEST * expected) / rate + RISE + AFTER) * unit_s
-    scene = {
-        "duration_s": duration_s,
-        "rise_time_s": RISE * unit_s,
-        "sample_interval_s": duration_s / SAMPLES,
-    }
-    turned = {"rotation_rate_rad_s": rate * root / unit_s}
-    found = simulate(composed(changed(groups, {"sim": scene, "robot": turned}))).summary
+    scene = {"duration_s": duration_s, "sample_interval_s": duration_s / SAMPLES}
+    turned = {"rate_rad_s": rate * root / unit_s, "rise_time_s": RISE * unit_s}
+    found = simulate(composed(changed(groups, {"sim": scene, "drive": turned}))).summary
     snap = found["alpha_snap_rad"]
     return {
         "status": found["status"],
         "rate": rate,
-        "rate_rad_s": turned["rotation_rate_rad_s"],
+        "rate_rad_s": turned["rate_rad_s"],
         "fold": fold,
         "snap": None if snap is None else snap / root,
         "delay": None if snap is None else snap / root - fold,

@@ -4,6 +4,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from snapjump.drive.smooth_start import SmoothStart
 from snapjump.run.studies.base import Row
 from snapjump.statics.arch import StaticArch
 
@@ -11,8 +12,8 @@ from ...compositions import composed
 from ..delay.marches import AFTER, LATEST, RISE
 from ..held_march import crossing_of
 from ..symmetries.angles import one_end
-from .one_turns import OneTurns
 
+END = 1.5
 BEGIN = 0.9  # of the fold's angle: from there on the arch, at rest, is turned
 
 
@@ -29,7 +30,8 @@ def one_end_rows(inputs: Mapping[str, Any]) -> list[Row]:
     rows = []
     for rate in inputs["rates"]:
         expected = inputs["prefactor"] * rate ** inputs["exponent"]
-        clamp = OneTurns(BEGIN * fold, rate * root, RISE)
+        # The right clamp is flat when the left one is there, and stays so.
+        clamp = SmoothStart.Law(BEGIN * fold, END, rate * root, BEGIN * fold, 0.0, RISE)
         way = (1.0 - BEGIN) * fold / root + LATEST * expected
         status, crossing = crossing_of(made, clamp, state, way / rate + RISE + AFTER)
         snap = float(clamp.angles(crossing).left) / root

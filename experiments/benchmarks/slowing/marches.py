@@ -2,15 +2,16 @@
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from snapjump.composition import Simulation
-from snapjump.engine.clamp.constant_rate import ConstantRate
+from snapjump.drive.hold_release import HoldRelease
 from snapjump.run.studies.base import Row
-from snapjump.statics.critical import find_snap
+from snapjump.simulation import simulate
 
 from ...compositions import composed
-from ..held_march import crossing_of
+from ..held_march import SAMPLES
 
 LATEST, AFTER = 3.0, 20.0  # times the expected time, and T
 
@@ -31,10 +32,16 @@ def time_rows(inputs: Mapping[str, Any]) -> list[Row]:
 def held(simulation: Simulation, distance: float, duration: float) -> tuple[str, float]:
     """How it ended, and when (T) the midpoint crossed, of an arch that has the shape of the fold
     when its clamps are turned further by the distance at once, and held."""
-    design = simulation.design
-    snap = find_snap(
-        simulation.robot, simulation.discretization, design.epsilon, design.delta_alpha
+    time_s = simulation.robot.scales.time_s
+    duration_s = duration * time_s
+    found = simulate(
+        replace(
+            simulation,
+            sim=simulation.sim.changed(
+                duration_s=duration_s, sample_interval_s=duration_s / SAMPLES
+            ),
+            drive=HoldRelease(beyond_rad=distance * math.sqrt(simulation.design.epsilon)),
+        )
     )
-    left = snap.alpha_rad + distance * math.sqrt(design.epsilon)
-    clamp = ConstantRate(start=left, end=left, rate=0.0, delta_alpha=design.delta_alpha)
-    return crossing_of(simulation, clamp, snap.before.state, duration)
+    crossed_s = found.summary["snap_time_s"]
+    return found.status, math.nan if crossed_s is None else crossed_s / time_s

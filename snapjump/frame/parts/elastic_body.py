@@ -22,6 +22,7 @@ class ElasticBody(Frame):
     """The elastic frame as a body."""
 
     bouncing_mass: Any
+    mass: Any
     half_span: Any
     mount_y: Any
     foot_y: Any

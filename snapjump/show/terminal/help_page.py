@@ -22,6 +22,7 @@ GROUPS = {
     "contact": "how the ground pushes back",
     "friction": "how the ground holds on",
     "damping": "how the material loses energy",
+    "drive": "how clamps, or the span, are moved",
     "drag": "what the air does to a robot that moves",
     "integrator": "how time goes on",
     "stepping": "how long a step is",

@@ -22,7 +22,7 @@ MODEL = "model.json"
 NO_SIMULATION = ("train", "export")
 OF_A_SIMULATION = (
     *("accuracy", "sim", "robot", "design", "environment", "discretization", "frame", "contact"),
-    *("friction", "damping", "drag", "integrator", "stepping", "backend"),
+    *("friction", "damping", "drag", "drive", "integrator", "stepping", "backend"),
 )
 SENTENCES = ("accuracy.known_error", "integrator.rows")  # which no column has room for
 # What is for the records alone, and no result.

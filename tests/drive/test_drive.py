@@ -1,10 +1,10 @@
 import pytest
 
-from snapjump.engine.clamp.constant_rate import ConstantRate
-from snapjump.engine.clamp.smooth_start import SmoothStart
+from snapjump.drive.constant_rate import ConstantRate
+from snapjump.drive.smooth_start import SmoothStart
 
-CONSTANT = ConstantRate(0.4, 1.5, 0.09, 0.1)
-SMOOTH = SmoothStart(0.4, 1.5, 0.09, 0.1, 2.0)
+CONSTANT = ConstantRate.Law(0.4, 1.5, 0.09, 0.1, 1.0)
+SMOOTH = SmoothStart.Law(0.4, 1.5, 0.09, 0.1, 1.0, 2.0)
 programmes = pytest.mark.parametrize("clamp", [CONSTANT, SMOOTH])
 
 

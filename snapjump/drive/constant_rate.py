@@ -1,0 +1,37 @@
+"""Clamps turned at a constant rate from a given angle up to a final one."""
+
+from typing import Any, NamedTuple
+
+from snapjump.drive.base import Programme
+from snapjump.drive.parts.turned import time_turned, turned_to
+from snapjump.drive.parts.turning import Turning
+
+
+class ConstantRate(Turning):
+    """Both clamps turn at a constant rate from the start (the paper's)."""
+
+    differentiable = True
+
+    @Programme.member
+    class Law(NamedTuple):
+        """Left angle at time 0 and at the end (rad), its rate (rad/T), how far the right lags at
+        time 0, and the right rate over the left one."""
+
+        start: float
+        end: float
+        rate: float
+        delta_alpha: float
+        right_share: float
+
+        def angles(self, time: Any) -> Any:
+            return turned_to(self, self.start + self.rate * time, self.rate + 0.0 * time)
+
+        def time_turned(self) -> Any:
+            return time_turned(self)
+
+        def initial_share(self) -> Any:
+            return 1.0
+
+    def programme(self, simulation: Any, start: Any) -> Law:
+        """The dimensionless programme."""
+        return self.Law(*self.numbers(simulation, start))
