@@ -28,11 +28,12 @@ CACHES = {"l1": 128, "l1_and_l2": 350}
 
 
 class Cache:
-    """The last so many numbers touched; what is read into it and written back from it."""
+    """The last so many numbers touched; what is read into it and written back from it, and how
+    often a number was not in it."""
 
     def __init__(self, numbers: int):
         self.numbers = numbers
-        self.reads = self.writes = 0
+        self.reads = self.writes = self.misses = 0
         self.kept: OrderedDict[int, bool] = OrderedDict()  # address: whether it was written
 
     def touch(self, address: int, written: bool) -> None:
@@ -41,6 +42,7 @@ class Cache:
             self.kept.move_to_end(address)
             self.kept[address] |= written
             return
+        self.misses += 1
         self.reads += not written
         self.kept[address] = written
         if len(self.kept) > self.numbers:
@@ -101,16 +103,21 @@ def measure(simulation: Simulation, passes: int) -> dict[str, Traffic]:
 
     def view(memory: Memory, lanes: Any) -> PlainWork:
         work = PlainWork(memory)
-        for name in (*FIELDS, *WINDOWS):
-            setattr(work, name, counted(getattr(memory, name), all_of_them))
+        for name, field in [*zip(FIELDS, FIELDS, strict=True), *WINDOWS.items()]:
+            if field in FIELDS:
+                setattr(work, name, counted(getattr(memory, name), all_of_them))
         return work
 
-    # Uncompiled, the loop finds it by its name.
-    vars(engine).update(view_work=view)
-    with np.errstate(all="ignore"):
-        engine.march.py_func(
-            model, march.masses, march.method, NoRecorder(), march.memory, march.queue, (0,), passes
-        )
+    compiled = engine.view_work
+    vars(engine).update(view_work=view)  # uncompiled, the loop finds it by its name
+    try:
+        with np.errstate(all="ignore"):
+            engine.march.py_func(
+                model, march.masses, march.method, NoRecorder(), march.memory, march.queue, (0,),
+                passes,
+            )  # fmt: skip
+    finally:
+        vars(engine).update(view_work=compiled)
     done = float(march.memory.clock[c.ITERATIONS, 0])
     return {
         name: Traffic(8.0 * cache.reads / done, 8.0 * cache.writes / done)

@@ -5,10 +5,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from command_line import python
+from robots import BASELINE
 
 from experiments.designs import HIGH, LOW
 from experiments.gpu import busy_share, grid
-from experiments.gpu_traffic import Cache, Counted, counted
+from experiments.gpu_traffic import Cache, Counted, counted, measure
+from snapjump.engine import march as engine
 from snapjump.number.memory import aligned_zeros
 
 
@@ -42,6 +44,17 @@ def test_views_of_one_number_are_one_number():
     whole[1, 2] = 5.0
     assert part[2] == 5.0
     assert (cache.reads, len(cache.kept)) == (0, 1)
+
+
+def test_larger_caches_pass_on_less_of_a_jump_s_traffic():
+    usual = engine.view_work
+    found = measure(BASELINE, 3)
+    assert engine.view_work is usual
+    small, large = found["l1"], found["l1_and_l2"]
+    assert small.read > large.read > 0.0 and small.written > large.written > 0.0
+    # Every node's numbers of the linear system, at least: 16 read and written again.
+    nodes = len(BASELINE.discretization.masses())
+    assert large.read > 16 * 8 * nodes and large.written > 16 * 8 * nodes
 
 
 def test_without_a_card_there_is_one_line():
