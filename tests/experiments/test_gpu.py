@@ -1,5 +1,6 @@
 """The study of the card: its designs, its model of the caches, and what it says without a card."""
 
+import json
 from types import SimpleNamespace
 
 import numpy as np
@@ -63,3 +64,17 @@ def test_without_a_card_there_is_one_line():
         pytest.skip("there is a card")
     done = python("-m", "experiments.gpu", code=2)
     assert done.stdout.startswith("backend = 'cuda'") and done.stdout.count("\n") == 1
+
+
+@pytest.mark.slow
+@pytest.mark.processes
+def test_the_study_runs_on_a_simulated_card():
+    """A whole jump of each of two designs, in plain Python; the card's times mean nothing."""
+    pytest.importorskip("numba_cuda", reason="numba-cuda is not installed")
+    words = ("--tiers", "draft", "--points", "1", "--designs", "2")
+    done = python("-m", "experiments.gpu", *words, NUMBA_ENABLE_CUDASIM="1")
+    found = json.loads(done.stdout)
+    assert found["card"] == "simulator"
+    assert found["draft"]["statuses"] == {"ok": 1}
+    assert found["draft"]["agreement"]["same_status"] == 2
+    assert found["draft"]["estimated_bytes_an_iteration"] > 0.0
