@@ -2,7 +2,8 @@
 
 Agreement with the processor, design by design; kernel time of the whole grid at every tier; bytes
 moved against the bandwidth that the card's own copies reach, and where the gap goes. ``--tune``
-also tries blocks and registers. Prints one JSON object; without a card, one line.
+also tries blocks and registers. Prints one JSON object; without a card, one line. On numba's
+simulator of a card (``NUMBA_ENABLE_CUDASIM=1``) it runs a few robots, and times mean nothing.
 """
 
 import itertools
@@ -22,7 +23,7 @@ from snapjump.batch import prepare_designs, variant
 from snapjump.batch.simulate import marches
 from snapjump.composition import Simulation, with_tier
 from snapjump.engine import outcome as c
-from snapjump.engine.cuda.availability import check_card
+from snapjump.engine.cuda.availability import check_card, simulated
 from snapjump.engine.status import NAMES
 from snapjump.scenes.card_march import CardMarch
 from snapjump.scenes.flight import flight
@@ -114,7 +115,9 @@ def copy_bandwidth() -> float:
 
 
 def occupancy(march: CardMarch) -> dict[str, Any]:
-    """Registers, local memory and resident blocks of the marching kernel."""
+    """Registers, local memory and resident blocks of the marching kernel; of a card alone."""
+    if simulated():
+        return {}
     from numba import cuda
 
     from snapjump.engine.cuda import kernels
@@ -224,7 +227,7 @@ def report(
 
     every = grid(points)
     bandwidth = copy_bandwidth()
-    name = cuda.get_current_device().name
+    name = "simulator" if simulated() else cuda.get_current_device().name
     found: dict[str, Any] = {
         "card": name.decode() if isinstance(name, bytes) else str(name),
         "copy_bytes_a_second": bandwidth,

@@ -21,6 +21,7 @@ from ..command import measured
 from ..designs import HIGH, LOW, spread_designs
 from ..grid import RELEASED_SECONDS
 from .clock_rate import cycles_per_microsecond
+from .floors import roofline
 from .measure import measure
 from .split import split
 from .table import page
@@ -47,10 +48,13 @@ def report(
     one, lanes, crew = found[1, 1], found[WIDTH, 1], found[WIDTH, threads]
     simulations = variants(base, spread_designs(64))
     models = [jump_model(simulation) for simulation in simulations]
-    parts = {}
+    parts, rates, roofs = {}, {}, {}
     for width in (1, WIDTH):
         print(f"splitting the time at width {width} ...", file=sys.stderr)
         parts[str(width)] = split(simulations, models, width)
+        rates[str(width)] = cycles_per_microsecond()
+        print(f"counting operations at width {width} ...", file=sys.stderr)
+        roofs[str(width)] = roofline(simulations, models, width)
     figures = {
         "tier": tier,
         "designs": designs,
@@ -67,18 +71,22 @@ def report(
         "jumps_per_second_core": crew.jumps_per_second_core,
         "released_over_ours": RELEASED_SECONDS * crew.jumps_per_second_core,
         "us_of_a_lane_and_pass": parts,
-        "cycles_of_a_node": cycles(parts, len(base.discretization.masses())),
+        "cycles_of_a_node": cycles(parts, len(base.discretization.masses()), rates),
+        "cycles_a_microsecond": rates,
+        "rooflines": roofs,
     }
     if table:
         write_text(Path(table), page(figures))
     return figures
 
 
-def cycles(parts: dict[str, dict[str, float]], nodes: int) -> dict[str, dict[str, int]]:
-    """Cycles of a core for a node of all lanes together, by width and part of a pass."""
-    rate = cycles_per_microsecond()
+def cycles(
+    parts: dict[str, dict[str, float]], nodes: int, rates: dict[str, float]
+) -> dict[str, dict[str, int]]:
+    """Cycles of a core for a node of all lanes together, by width and part of a pass; ``rates``:
+    cycles a microsecond."""
     return {
-        width: {part: round(rate * us * int(width) / nodes) for part, us in row.items()}
+        width: {part: round(rates[width] * us * int(width) / nodes) for part, us in row.items()}
         for width, row in parts.items()
     }
 

@@ -7,7 +7,7 @@ example, that of the assembly with it and without.
 import statistics
 import time
 import timeit
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -101,49 +101,66 @@ def groundless(model: Model, memory: Memory) -> tuple[Model, Memory]:
     return model._replace(contact=NoContact.Law(), friction=NoFriction.Law()), other
 
 
-def pieces(march: March) -> dict[str, float]:
-    """Microseconds of the parts of a Newton iteration of all lanes, at the state they are in."""
-    worker = march.crew[0]
-    lanes = (0,) * march.lanes
-    model, memory = march.models[0], worker.memory
-    free, other = groundless(model, memory)
-
-    def timed(kernel: Any, template: Model, work: Any) -> float:
-        def call(count: int) -> None:
-            kernel(template, march.masses, march.scheme, work, lanes, count)
-
-        call(1)
-        return typical(call, COUNT)
-
-    without = timed(assemble_often, free, other)
-    assembly = timed(assemble_often, model, memory)
-    solution = timed(solve_often, model, memory)
-    iteration = timed(iterate_often, model, memory)
+def pieces(march: March) -> dict[str, tuple[Any, Model, Memory]]:
+    """Kernels, each of which does more of a Newton iteration than the one before, and what they
+    do it with."""
+    model, memory = march.models[0], march.crew[0].memory
     return {
-        "assembly": without,
-        "contact": assembly - without,
-        "solve": solution - assembly,
-        "correction": iteration - solution,
-        "iteration": iteration,
+        "free": (assemble_often, *groundless(model, memory)),
+        "assembly": (assemble_often, model, memory),
+        "solution": (solve_often, model, memory),
+        "iteration": (iterate_often, model, memory),
     }
 
 
-def split(simulations: Sequence[Simulation], models: Sequence[Model], lanes: int) -> dict[str, Any]:
-    """Microseconds of a pass's parts for one lane: means over moments of a march.
+def caller(march: March, kernel: Any, model: Model, memory: Memory) -> Callable[[int], object]:
+    """A function that has a kernel do its piece so many times, and has done it once."""
+    lanes = (0,) * march.lanes
+
+    def call(count: int) -> None:
+        kernel(model, march.masses, march.scheme, memory, lanes, count)
+
+    call(1)
+    return call
+
+
+def timed(march: March) -> dict[str, float]:
+    """Microseconds of the pieces of all lanes, at the state they are in."""
+    return {name: typical(caller(march, *piece), COUNT) for name, piece in pieces(march).items()}
+
+
+def parts(found: Mapping[str, Any]) -> dict[str, Any]:
+    """What each part of a pass adds, of what the pieces and a whole pass take.
 
     ``stages``: what a pass does besides the Newton iteration (stages and steps that begin and
     end, error estimates, the ending, refilling).
     """
-    march = jump_march(simulations, models, lanes=lanes)
-    march.find_starts()
+    return {
+        "assembly": found["free"],
+        "contact": found["assembly"] - found["free"],
+        "solve": found["solution"] - found["assembly"],
+        "correction": found["iteration"] - found["solution"],
+        "stages": found["pass"] - found["iteration"],
+        "pass": found["pass"],
+    }
+
+
+def moments(march: March) -> Iterator[Callable[[int], object]]:
+    """Moments of a march; yields what marches on for so many passes."""
     worker = march.crew[0]
+    march.find_starts()
     march_on(*march.arguments(worker), 1)
-    rows: list[dict[str, float]] = []
     for _ in range(MOMENTS):
         march_on(*march.arguments(worker), PASSES_BETWEEN)
-        whole = typical(lambda count: march_on(*march.arguments(worker), count), PASSES)
-        with untouched(worker.memory):
-            rows.append({**pieces(march), "pass": whole})
-    mean = {key: statistics.mean(row[key] for row in rows) / lanes for key in rows[0]}
-    mean["stages"] = mean["pass"] - mean.pop("iteration")
-    return {key: round(value, 4) for key, value in mean.items()}
+        yield lambda count: march_on(*march.arguments(worker), count)
+
+
+def split(simulations: Sequence[Simulation], models: Sequence[Model], lanes: int) -> dict[str, Any]:
+    """Microseconds of a pass's parts for one lane: means over moments of a march."""
+    march = jump_march(simulations, models, lanes=lanes)
+    rows: list[dict[str, float]] = []
+    for go_on in moments(march):
+        whole = typical(go_on, PASSES)
+        with untouched(march.crew[0].memory):
+            rows.append(parts({**timed(march), "pass": whole}))
+    return {key: round(statistics.mean(row[key] for row in rows) / lanes, 4) for key in rows[0]}

@@ -14,6 +14,12 @@ pytestmark = pytest.mark.slow
 MOST_SPILLED_BYTES = 4096
 # NVIDIA's compiler needs no card; numba-cuda asks for one.
 CAPABILITY = (9, 0)  # of an H100 or H200
+EULER = {"integrator": "implicit_euler"}
+EXACT = {"discretization": "geometrically_exact", "contact": "penalty", "integrator": "bdf2"}
+PAPER = {**EULER, "stepping": "fixed", "friction": "lagged", "damping": "none"}
+EXPLICIT = {"integrator": "central_difference", "contact": "hunt_crossley", "damping": "none"}
+OTHERS = ({"frame": "elastic"}, EXACT, {**EULER, "contact": "signorini"}, PAPER, EXPLICIT)
+PROGRAMS = [("find_starts", {}), ("march", {}), *[("march", members) for members in OTHERS]]
 
 
 class Elsewhere:
@@ -88,21 +94,21 @@ def resources(ptx: str, folder: Path) -> dict[str, int]:
     return {name: int(re.findall(pattern, done.stderr)[-1]) for name, pattern in found.items()}
 
 
-@pytest.mark.parametrize("kernel", ["find_starts", "march"])
-def test_kernel(kernel, monkeypatch, tmp_path):
+@pytest.mark.parametrize(("kernel", "members"), PROGRAMS)
+def test_kernel(kernel, members, monkeypatch, tmp_path):
     from snapjump.engine.cuda import kernels
 
-    arguments = arguments_of(small_march(DESIGNS[:1], 1))[kernel]
+    arguments = arguments_of(small_march(DESIGNS[:1], 1, **members))[kernel]
     ptx = ptx_of(monkeypatch, getattr(kernels, kernel), *arguments)
     assert ".target sm_90" in ptx
     # Products and sums that could still be merged have no rounding mode.
     assert re.findall(r"\b(?:mul|add|sub)\.f64", ptx) == []
     assert "mul.rn.f64" in ptx and "fma.rn.f64" in ptx
     assert not re.search(r"approx|ftz", ptx)
-    # Neither a stack of its own, nor calls: everything is merged into one program.
-    assert "__local_depot" not in ptx
+    # No stack of its own, no memory that threads share, no calls: everything is one program.
+    assert "__local_depot" not in ptx and ".shared" not in ptx
     assert not re.search(r"^\s*call", ptx, re.MULTILINE)
     found = resources(ptx, tmp_path)
     if found:
         assert found["spilled_bytes"] < MOST_SPILLED_BYTES
-        print(found)
+        print(kernel, members, found)
