@@ -57,7 +57,7 @@ def test_without_an_apex_nothing_is_known():
     [
         ("environment.mass_bar", 2.0, 0.02),
         ("damping.relaxation_time_s", 2e-5, 5e-7),
-        ("robot.rotation_rate_rad_s", 5.0, 200.0),
+        ("drive.rate_rad_s", 5.0, 200.0),
         ("environment.mu", 0.5, 0.9),
         ("robot.mount_height", 1.5e-3, 5e-4),
         ("robot.frame_height_m", 0.01, 0.05),
@@ -125,7 +125,7 @@ def test_a_start_that_leaves_out_loading_says_nothing(start):
         ("environment.mu", 3.0),
         ("damping.relaxation_time_s", 0.0),
         ("damping.relaxation_time_s", 1e-8),
-        ("robot.rotation_rate_rad_s", 2000.0),
+        ("drive.rate_rad_s", 2000.0),
         ("contact.stiffness_N_m", 1e12),
         ("friction.velocity_threshold_m_s", 1.0),
         ("friction.velocity_threshold_m_s", 1e-6),

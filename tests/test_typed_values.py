@@ -33,7 +33,8 @@ def test_integers_compile_nothing_anew():
         {
             "design": {"epsilon": 0.2, "delta_alpha": 0},
             "environment": {"mu": 1, "mass_bar": 2},
-            "robot": {"rotation_end_rad": 1, "gravity_m_s2": 10},
+            "robot": {"gravity_m_s2": 10},
+            "drive": {"end_rad": 1},
             "contact": {"name": "penalty", "stiffness_N_m": 100000},
         }
     )

@@ -47,6 +47,7 @@ COARSE = {
             "clamp_mass_kg": 1e-4,
         },
     },
+    "drive": {name: {"right_rate_rad_s": 18.0} for name in ("constant_rate", "smooth_start")},
     "contact": {
         "logbarrier": {"damping_s": 1e-7},
         "penalty": {"stiffness_N_m": 1e4},
@@ -74,6 +75,7 @@ def rattles(choice):
 
 JUMPS = [{"sim": "jump"} | choice for choice in few(sorted(COMPOSITIONS, key=rattles))]
 CHOICES = JUMPS + [{"sim": name} | choice for name, choice in SCENES.items()]
+CHOICES += [{"sim": "snap"} | SCENES["snap"] | {"drive": name} for name in FAMILIES["drive"]]
 
 
 def tried(choice):

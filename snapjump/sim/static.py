@@ -16,7 +16,7 @@ from snapjump.declare.outputs import output
 from snapjump.engine.status import BRANCH_LOST, NAMES, NO_EQUILIBRIUM, NO_SNAP, OK, REASONS
 from snapjump.results import Result
 from snapjump.scenes.march_outputs import RunOutputs
-from snapjump.sim.base import AT_REST, NEEDS_NO_GROUND, Progress, SceneOptions
+from snapjump.sim.base import AT_REST, NEEDS_NO_GROUND, TURNS, Progress, SceneOptions
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.branch import Branch, Point
 from snapjump.statics.critical import NoSnapError, NoStartError, Snap, find_snap, start_point
@@ -136,7 +136,7 @@ class Static(SceneOptions):
     tells = ("design.epsilon", "design.delta_alpha")
     chooses = AT_REST
     outputs = StaticOutputs
-    needs = NEEDS_NO_GROUND
+    needs = (*NEEDS_NO_GROUND, TURNS)
 
     steps: int = integer(120, least=10, most=100_000)
 

@@ -9,6 +9,8 @@ from robots import BASELINE as FINE
 from snapjump.batch import simulate_designs
 from snapjump.batch.sensitivities import NEAREST, Slopes, apex_sensitivities
 from snapjump.checks import ParameterError
+from snapjump.drag.none import NoDrag
+from snapjump.drag.quadratic import QuadraticDrag
 from snapjump.engine import outcome as c
 from snapjump.engine.load.gravity import Gravity
 from snapjump.engine.status import OK
@@ -73,29 +75,32 @@ def test_what_physics_asks_of_them(batch):
     assert np.abs(even[1:]).max() < 1e-6 * abs(even[0])
 
 
-def test_gravity_moves_the_ballistic_flight_too():
+@pytest.mark.parametrize("share", [None, 0.01])
+def test_gravity_and_drag_move_the_flight_too(share):
     """An apex is read off as flights are, with made-up slopes of all that it depends on."""
-    slopes = np.array([0.3, -0.2, 1.5, 0.7, 0.9])  # of x, y, vx, vy and gravity
+    slopes = np.array([0.3, -0.2, 1.5, 0.7, 0.9, 0.02])  # of x, y, vx, vy, gravity and drag
 
     def at(way):
         outcome = np.zeros((1, c.COLUMNS))
         outcome[0, c.STATUS] = OK
-        values = np.array([0.1, 0.6, 2.0, 5.0, 3.0]) + way * slopes
+        values = np.array([0.1, 0.6, 2.0, 5.0, 3.0, share or 0.0]) + way * slopes
         outcome[0, [c.COM_X, c.COM_Y, c.COM_VX, c.COM_VY]] = values[:4]
-        return outcome, Gravity(values[4], 0.8, 0.6)
+        gravity = Gravity(*(np.array([value]) for value in (values[4], 0.8, 0.6, 0.0)))
+        return gravity, outcome, QuadraticDrag.Law(values[5:]) if share else NoDrag.Law()
 
-    outcome, fall = at(0.0)
-    ahead, behind = (flight(0.0, there[1], there[0]) for there in (at(1e-6), at(-1e-6)))
-    load = np.array([slopes[4], 0.0, 0.0])[None, :, None]
-    given = Slopes(slopes[None, :4, None], load, np.ones(1))
-    found = apex_sensitivities(outcome, fall, given)
-    assert found.dx_bar[0, 0] == pytest.approx((ahead.apex_x - behind.apex_x)[0] / 2e-6, rel=1e-8)
-    assert found.dy_bar[0, 0] == pytest.approx((ahead.apex_y - behind.apex_y)[0] / 2e-6, rel=1e-8)
+    fall, outcome, air = at(0.0)
+    ahead, behind = (flight(0.0, *at(way)) for way in (1e-6, -1e-6))
+    load = np.array([slopes[4], 0.0, 0.0, 0.0])[None, :, None]
+    given = Slopes(slopes[None, :4, None], load, slopes[None, 6 - len(air) :, None], np.ones(1))
+    found = apex_sensitivities(outcome, fall, air, given)
+    close = 1e-6 if share else 1e-8
+    assert found.dx_bar[0, 0] == pytest.approx((ahead.apex_x - behind.apex_x)[0] / 2e-6, rel=close)
+    assert found.dy_bar[0, 0] == pytest.approx((ahead.apex_y - behind.apex_y)[0] / 2e-6, rel=close)
 
 
 def test_inputs_that_are_none_of_the_four():
     """They are the same for a robot alone and beside others, without a curve."""
-    inputs = ("robot.gravity_m_s2", "robot.rotation_rate_rad_s")
+    inputs = ("robot.gravity_m_s2", "drive.rate_rad_s")
     found = simulate_designs(BASE, np.array([[10.0, 20.0]]), inputs=inputs, sensitivities=True)
     assert found.status == ["ok"] and found.sensitivities.dy_bar.shape == (1, 2)
     alone = simulate_designs(BASE, np.array([[20.0]]), inputs=inputs[1:], sensitivities=True)

@@ -123,7 +123,7 @@ def test_refused_rows_say_what_they_say_alone(with_curve):
 
 
 def test_clamps_that_stop_too_early_and_robots_without_weight():
-    paths = ("robot.rotation_end_rad", "robot.gravity_m_s2")
+    paths = ("drive.end_rad", "robot.gravity_m_s2")
     rows = np.array([(0.2, 10.0), (1.5, 10.0), (1.5, 0.0), (1.4, 5.0), (1.5, 0.01), (1.6, 10.0)])
     ready = prepare_designs(BASE, rows, None, paths)
     assert ready.chosen.tolist() == [1, 3, 4] and ready.alike is not None

@@ -59,6 +59,7 @@ for name, cls in EVERY["integrator"].items():
 MAY_BE_NONE = {("plan", field) for field in RANGE_OF}
 MAY_BE_NONE |= {("integrator", "weights"), ("integrator", "embedded")}
 MAY_BE_NONE |= {("frame", "mass_centre_height_m"), ("frame", "inertia_kg_m2"), ("drag", "area_m2")}
+MAY_BE_NONE |= {("drive", "right_rate_rad_s")}
 MAY_BE_NONE |= {
     ("robot", "yield_stress_Pa"),
     ("backend", "threads"),

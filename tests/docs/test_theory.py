@@ -12,7 +12,16 @@ TEXT = text_of(THEORY)
 POINTERS = re.findall(r"\]\(([^)#\s]+)\)", TEXT)
 QUOTED = re.findall(r"`((?:tests|snapjump|experiments)/[^`]+)`", TEXT)
 # What has equations: a file of theirs that the page has to point at.
-EQUATIONS = ("contact", "damping", "discretization", "drag", "friction", "integrator", "stepping")
+EQUATIONS = (
+    "contact",
+    "damping",
+    "discretization",
+    "drag",
+    "drive",
+    "friction",
+    "integrator",
+    "stepping",
+)
 
 
 @of_all_families

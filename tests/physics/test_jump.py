@@ -10,6 +10,7 @@ from scaled import Factors, scaled
 
 from snapjump import Design, Environment, ParameterError, Robot, simulate_jump
 from snapjump.composition import with_tier
+from snapjump.drive.constant_rate import ConstantRate
 from snapjump.scenes.jump_start import critical, start_angle_rad
 from snapjump.statics.critical import find_snap
 from snapjump.stepping.adaptive import AdaptiveStep
@@ -133,13 +134,12 @@ def test_mirrored_mismatch_and_slope_mirror_the_jump(slope):
     steps raise that to a share of their tolerance.
     """
     lag = 0.1
-    robot = Robot()
     uphill, downhill = (Environment(slope_rad=sign * slope) for sign in (1.0, -1.0))
     right = jump(design=Design(0.2, lag), environment=uphill, stepping=TIGHT)
     left = jump(
         design=Design(0.2, -lag),
         environment=downhill,
-        robot=replace(robot, rotation_end_rad=robot.rotation_end_rad - lag),
+        drive=ConstantRate(end_rad=1.5 - lag),
         stepping=TIGHT,
     )
     assert left.x_bar == pytest.approx(-right.x_bar, rel=1e-3)

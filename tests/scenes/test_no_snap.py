@@ -15,9 +15,9 @@ from snapjump.statics.arch import StaticArch
 
 DEFAULTS = {
     "length_m": 0.02, "width_m": 0.01, "thickness_m": 5e-5, "youngs_modulus_Pa": 2e11,
-    "density_kg_m3": 5000.0, "rotation_rate_rad_s": 20.0,
+    "density_kg_m3": 5000.0,
 }  # fmt: skip
-TIMES = {"duration_s": 0.06, "rise_time_s": 1e-3, "sample_interval_s": 5e-5}
+TIMES = {"duration_s": 0.06, "sample_interval_s": 5e-5}
 STRAIGHT = {"epsilon": 1e-5, "delta_alpha": 0.0}
 TURNED_FAR = {"epsilon": 0.006, "delta_alpha": -0.4}
 

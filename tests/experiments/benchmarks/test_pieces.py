@@ -8,7 +8,6 @@ from scipy.integrate import solve_ivp
 
 from experiments.benchmarks.cascade.jumps import AIR_KG_M3, COEFFICIENT, between, mass_bar, risen
 from experiments.benchmarks.cubes.scenes import restitution_of
-from experiments.benchmarks.rotations.one_turns import OneTurns
 from experiments.benchmarks.scaling import scaling_of
 from experiments.benchmarks.symmetries.angles import at_zero
 from snapjump.composition import with_tier
@@ -68,15 +67,3 @@ def test_a_mass_and_what_is_not_known():
 def test_a_restitution_by_its_dissipation(restitution):
     dissipation = damping_number(restitution) / 2.0
     assert restitution_of(dissipation, 2.0) == pytest.approx(restitution, abs=1e-9)
-
-
-def test_one_clamp_turns_and_the_other_stays():
-    clamp = OneTurns(start=0.1, rate=0.5, rise_time=2.0)
-    begun, later = clamp.angles(0.0), clamp.angles(50.0)
-    assert (begun.left, begun.right, begun.left_rate) == (0.1, 0.0, 0.0)
-    assert later.right == later.right_rate == 0.0
-    assert later.left == pytest.approx(
-        0.1 + 0.5 * (50.0 - 2.0)
-    ) and later.left_rate == pytest.approx(0.5)
-    ahead, behind = (clamp.angles(3.0 + s).left for s in (1e-6, -1e-6))
-    assert clamp.angles(3.0).left_rate == pytest.approx((ahead - behind) / 2e-6)

@@ -59,7 +59,7 @@ def test_a_swing_is_the_snap_of_the_library():
 
 def test_a_beam_that_does_not_snap_has_no_numbers():
     groups = snap_groups(STANDARD, "standard")
-    groups["robot"] = {**groups["robot"], "rotation_end_rad": 0.3}
+    groups["drive"] = {**groups["drive"], "end_rad": 0.3}
     row = outcome(follow(snap_of(groups, 0.1, 0.1)))
     assert row["status"] == "ok" and row["theta_max_rad"] is None
 
