@@ -8,21 +8,21 @@ import numpy as np
 
 from snapjump.arrays import Array
 from snapjump.inverse.base import Problem, Solution
-from snapjump.plan.parts.axes import default_axes
 from snapjump.results import Result
 from snapjump.targets.answer import Answer
+from snapjump.targets.manufacturing import OnePercent
 from snapjump.targets.robust import Comparison, Scatter
 
 
 @dataclass(frozen=True)
 class Designed:
-    """``chosen``: the design; ``costs_bar`` (4,): what 1 % of each parameter moves its apex by;
-    ``jump``: its simulation; ``robust``: where a robust design was asked for; ``trained``: what the
-    forward model says of itself; ``warning``: why it was not asked."""
+    """``chosen``: the design; ``costs``: what 1 % of each input moves its apex by; ``jump``: its
+    simulation; ``robust``: where a robust design was asked for; ``trained``: what the forward model
+    says of itself; ``warning``: why it was not asked."""
 
     answer: Answer
     chosen: Solution
-    costs_bar: Array
+    costs: OnePercent
     jump: Result
     robust: Comparison | None
     trained: Mapping[str, Any]
@@ -82,10 +82,14 @@ class Designed:
             "forward_model_accuracy": dataset["specification"]["configuration"]["accuracy"]["name"],
             **({"warning": self.warning} if self.warning else {}),
         }
-        for axis, cost in zip(default_axes(), self.costs_bar.tolist(), strict=True):
-            known, name = np.isfinite(cost), axis.slope
+        for name, cost in self.costs.costs.items():
+            known = np.isfinite(cost)
             found[f"one_percent_{name}_bar"] = cost if known else None
             found[f"one_percent_{name}_m"] = cost * length_m if known else None
+        numerical = self.costs.numerical_bar
+        found["numerical_error_bar"] = numerical if np.isfinite(numerical) else None
+        if self.costs.because:
+            found["one_percent_unknown_because"] = self.costs.because
         if self.robust is not None:
             found["robust_seconds"] = self.robust.seconds
             found |= controls("plain_", self.robust.plain)

@@ -58,7 +58,15 @@ def model_uncertainty(
     Raises ParameterError for another scene, a tolerance out of range, or a robot that is refused.
     """
     simulation = with_tier(simulation) if isinstance(simulation, str) else simulation
-    table = checked(tolerances)
+    return simulated_table(simulation, checked(tolerances), progress)
+
+
+def simulated_table(
+    simulation: Simulation,
+    table: Mapping[str, Tolerance | Choice],
+    progress: Progress | None = None,
+) -> ModelUncertainty:
+    """The same by a checked table. Raises ParameterError for a simulation that is refused."""
     check_base(simulation)
     base = built(simulation)
     trials, nominals, left_out = [], {}, {}

@@ -49,6 +49,12 @@ class Influence:
         known = np.where(np.isnan(sizes), -1.0, sizes).max(axis=0)
         return np.where(known < 0.0, np.nan, known)
 
+    @property
+    def half_distance(self) -> float:
+        """Half the distance (L) between the apexes either way; NaN where one of them is not."""
+        first, last = (one.change for one in (self.sides[0], self.sides[-1]))
+        return 0.5 * float(np.hypot(*(last - first)))
+
 
 @dataclass(frozen=True, repr=False)
 class ModelUncertainty:

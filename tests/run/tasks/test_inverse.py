@@ -78,6 +78,11 @@ def test_the_command_line(command, checkpoint, tmp_path):
     assert result["error_bar"] < 0.03
     assert result["error_m"] == pytest.approx(0.02 * result["error_bar"])
     assert (folder / "inverse.png").stat().st_size > 10_000
+    costs = [key for key in result if key.startswith("one_percent_") and key.endswith("_bar")]
+    assert costs[0] == "one_percent_thickness_m_bar" and len(costs) > 15
+    assert {f"one_percent_{name}_bar" for name in ("epsilon", "delta_alpha", "mu")} < {*costs}
+    assert result["one_percent_mu_m"] == pytest.approx(0.02 * result["one_percent_mu_bar"])
+    assert "thickness_m" in done.stdout
     for word in (
         "target x",
         "design",
