@@ -63,6 +63,7 @@ class Designed:
             "mount_height_bar": self.jump.summary.get("mount_height_bar"),
             **point("predicted", self.predicted),
             **point("simulated", self.simulated),
+            **self._on_level(),
             "error_bar": missed,
             "error_m": None if missed is None else missed * length_m,
             "solve_seconds": self.answer.seconds,
@@ -96,6 +97,16 @@ class Designed:
             found |= spread("plain", self.robust.plain_scatter)
             found |= spread("robust", self.robust.robust_scatter)
         return found
+
+    def _on_level(self) -> dict[str, Any]:
+        """The slope, and the simulated apex on the level and along the plumb; nothing where the
+        ground is level."""
+        slope_rad = self.jump.simulation.environment.slope_rad
+        if slope_rad == 0.0:
+            return {}
+        jump, flew = self.jump, self.simulated is not None
+        place = np.array([jump.x_world_bar, jump.y_world_bar]) if flew else None
+        return {"slope_rad": slope_rad, **point("level", place)}
 
 
 def point(name: str, place: Array | None) -> dict[str, Any]:

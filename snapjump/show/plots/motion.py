@@ -34,6 +34,7 @@ class Motion(Poses):
     length_m: float
     velocity: Array | None  # (2,) of the centre of mass at the last sample, L/ms, if it flies
     gravity: float  # L/ms^2
+    slope_rad: float  # of the ground, along and across which x and y are
     turning: float  # rad/ms of the frame in flight
     pad_x: Array  # (M, P) where the ground pushes: centre of pressure of the beam, then corners
     pad_force: Array  # (M, P, 2) friction and normal force there, over the robot's weight
@@ -41,6 +42,18 @@ class Motion(Poses):
     @property
     def count(self) -> int:
         return len(self.time)
+
+    @property
+    def weight(self) -> Array:
+        """Acceleration (2,) of a free flight, L/ms^2."""
+        return -self.gravity * np.array([np.sin(self.slope_rad), np.cos(self.slope_rad)])
+
+    @property
+    def rise_ms(self) -> float:
+        """Time from the last sample to the highest point against gravity; 0 or less if it falls."""
+        if self.velocity is None or self.gravity <= 0.0:
+            return 0.0
+        return -float(self.velocity @ self.weight) / self.gravity**2
 
     @property
     def is_beam(self) -> bool:
@@ -94,6 +107,7 @@ def read_motion(result: Any) -> Motion | None:
         length_m=length,
         velocity=None if speed is None or result.status != "ok" else speed[-1, 0] * 1e-3,
         gravity=gravity / length * 1e-6,
+        slope_rad=result.simulation.environment.slope_rad,
         turning=0.0 if corners is None else _turning_rate(time, corners),
         pad_x=pad_x,
         pad_force=pad_force,
@@ -113,8 +127,7 @@ def poses(motion: Motion, times: Array) -> Poses:
     if motion.centre is not None:
         centre = moved = (1.0 - part) * motion.centre[left] + part * motion.centre[right]
     if centre is not None and motion.velocity is not None:
-        moved = centre + after[:, None] * motion.velocity
-        moved[:, 1] -= 0.5 * motion.gravity * after**2
+        moved = centre + after[:, None] * (motion.velocity + 0.5 * after[:, None] * motion.weight)
 
     def placed(points: Array | None) -> Array | None:
         if points is None:

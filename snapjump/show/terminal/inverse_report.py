@@ -17,7 +17,8 @@ def inverse_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> lis
     """Lines of (heading, text); numbers that there are not are left out."""
     title = (
         f"target {point(summary, 'target')}, mu {number(config['environment']['mu'])}, "
-        f"mass_bar {number(config['environment']['mass_bar'])}, by {config['inverse']['name']}"
+        f"mass_bar {number(config['environment']['mass_bar'])}, {sloping(summary)}"
+        f"by {config['inverse']['name']}"
     )
     if "target_x_bar" not in summary:  # it was interrupted
         return [("inverse", f"by {config['inverse']['name']}")]
@@ -27,6 +28,7 @@ def inverse_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> lis
         ("design", controls(summary, "")),
         ("predicted", point(summary, "predicted")),
         ("simulated", point(summary, "simulated", length_mm)),
+        ("on level", point(summary, "level", length_mm)),
         ("error", length(summary["error_bar"], length_mm)),
         ("build", built(config, summary)),
         ("1 % of", costs(summary, length_mm)),
@@ -36,6 +38,12 @@ def inverse_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> lis
         ("accuracy", accuracy_line(config, summary)),
         ("cost", cost(summary)),
     ]
+
+
+def sloping(summary: Mapping[str, Any]) -> str:
+    """The ground's slope, along and across which apexes are; nothing on level ground."""
+    slope_rad = summary.get("slope_rad")
+    return "" if slope_rad is None else f"slope {number(slope_rad)} rad, "
 
 
 def length(value: float | None, length_mm: float) -> str:

@@ -7,12 +7,15 @@ from typing import Any
 import numpy as np
 import pytest
 
+from snapjump import Environment
+from snapjump.composition import with_tier
 from snapjump.show.plots.film import film_times
 from snapjump.show.plots.instants import instants, middle_height, snap_interval
 from snapjump.show.plots.jump import apex_of, milliseconds
 from snapjump.show.plots.ledger import Ledger, read_ledger
 from snapjump.show.plots.motion import Motion, poses, read_motion
 from snapjump.show.plots.trajectory import flight_end
+from snapjump.simulation import simulate
 
 from .conftest import of
 
@@ -55,6 +58,18 @@ def test_flight_ends_at_the_apex_and_keeps_shape_and_turning(jump):
     angle = np.arctan2(above, along)
     turned = (angle[1] - angle[0] - motion.turning * (end - motion.time[-1])) / (2 * np.pi)
     assert turned == pytest.approx(round(turned), abs=1e-9)
+
+
+@pytest.mark.parametrize("slope_rad", [-0.1, 0.1])
+def test_on_a_slope_the_flight_ends_at_the_apex_too(slope_rad):
+    simulation = with_tier("draft", environment=Environment(slope_rad=slope_rad))
+    sloping = simulate(simulation)
+    motion = motion_of(sloping)
+    end = flight_end(motion, None)
+    assert end == pytest.approx(milliseconds(sloping, "apex_time_s"))
+    flown = poses(motion, np.array([end]))
+    assert flown.centre is not None
+    assert flown.centre[0] == pytest.approx([sloping.x_bar, sloping.y_bar])
 
 
 def test_middle_height_is_measured_in_the_frame(jump):
