@@ -1,16 +1,29 @@
 """Motion for pictures: a result's arrays in units of L and ms, and poses at any time."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+
+from snapjump.scenes.bending import place_bar
 
 Array = np.ndarray
 NAMES = (
     *("time_s", "node_x_m", "node_y_m", "corner_x_m", "corner_y_m", "clamp_left_rad"),
     *("com_x_m", "com_y_m", "com_vx_m_s", "com_vy_m_s"),
     *("node_normal_N", "node_friction_N", "corner_normal_N", "corner_friction_N"),
+    "node_strain",
 )
+
+
+class Bent(NamedTuple):
+    """The largest bending strain: at which sample and node, where along the beam (L), and how
+    much."""
+
+    sample: int
+    node: int
+    place: float
+    strain: float
 
 
 @dataclass(frozen=True)
@@ -38,6 +51,7 @@ class Motion(Poses):
     turning: float  # rad/ms of the frame in flight
     pad_x: Array  # (M, P) where the ground pushes: centre of pressure of the beam, then corners
     pad_force: Array  # (M, P, 2) friction and normal force there, over the robot's weight
+    bent: Bent | None  # None of what has no strain
 
     @property
     def count(self) -> int:
@@ -111,6 +125,7 @@ def read_motion(result: Any) -> Motion | None:
         turning=0.0 if corners is None else _turning_rate(time, corners),
         pad_x=pad_x,
         pad_force=pad_force,
+        bent=_most_bent(data, result),
     )
 
 
@@ -148,6 +163,16 @@ def _carry(points: Array, old: Array, new: Array, angle: Array) -> Array:
     dx, dy = np.moveaxis(points - old[:, None], -1, 0)
     x, y = new[:, :1] + cos * dx - sin * dy, new[:, 1:] + sin * dx + cos * dy
     return np.stack([x, y], axis=-1)
+
+
+def _most_bent(data: dict[str, Array], result: Any) -> Bent | None:
+    """Where and when the beam's outer fibres are strained most."""
+    if "node_strain" not in data:
+        return None
+    size = np.abs(data["node_strain"])
+    sample, node = divmod(int(size.argmax()), size.shape[1])
+    place = place_bar(result.simulation.discretization, node)
+    return Bent(sample, node, place, float(size[sample, node]))
 
 
 def _turning_rate(time: Array, corners: Array) -> float:

@@ -96,6 +96,16 @@ def test_moments_are_named_in_order_and_eight(jump):
     assert len(instants(motion, None, wanted=3)) >= 3
 
 
+def test_the_largest_strain_is_where_and_when_the_outputs_say(jump):
+    motion = motion_of(jump)
+    assert motion.bent is not None
+    assert motion.bent.strain == jump.max_strain and motion.bent.place == jump.max_strain_at_bar
+    assert motion.time[motion.bent.sample] == pytest.approx(1e3 * jump.max_strain_time_s)
+    assert motion.bent.sample in dict(instants(motion, milliseconds(jump, "liftoff_time_s")))
+    without = {name: values for name, values in jump.arrays.items() if name != "node_strain"}
+    assert motion_of(of(jump, arrays=without)).bent is None
+
+
 def test_only_what_jumped_flies(jump):
     fallen = of(jump, status="no_jump")
     motion = motion_of(fallen)
