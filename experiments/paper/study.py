@@ -10,6 +10,7 @@ from snapjump.checks import ParameterError, check_choice
 from snapjump.composition import with_tier
 from snapjump.dataset.specification import first_difference
 from snapjump.files.sources import Source, combined_hash
+from snapjump.robot.robot import Robot
 from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Row, Section, Table
 from snapjump.run.studies.fingerprint import sources
 from snapjump.run.studies.study import Study
@@ -94,9 +95,10 @@ class Paper(Study):
             of[name][label.removeprefix(f"{name}: ")] = one
         found = {name: part.conclude(of[name]) for name, part in self.parts.items()}
         statements = [one for part in found.values() for one in part.statements]
+        gravity = Robot().gravity_m_s2
         judged = Section(
             "Statement by statement",
-            WORDS.paragraphs("introduction", paper=TIERS["paper"].numbers),
+            WORDS.paragraphs("introduction", paper=TIERS["paper"].numbers, gravity=gravity),
             tables={
                 "statements": Table(WORDS("caption statements"), statement_rows(statements)),
                 "limits": Table(WORDS("caption limits"), limit_rows()),
@@ -109,6 +111,7 @@ class Paper(Study):
             figures={},
             sections=[judged, *(part.section for part in found.values())],
             summary={
+                "gravity_m_s2": gravity,
                 **{f"statements_{v.replace(' ', '_')}": count(statements, v) for v in VERDICTS},
                 **{key: value for part in found.values() for key, value in part.summary.items()},
             },
