@@ -6,10 +6,10 @@
     jump.plot()        # in a notebook; .film() too, .to_frame(), .arrays
 
 One jump: :func:`simulate_jump`; many: :func:`simulate_designs`; other scenes and modules:
-:func:`build` and :func:`simulate`. Datasets: :func:`load_dataset`; learned apexes:
-:func:`forward_model`; the design that reaches a target: :func:`inverse_design`. Members of one's
-own: :func:`load_plugins`. Names are loaded when they are first used, so that importing the package
-costs nothing.
+:func:`build` and :func:`simulate`; how far off a jump may be: :func:`model_uncertainty`. Datasets:
+:func:`load_dataset`; learned apexes: :func:`forward_model`; the design that reaches a target:
+:func:`inverse_design`. Members of one's own: :func:`load_plugins`. Names are loaded when they are
+first used, so that importing the package costs nothing.
 """
 
 import os
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from snapjump.simulation import simulate as simulate
     from snapjump.simulation import simulate_jump as simulate_jump
     from snapjump.targets.design import inverse_design as inverse_design
+    from snapjump.uncertainty.parts.simulated import model_uncertainty as model_uncertainty
 
 __version__ = "0.1.0"
 # numba reads it when it is imported: a tenth of the time of compiling goes into colours of messages
@@ -46,6 +47,7 @@ _HOMES = {
     "load_dataset": "snapjump.dataset.read",
     "forward_model": "snapjump.learning.forward_model",
     "inverse_design": "snapjump.targets.design",
+    "model_uncertainty": "snapjump.uncertainty.parts.simulated",
     "load_plugins": "snapjump.declare.plugins",
     "Robot": "snapjump.robot.robot",
     "Design": "snapjump.robot.design",

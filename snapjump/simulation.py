@@ -21,7 +21,7 @@ GROUPS = (*PLAIN, *FAMILIES, "accuracy")
 # Of a whole configuration, what is about the run.
 OF_SOME_TASKS = (
     *("dataset", "plan", "executor", "surrogate", "training", "checkpoint"),
-    *("inverse", "target", "tolerance", "figure"),
+    *("inverse", "target", "tolerance", "figure", "uncertainty"),
 )
 OF_RUNS = (
     *("task", "tracking", "figures", "seed", "effort", "publish", "plugins", "objective"),

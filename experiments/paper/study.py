@@ -7,6 +7,7 @@ from typing import Any
 from snapjump.checks import ParameterError, check_choice
 from snapjump.composition import with_tier
 from snapjump.dataset.specification import first_difference
+from snapjump.robot.robot import Robot
 from snapjump.run.studies.base import OK, Cell, Conclusion, Done, Section, Table
 from snapjump.run.tasks.base import SIMULATION
 from snapjump.show.terminal.block import markdown_table
@@ -74,9 +75,10 @@ class Paper(Parted):
         """The table of statements, then a section for each part."""
         found = self.found(done)
         statements = [one for part in found.values() for one in part.statements]
+        gravity = Robot().gravity_m_s2
         judged = Section(
             "Statement by statement",
-            WORDS.paragraphs("introduction", paper=TIERS["paper"].numbers),
+            WORDS.paragraphs("introduction", paper=TIERS["paper"].numbers, gravity=gravity),
             tables={
                 "statements": Table(WORDS("caption statements"), statement_rows(statements)),
                 "limits": Table(WORDS("caption limits"), limit_rows()),
@@ -89,6 +91,7 @@ class Paper(Parted):
             figures={},
             sections=[judged, *(part.section for part in found.values())],
             summary={
+                "gravity_m_s2": gravity,
                 **{f"statements_{v.replace(' ', '_')}": count(statements, v) for v in VERDICTS},
                 **{key: value for part in found.values() for key, value in part.summary.items()},
             },

@@ -58,7 +58,7 @@ class Released(Study):
         if full.status != OK:
             raise RuntimeError(f"the released settings could not be run: {full.message}")
         x, y = percents(full)
-        summary = data.figures(x, y)
+        summary, gravity = data.figures(x, y), composed(released()).robot.gravity_m_s2
         overall = [{"settings": ALL, "rows": len(x), **summary}]
         if limit.status == OK:
             far = percents(limit)
@@ -77,7 +77,7 @@ class Released(Study):
                 f"difference of {summary['y_median_percent']:.2g} % in y and "
                 f"{summary['x_median_percent']:.2g} % in x; {data.share_within(y, 2.0):.0f} % are "
                 f"within 2 % in y, {data.share_within(x, 5.0):.0f} % within 5 % in x, "
-                f"{summary['failed']} failed.",
+                f"{summary['failed']} failed. Gravity is {gravity:g} m/s^2.",
                 *(
                     f"The converged answer for the same designs is "
                     f"{row['y_median_percent']:.2g} % away in y and "
@@ -103,7 +103,12 @@ class Released(Study):
                     partial(draw_comparison, full.rows),
                 )
             },
-            summary={"rows": len(x), "ms_per_jump": float(np.mean(full.column("ms"))), **summary},
+            summary={
+                "gravity_m_s2": gravity,
+                "rows": len(x),
+                "ms_per_jump": float(np.mean(full.column("ms"))),
+                **summary,
+            },
         )
 
 

@@ -1,7 +1,9 @@
 """``python run.py task=robustness``: random designs, random nonsense, and what becomes of each."""
 
+import math
 from collections.abc import Mapping, Sequence
 from functools import partial
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -26,8 +28,13 @@ HIGH = (0.28, 0.4, 2.85, 0.85)
 # The statics of an epsilon take longer than a jump: designs share so many.
 EPSILONS = 256
 PART = 1000  # designs of a cell
+SLOPING = 10  # of so many designs one more is on a slope
+STEEPEST = 0.9  # of the slopes on which friction holds the robot
 MOST_ITERATIONS = 2e5
 DESIGNS, CONFIGURATIONS = (10_000, 100_000), (500, 5_000)  # quick, full
+
+
+SLOPES = "designs on slopes"
 
 
 class Robustness(Study):
@@ -53,6 +60,10 @@ class Robustness(Study):
             count = min(PART, designs - first)
             inputs = {**shared, "groups": base, "first": first, "count": count}
             cells.append(Cell(f"designs {first} to {first + count - 1}", inputs))
+        sloping = designs // SLOPING
+        if sloping:
+            inputs = {**shared, "groups": base, "first": designs, "count": sloping}
+            cells.append(Cell(SLOPES, {**inputs, "steepest": STEEPEST}))
         return cells
 
     def compute(self, cell: Cell) -> list[Row]:
@@ -62,28 +73,34 @@ class Robustness(Study):
                 *map(configuration_row, invalid_configurations(inputs["count"], inputs["seed"]))
             ]
         designs = random_designs(inputs["count"], (inputs["seed"], inputs["first"]))
+        if cell.name == SLOPES:
+            designs = on_slopes(designs, inputs["steepest"], inputs["seed"])
         point = {"across": "", "up": "", "groups": inputs["groups"]}
         rows = jump_rows([point], designs, MOST_ITERATIONS)
         return [
-            dict(zip(COLUMNS, designs[row["design"]], strict=True))
+            dict(zip((*COLUMNS, "slope_rad"), designs[row["design"]], strict=False))
             | {k: v for k, v in row.items() if k not in ("across", "up", "design")}
             for row in rows
         ]
 
     def conclude(self, done: Mapping[str, Done]) -> Conclusion:
-        rows = [row for name, cell in done.items() if name != "configurations" for row in cell.rows]
         configurations = done["configurations"].rows
-        counts = dict(by_status(rows).most_common())
+        on_level = [cell.rows for name, cell in done.items()
+                    if name not in ("configurations", SLOPES)]  # fmt: skip
+        rows, sloping = [*chain(*on_level)], done[SLOPES].rows if SLOPES in done else []
+        counts, tilted = (dict(by_status(some).most_common()) for some in (rows, sloping))
         promise = TIERS[TIER].promise_percent
         violations = [
             {"rule": rule, **row}
-            for row in rows
+            for row in (*rows, *sloping)
             for rule in broken(row, MOST_ITERATIONS, promise, "logbarrier")
         ]
         wrong = [row for row in configurations if row["outcome"] != REFUSED]
         summary = {
             "designs": len(rows),
             **{f"status_{name}": count for name, count in counts.items()},
+            "designs_on_slopes": len(sloping),
+            **{f"status_on_slopes_{name}": count for name, count in tilted.items()},
             **{f"broken_{r}": sum(v["rule"] == r for v in violations) for r in RULES},
             **figures_of(rows),
             "configurations": len(configurations),
@@ -96,6 +113,10 @@ class Robustness(Study):
                 + ", ".join(f"{n} {name}" for name, n in counts.items())
                 + "; " + ", ".join(f"{summary[f'broken_{rule}']} x {text}"
                                    for rule, text in RULES.items() if rule != "silent") + ".",
+                f"{len(sloping)} more, on slopes of up to {STEEPEST:g} of the steepest on which "
+                "friction holds the robot: "
+                + (", ".join(f"{n} {name}" for name, n in tilted.items()) or "none")
+                + ". Tables of failures and broken rules have both.",
                 f"The slowest took {summary['most_newton_iterations']:.0f} Newton iterations (the "
                 f"median {summary['median_newton_iterations']:.0f}); the smallest gap was "
                 f"{summary['smallest_gap_m']:.2g} m; {summary['within_tier_percent']:.3g} % of the "
@@ -106,7 +127,7 @@ class Robustness(Study):
             tables={
                 "statuses": Table("Designs by status", [counts]),
                 "failures": Table("Designs that failed", [
-                    failure(row) for row in rows if row["status"] not in ENDED][:50]),
+                    failure(row) for row in (*rows, *sloping) if row["status"] not in ENDED][:50]),
                 "violations": Table("Rules that were broken", violations[:50]),
                 "configurations": Table("Invalid configurations by kind",
                                         kinds(configurations)),
@@ -130,9 +151,25 @@ def random_designs(count: int, seed: Sequence[int]) -> list[tuple[float, ...]]:
     return [tuple(float(v) for v in row) for row in values]
 
 
+def on_slopes(
+    designs: Sequence[Sequence[float]], steepest: float, seed: int
+) -> list[tuple[float, ...]]:
+    """Designs with a slope (rad) besides, uniform up to a share of the steepest, either way, on
+    which their friction holds the robot."""
+    shares = np.random.default_rng(seed).uniform(-steepest, steepest, len(designs))
+    return [
+        (*row, share * math.atan(row[3]))
+        for row, share in zip(designs, shares.tolist(), strict=True)
+    ]
+
+
 def failure(row: Row) -> Row:
     """The columns of the table of failures."""
-    return {key: row[key] for key in (*COLUMNS, "status", "newton_iterations") if key in row}
+    return {
+        key: row[key]
+        for key in (*COLUMNS, "slope_rad", "status", "newton_iterations")
+        if key in row
+    }
 
 
 def kinds(configurations: Sequence[Row]) -> list[Row]:

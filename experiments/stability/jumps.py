@@ -9,12 +9,14 @@ from snapjump.batch import simulate_batch, variant
 from snapjump.batch.alike import OF_ONE_KIND, SAME
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
+from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.run.studies.base import REFUSED, Row
 from snapjump.scenes.jump_start import jump_model
 
 from ..compositions import composed
 
 LANES = 8
+INPUTS = (*DEFAULT_INPUTS, "environment.slope_rad")  # of designs, which may end before the last
 KEPT = (
     "status", "x_bar", "y_bar", "min_gap_m", "newton_iterations", "error_sum_bar",
     "coarsest_contact_step", "x_error_estimate_percent", "y_error_estimate_percent", "within_tier",
@@ -39,7 +41,7 @@ def jump_rows(
             try:
                 simulation = composed(point["groups"])
                 if design:
-                    simulation = variant(simulation, design)
+                    simulation = variant(simulation, design, INPUTS[: len(design)])
                 jump_model(simulation)
             except ParameterError as error:
                 row |= {"status": REFUSED, "message": str(error)}

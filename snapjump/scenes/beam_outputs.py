@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from snapjump.declare.outputs import output
+from snapjump.scenes.bending import place_bar
 from snapjump.scenes.frame_body import compression
 from snapjump.scenes.march_outputs import RecordedOutputs
 from snapjump.statics.modes import flat_arch_damping
@@ -34,9 +35,7 @@ class BeamOutputs(RecordedOutputs):
     @output("L", of=MARCHED, show="")
     def max_strain_at_bar(self) -> float:
         """Where that is, along the beam from the left clamp."""
-        options = self.simulation.discretization
-        skipped = 0.5 * (options.elements - options.moving_elements)
-        return (self.most_bent[1] + skipped) / options.elements
+        return place_bar(self.simulation.discretization, self.most_bent[1])
 
     @output("s", of=MARCHED, show="")
     def max_strain_time_s(self) -> float:

@@ -30,6 +30,12 @@ def bending_arrays(march: March, nodes: Array, readings: Readings) -> dict[str, 
     }
 
 
+def place_bar(discretization: Any, node: int) -> float:
+    """Where a node of the chain is, along the beam from the left clamp, in L."""
+    elements, moving = discretization.elements, discretization.moving_elements
+    return float((node + 0.5 * (elements - moving)) / elements)
+
+
 def curvatures(beam: Any, elements: int, nodes: Array, tangents: Array) -> Array:
     """Curvatures (S, N + 1), in 1/L, of chains (S, D) between clamps of directions (S, 2, 2)."""
     if beam.node_dofs() == 3:

@@ -110,7 +110,7 @@ class JumpOutputs(GroundOutputs):
         moment of inertia."""
         return self.outcome[:, c.SPIN] / self.scales.time_s
 
-    @output("L", of=FLOWN, show="")
+    @output("L", of=FLOWN, show="landing: x {} of the centre of mass")
     def landing_x_bar(self) -> Array:
         """Where the centre of mass is back at its height of lift-off, from where it started."""
         return self.flight.landing_x

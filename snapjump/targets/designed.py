@@ -8,21 +8,21 @@ import numpy as np
 
 from snapjump.arrays import Array
 from snapjump.inverse.base import Problem, Solution
-from snapjump.plan.parts.axes import default_axes
 from snapjump.results import Result
 from snapjump.targets.answer import Answer
+from snapjump.targets.manufacturing import OnePercent
 from snapjump.targets.robust import Comparison, Scatter
 
 
 @dataclass(frozen=True)
 class Designed:
-    """``chosen``: the design; ``costs_bar`` (4,): what 1 % of each parameter moves its apex by;
-    ``jump``: its simulation; ``robust``: where a robust design was asked for; ``trained``: what the
-    forward model says of itself; ``warning``: why it was not asked."""
+    """``chosen``: the design; ``costs``: what 1 % of each input moves its apex by; ``jump``: its
+    simulation; ``robust``: where a robust design was asked for; ``trained``: what the forward model
+    says of itself; ``warning``: why it was not asked."""
 
     answer: Answer
     chosen: Solution
-    costs_bar: Array
+    costs: OnePercent
     jump: Result
     robust: Comparison | None
     trained: Mapping[str, Any]
@@ -63,6 +63,7 @@ class Designed:
             "mount_height_bar": self.jump.summary.get("mount_height_bar"),
             **point("predicted", self.predicted),
             **point("simulated", self.simulated),
+            **self._on_level(),
             "error_bar": missed,
             "error_m": None if missed is None else missed * length_m,
             "solve_seconds": self.answer.seconds,
@@ -82,16 +83,30 @@ class Designed:
             "forward_model_accuracy": dataset["specification"]["configuration"]["accuracy"]["name"],
             **({"warning": self.warning} if self.warning else {}),
         }
-        for axis, cost in zip(default_axes(), self.costs_bar.tolist(), strict=True):
-            known, name = np.isfinite(cost), axis.slope
+        for name, cost in self.costs.costs.items():
+            known = np.isfinite(cost)
             found[f"one_percent_{name}_bar"] = cost if known else None
             found[f"one_percent_{name}_m"] = cost * length_m if known else None
+        numerical = self.costs.numerical_bar
+        found["numerical_error_bar"] = numerical if np.isfinite(numerical) else None
+        if self.costs.because:
+            found["one_percent_unknown_because"] = self.costs.because
         if self.robust is not None:
             found["robust_seconds"] = self.robust.seconds
             found |= controls("plain_", self.robust.plain)
             found |= spread("plain", self.robust.plain_scatter)
             found |= spread("robust", self.robust.robust_scatter)
         return found
+
+    def _on_level(self) -> dict[str, Any]:
+        """The slope, and the simulated apex on the level and along the plumb; nothing where the
+        ground is level."""
+        slope_rad = self.jump.simulation.environment.slope_rad
+        if slope_rad == 0.0:
+            return {}
+        jump, flew = self.jump, self.simulated is not None
+        place = np.array([jump.x_world_bar, jump.y_world_bar]) if flew else None
+        return {"slope_rad": slope_rad, **point("level", place)}
 
 
 def point(name: str, place: Array | None) -> dict[str, Any]:

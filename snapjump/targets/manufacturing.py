@@ -5,23 +5,49 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from snapjump.inverse.base import Array, Problem, Solution
+from snapjump.arrays import Array
+from snapjump.checks import ParameterError
+from snapjump.composition import Simulation
+from snapjump.declare.inputs import inputs_of, slope_names
+from snapjump.uncertainty.parts.simulated import simulated_table
+from snapjump.uncertainty.parts.tolerances import RELATIVE, Tolerance
 
 PERCENT = 0.01
+FIRST = "robot.thickness_m"  # whose cube is the beam's stiffness
 
 
-def one_percent_costs_bar(problem: Problem, solution: Solution) -> Array:
-    """How far (L) one percent of each of a solution's parameters moves its apex: (4,).
+@dataclass(frozen=True)
+class OnePercent:
+    """What one percent of an input moves an apex by: ``costs`` in L, by the input's name (the last
+    word of its path), thickness first, then by size; NaN where the robot does not jump so.
 
-    Half the distance between the simulated apexes at 1 % more and at 1 % less; NaN where one of
-    them does not jump. Order: delta_alpha, epsilon, mass_bar, mu. (An exact derivative is that of
-    a wrinkle of the map, which is far narrower than what a workshop keeps.)
+    ``numerical_bar``: the apex's estimated numerical error (L), below which a cost says nothing;
+    NaN where it is not known. ``because``: why there are no costs, empty if there are.
     """
-    design = problem.designs(solution.controls[None, :])
-    more, less = design * (1.0 + PERCENT * np.eye(4)), design * (1.0 - PERCENT * np.eye(4))
-    apexes = problem.simulator.apexes(np.vstack([more, less]))
-    found: Array = 0.5 * np.hypot(*(apexes[:4] - apexes[4:]).T)
-    return found
+
+    costs: dict[str, float]
+    numerical_bar: float = np.nan
+    because: str = ""
+
+
+def one_percent_costs(simulation: Simulation) -> OnePercent:
+    """How far one percent of each number of a robot, its design, environment and laws moves its
+    apex: half the distance between the simulated apexes at 1 % more and at 1 % less.
+
+    All but that number is as built (:mod:`snapjump.uncertainty.parts.as_built`); numbers that are 0
+    or not given have no percent. (An exact derivative is that of a wrinkle of the map, which is far
+    narrower than what a workshop keeps.)
+    """
+    known = inputs_of(simulation)
+    names = dict(zip(known, slope_names([*known.values()]), strict=True))
+    try:
+        found = simulated_table(simulation, dict.fromkeys(known, Tolerance(RELATIVE, PERCENT)))
+    except ParameterError as error:
+        return OnePercent({}, because=str(error))
+    costs = {one.name: one.half_distance for one in found.influences}
+    order = sorted(costs, key=lambda path: (path != FIRST, -np.nan_to_num(costs[path])))
+    numerical_bar = float(np.hypot(*found.numerical))
+    return OnePercent({names[path]: costs[path] for path in order}, numerical_bar)
 
 
 def alone_off(design: Sequence[float] | Array, factors: Sequence[float] | Array) -> Array:

@@ -31,6 +31,7 @@ FURTHER = {
     ("robot", "robot", "mount_height"): (0.0101, "highest"),
     ("training", "training", "batch_last"): (32, 1000, 96),
 }  # fmt: skip
+FURTHER["uncertainty", "model", "tolerances"] = (3, [0.1])
 for field in settings(Tolerance()):
     FURTHER["tolerance", "tolerance", field] = (-0.1, 1e9)
 # Whether the ends of a range are robots is told by the simulation: tests/plan/test_plans.py.
@@ -62,6 +63,7 @@ MAY_BE_NONE |= {("frame", "mass_centre_height_m"), ("frame", "inertia_kg_m2"), (
 MAY_BE_NONE |= {("drive", "right_rate_rad_s")}
 MAY_BE_NONE |= {
     ("robot", "yield_stress_Pa"),
+    ("uncertainty", "tolerances"),
     ("backend", "threads"),
     ("executor", "scheduler"),
     ("training", "rows"),

@@ -3,11 +3,13 @@
 import numpy as np
 import pytest
 from families import FAMILIES
+from hydra_config import hydra_config
 
+from experiments.compositions import groups_of
 from experiments.robustness import invalid
 from experiments.robustness.fields import all_fields, outside
-from experiments.robustness.study import HIGH, LOW, random_designs
-from experiments.stability.jumps import by_status
+from experiments.robustness.study import HIGH, LOW, on_slopes, random_designs
+from experiments.stability.jumps import by_status, jump_rows
 from snapjump.run.studies.base import REFUSED
 from snapjump.simulation import build
 
@@ -50,5 +52,19 @@ def test_designs_are_seeded_and_inside_their_ranges():
     np.testing.assert_array_equal(designs, random_designs(200, (3, 0)))
     assert not np.array_equal(designs, random_designs(200, (3, 200)))
     assert np.all(designs >= LOW) and np.all(designs <= HIGH)
+    sloping = np.array(on_slopes(designs.tolist(), 0.9, 3))
+    np.testing.assert_array_equal(sloping[:, :4], designs)
+    shares = sloping[:, 4] / np.arctan(designs[:, 3])
+    assert np.abs(shares).max() <= 0.9 and shares.min() < -0.8 and shares.max() > 0.8
     found = by_status([{"status": status} for status in ("ok", "no_jump", "ok")])
     assert found == {"ok": 2, "no_jump": 1}
+
+
+def test_a_design_may_have_a_slope():
+    """Beyond what friction holds it is refused."""
+    point = {"across": "", "up": "", "groups": groups_of(hydra_config("accuracy=draft"))}
+    designs = [(0.1, 0.2, 0.768, 0.3), (0.1, 0.2, 0.768, 0.3, 0.2), (0.1, 0.2, 0.768, 0.3, 0.4)]
+    level, sloping, steep = jump_rows([point], designs, 1e5)
+    assert level["status"] == sloping["status"] == "ok"
+    assert sloping["x_bar"] < level["x_bar"]
+    assert steep["status"] == REFUSED and steep["message"].startswith("environment.slope_rad")

@@ -122,8 +122,9 @@ def test_every_member_can_be_chosen(family, name):
 
 @pytest.mark.parametrize(("family", "name"), pairs(OTHERS))
 def test_every_member_of_another_family_can_be_chosen(family, name):
-    of_datasets = family in ("plan", "executor")
-    choice = ("task=dataset", f"{family}={name}") if of_datasets else (f"+{family}={name}",)
+    of_datasets, composed_already = family in ("plan", "executor"), family == "uncertainty"
+    choice = (f"{family}={name}",) if of_datasets or composed_already else (f"+{family}={name}",)
+    choice = ("task=dataset", *choice) if of_datasets else choice
     config = hydra_config(*choice)
     assert make_member(family, config[family]) == EVERY[family][name]()
 

@@ -40,7 +40,11 @@ def test_a_jump_in_a_line_and_as_the_terminal_has_it(jump):
     line = repr(jump)
     assert line.startswith("<jump ok, epsilon 0.2") and "\n" not in line and "apex x 5.3" in line
     text = str(jump)
-    assert text.startswith("jump  epsilon 0.2") and "  build " in text and "4 g in all" in text
+    assert (
+        text.startswith("jump  epsilon 0.2")
+        and "  build " in text
+        and "4 g in all where g = 10 m/s^2" in text
+    )
 
 
 def test_its_pictures(jump, tmp_path):

@@ -16,7 +16,7 @@ def pairs(families):
 
 
 FAMILIES = of(*members.FAMILIES)  # those of a simulation
-OTHERS = of("plan", "executor", "surrogate", "inverse")
+OTHERS = of("plan", "executor", "surrogate", "inverse", "uncertainty")
 EVERY = FAMILIES | OTHERS
 MEMBERS = pairs(FAMILIES)
 

@@ -19,7 +19,9 @@ GROUPS = {
         "physics", "engine/recorder", "stepping", "run/tasks/test_command_line.py", "show/plots",
         "tracking", "docs/test_tutorial.py",
     ),
-    "lanes": ("engine", "batch", "targets", "dataset", "executor", "run/tasks"),
+    "lanes": (
+        "engine", "batch", "uncertainty", "targets", "dataset", "executor", "run/tasks",
+    ),
     "studies": ("experiments",),
 }  # fmt: skip
 PLACES = [(group, start) for group, starts in GROUPS.items() for start in starts]

@@ -1,31 +1,56 @@
-"""What errors cost, against the closed form of maps."""
+"""What errors cost: of every input by simulation, and along curves."""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from made_up_maps import HEIGHT, SLOPE, MadeUpSimulator, problem
+from robots import BASELINE
 
-from snapjump.inverse.base import Solution
-from snapjump.targets.manufacturing import ErrorCurves, alone_off, one_percent_costs_bar
+from snapjump import Environment
+from snapjump.batch import simulate_batch
+from snapjump.declare.inputs import inputs_of
+from snapjump.targets.manufacturing import ErrorCurves, alone_off, one_percent_costs
+from snapjump.uncertainty.parts.as_built import built, nominal, with_error
+from snapjump.uncertainty.parts.tolerances import Tolerance
 
-CONTROLS = np.array([0.1, 0.2])
-Y = HEIGHT * 0.2
-X = SLOPE * 0.1 * Y
-# x is in proportion to delta_alpha, both to epsilon and to 1 / mass_bar; tanh(3 mu) at 0.3.
-MU = 0.01 * X * 0.9 * (1.0 / np.tanh(0.9) - np.tanh(0.9))
-EXPECTED = [0.01 * X, 0.01 * np.hypot(X, Y), 0.01 * np.hypot(X, Y), MU]
-SOLUTION = Solution(CONTROLS, np.array([X, Y]), False)
+# Of the default robot: what is 0 or not given has no percent.
+WITHOUT = {"slope_rad", "mass_centre_offset_m", "clamp_mass_kg", "damping_s", "yield_stress_Pa"}
 
 
-def test_against_the_closed_form():
-    given = problem([X, Y])
-    # Differences over two percent are off by the square of one.
-    assert one_percent_costs_bar(given, SOLUTION) == pytest.approx(EXPECTED, rel=2e-4)
-    assert given.simulator.simulations == 8
+@pytest.fixture(scope="module")
+def told():
+    return one_percent_costs(BASELINE)
+
+
+def test_each_is_half_the_way_between_jumps_at_one_percent_more_and_less(told):
+    base = built(BASELINE)
+    for path in ("robot.thickness_m", "design.epsilon", "frame.mass_centre_height_m"):
+        ends = Tolerance("relative", 0.01).ends(nominal(base, path))
+        apexes = [simulate_batch([with_error(base, path, end)]).apexes[0] for end in ends]
+        half = 0.5 * np.hypot(*(apexes[1] - apexes[0]))
+        assert told.costs[path.rpartition(".")[2]] == pytest.approx(half, rel=1e-9)
+
+
+def test_every_number_of_the_composition_is_among_them_thickness_first(told):
+    names = {path.rpartition(".")[2] for path in inputs_of(BASELINE)}
+    assert set(told.costs) == names - WITHOUT and told.because == ""
+    first, *others = told.costs
+    assert first == "thickness_m"
+    sizes = [told.costs[name] for name in others]
+    assert sizes == sorted(sizes, reverse=True) and sizes[0] > 0.0
+    assert told.costs["thickness_m"] > told.costs["youngs_modulus_Pa"]
 
 
 def test_what_does_not_jump_has_no_cost():
-    given = problem([X, Y], simulator=MadeUpSimulator(shift=(np.nan, 0.0)))
-    assert np.isnan(one_percent_costs_bar(given, SOLUTION)).all()
+    heavy = replace(BASELINE, environment=Environment(mass_bar=400.0))
+    assert np.isnan([*one_percent_costs(heavy).costs.values()]).all()
+
+
+def test_a_robot_whose_clamps_have_no_place_in_its_frame_is_told():
+    """Its optimal mount height is above its top."""
+    low = replace(BASELINE, robot=replace(BASELINE.robot, frame_height_m=1e-3))
+    found = one_percent_costs(low)
+    assert not found.costs and found.because.startswith("robot.mount_height = 0.0014")
 
 
 def test_each_number_alone_is_off():

@@ -8,12 +8,12 @@ from typing import Any
 
 from snapjump.backend.scalar import ScalarBackend
 from snapjump.checks import ParameterError
+from snapjump.composition import Simulation
 from snapjump.declare.fields import construct
 from snapjump.declare.members import make_member
 from snapjump.files.result_folder import ResultFolder
 from snapjump.files.sealed import file_sha256
 from snapjump.inverse.base import InverseOptions, Solution
-from snapjump.results import Result
 from snapjump.robot.design import Design
 from snapjump.run.tasks.base import (
     NOT_REACHED,
@@ -33,7 +33,7 @@ from snapjump.targets import request
 from snapjump.targets.answer import answer
 from snapjump.targets.design import problem_of
 from snapjump.targets.designed import Designed
-from snapjump.targets.manufacturing import one_percent_costs_bar
+from snapjump.targets.manufacturing import one_percent_costs
 from snapjump.targets.region import AchievableRegion
 from snapjump.targets.robust import Tolerance, compare
 from snapjump.targets.simulator import differentiable
@@ -83,11 +83,12 @@ class InverseDesign(Task):
         if self._method.robust and found.problem.forward is not None and found.reachable:
             robust = compare(found.problem, self._tolerance, found.solutions)
             chosen = robust.robust
-        costs_bar = one_percent_costs_bar(found.problem, chosen)
-        jump = self._simulated(chosen, progress)
-        designed = Designed(
-            found, chosen, costs_bar, jump, robust, self._trained.about, self._warning
-        )
+        built = self._designed(chosen)
+        costs = one_percent_costs(built)
+        # With its trajectory, by the program for one robot.
+        alone = replace(built, backend=ScalarBackend())
+        jump = simulate(alone, stretch(progress, SIMULATING, DRAWING))
+        designed = Designed(found, chosen, costs, jump, robust, self._trained.about, self._warning)
         if self._config["figures"]:
             progress(DRAWING, "drawing")
             self._draw(folder, designed)
@@ -99,12 +100,10 @@ class InverseDesign(Task):
     def reads(self, config: Mapping[str, Any]) -> dict[str, str]:
         return {"checkpoint": file_sha256(request.checkpoint_path(config.get("checkpoint")))}
 
-    def _simulated(self, chosen: Solution, progress: Progress) -> Result:
-        """The jump of a design with its trajectory, by the program for one robot."""
+    def _designed(self, chosen: Solution) -> Simulation:
+        """The simulation of a design."""
         delta_alpha, epsilon = chosen.controls.tolist()
-        design = Design(epsilon=epsilon, delta_alpha=delta_alpha)
-        simulation = replace(self._base, design=design, backend=ScalarBackend())
-        return simulate(simulation, stretch(progress, SIMULATING, DRAWING))
+        return replace(self._base, design=Design(epsilon=epsilon, delta_alpha=delta_alpha))
 
     def _draw(self, folder: ResultFolder, designed: Designed) -> None:
         problem, region = designed.problem, None

@@ -12,6 +12,7 @@ from snapjump.show.plots.robot_drawing import arrows, draw_forces, draw_ground, 
 GHOSTS = 5
 ROWS = COLUMNS = 3  # of panels
 ARROW = 0.18  # length in L of the largest force
+STRAINED: Any = {"marker": "D", "ms": 7.0, "color": palette.PLUM, "mec": palette.PAPER, "lw": 0}
 Window = tuple[float, float, float, float]  # x, y, width, height in L
 
 
@@ -78,6 +79,12 @@ def _draw_panel(
     draw_robot(axes, motion, index, shift)
     if motion.centre is not None:
         axes.plot(*(motion.centre[index] + shift), "o", ms=6, color=palette.CENTRE, zorder=6)
+    bent = motion.bent
+    if bent is not None and index == bent.sample:
+        axes.plot(*(motion.nodes[index, bent.node] + shift), **STRAINED, zorder=8)
+        told = f"strain {100.0 * bent.strain:.2f} % at {bent.place:.2f} L"
+        place = left + dx + 0.03 * width, low + dy + 0.97 * height
+        axes.text(*place, told, color=palette.PLUM, va="top")
     push = motion.push[index]
     if largest > 0.0 and push > 0.05:
         foot = np.column_stack([motion.pad_x[index], np.zeros_like(motion.pad_x[index])])
@@ -112,6 +119,8 @@ def _draw_key(
         entries.append(("centre of mass", {"color": palette.CENTRE, "marker": "o", "lw": 0}))
     if forces:
         entries.append(("push of the ground (√)", {"color": palette.FORCE, "lw": 2.4}))
+    if motion.bent is not None:
+        entries.append(("largest strain of the beam", STRAINED))
     for name, style in entries:
         axes.plot([], [], label=name, **style)
     axes.legend(

@@ -52,6 +52,8 @@ def instants(motion: Motion, liftoff_ms: float | None, wanted: int = 8) -> list[
         add(snap[0], "snap begins")
     if motion.push.max(initial=0.0) > 2.0:
         add(int(np.argmax(motion.push)), "hardest push")
+    if motion.bent is not None:
+        add(motion.bent.sample, "largest strain")
     last = motion.count - 1
     if liftoff_ms is not None and liftoff_ms <= motion.time[-1]:
         last = min(int(np.searchsorted(motion.time, liftoff_ms, side="right")), last)

@@ -44,6 +44,8 @@ def headline(result: Any) -> str:
         parts.append(f"m\u0304 = {environment.mass_bar:g}")
     if scene != "bounce" and scene != "slide":
         parts.append(f"L = {1e3 * simulation.robot.length_m:g} mm")
+    if scene == "jump":
+        parts.append(f"g = {simulation.robot.gravity_m_s2:g} m/s²")
     text = scene.capitalize() + (":  " + ",  ".join(parts) if parts else "")
     return text if result.status == "ok" else f"{text}   ({result.status})"
 

@@ -1,16 +1,29 @@
 """Motion for pictures: a result's arrays in units of L and ms, and poses at any time."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+
+from snapjump.scenes.bending import place_bar
 
 Array = np.ndarray
 NAMES = (
     *("time_s", "node_x_m", "node_y_m", "corner_x_m", "corner_y_m", "clamp_left_rad"),
     *("com_x_m", "com_y_m", "com_vx_m_s", "com_vy_m_s"),
     *("node_normal_N", "node_friction_N", "corner_normal_N", "corner_friction_N"),
+    "node_strain",
 )
+
+
+class Bent(NamedTuple):
+    """The largest bending strain: at which sample and node, where along the beam (L), and how
+    much."""
+
+    sample: int
+    node: int
+    place: float
+    strain: float
 
 
 @dataclass(frozen=True)
@@ -34,13 +47,27 @@ class Motion(Poses):
     length_m: float
     velocity: Array | None  # (2,) of the centre of mass at the last sample, L/ms, if it flies
     gravity: float  # L/ms^2
+    slope_rad: float  # of the ground, along and across which x and y are
     turning: float  # rad/ms of the frame in flight
     pad_x: Array  # (M, P) where the ground pushes: centre of pressure of the beam, then corners
     pad_force: Array  # (M, P, 2) friction and normal force there, over the robot's weight
+    bent: Bent | None  # None of what has no strain
 
     @property
     def count(self) -> int:
         return len(self.time)
+
+    @property
+    def weight(self) -> Array:
+        """Acceleration (2,) of a free flight, L/ms^2."""
+        return -self.gravity * np.array([np.sin(self.slope_rad), np.cos(self.slope_rad)])
+
+    @property
+    def rise_ms(self) -> float:
+        """Time from the last sample to the highest point against gravity; 0 or less if it falls."""
+        if self.velocity is None or self.gravity <= 0.0:
+            return 0.0
+        return -float(self.velocity @ self.weight) / self.gravity**2
 
     @property
     def is_beam(self) -> bool:
@@ -94,9 +121,11 @@ def read_motion(result: Any) -> Motion | None:
         length_m=length,
         velocity=None if speed is None or result.status != "ok" else speed[-1, 0] * 1e-3,
         gravity=gravity / length * 1e-6,
+        slope_rad=result.simulation.environment.slope_rad,
         turning=0.0 if corners is None else _turning_rate(time, corners),
         pad_x=pad_x,
         pad_force=pad_force,
+        bent=_most_bent(data, result),
     )
 
 
@@ -113,8 +142,7 @@ def poses(motion: Motion, times: Array) -> Poses:
     if motion.centre is not None:
         centre = moved = (1.0 - part) * motion.centre[left] + part * motion.centre[right]
     if centre is not None and motion.velocity is not None:
-        moved = centre + after[:, None] * motion.velocity
-        moved[:, 1] -= 0.5 * motion.gravity * after**2
+        moved = centre + after[:, None] * (motion.velocity + 0.5 * after[:, None] * motion.weight)
 
     def placed(points: Array | None) -> Array | None:
         if points is None:
@@ -135,6 +163,16 @@ def _carry(points: Array, old: Array, new: Array, angle: Array) -> Array:
     dx, dy = np.moveaxis(points - old[:, None], -1, 0)
     x, y = new[:, :1] + cos * dx - sin * dy, new[:, 1:] + sin * dx + cos * dy
     return np.stack([x, y], axis=-1)
+
+
+def _most_bent(data: dict[str, Array], result: Any) -> Bent | None:
+    """Where and when the beam's outer fibres are strained most."""
+    if "node_strain" not in data:
+        return None
+    size = np.abs(data["node_strain"])
+    sample, node = divmod(int(size.argmax()), size.shape[1])
+    place = place_bar(result.simulation.discretization, node)
+    return Bent(sample, node, place, float(size[sample, node]))
 
 
 def _turning_rate(time: Array, corners: Array) -> float:

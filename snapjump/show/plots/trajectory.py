@@ -14,11 +14,8 @@ SPACING, MOST = 1.3, 7  # of the silhouettes: least distance in L, greatest numb
 def flight_end(motion: Motion, apex_ms: float | None) -> float:
     """When the picture of the flight ends (ms): at the apex, or with the last sample."""
     last = float(motion.time[-1])
-    if motion.velocity is None or motion.gravity <= 0.0:
-        return last
-    rise = float(motion.velocity[1]) / motion.gravity
-    apex = last + rise if apex_ms is None else apex_ms
-    return max(last, apex) if rise > 0.0 else last
+    apex = last + motion.rise_ms if apex_ms is None else apex_ms
+    return max(last, apex) if motion.rise_ms > 0.0 else last
 
 
 def draw_trajectory(

@@ -13,7 +13,8 @@ from snapjump.show.terminal.block import number
 def build_line(
     config: Mapping[str, Any], epsilon: float, delta_alpha: float, mount_height_bar: float | None
 ) -> str:
-    """Lengths in mm, the mismatch in degrees, the mass in grams."""
+    """Lengths in mm, the mismatch in degrees, the mass in grams, with the gravity that makes
+    mass_bar of it."""
     robot = construct("robot", Robot, config["robot"])
 
     def mm(length_m: float) -> str:
@@ -26,4 +27,5 @@ def build_line(
         told.append(f"clamps {mm(robot.length_m * mount_height_bar)} mm above the feet")
     told.append(f"frame {mm(robot.frame_height_m)} mm high")
     mass = config["environment"]["mass_bar"]
-    return ", ".join([*told, f"{in_other_units('environment.mass_bar', mass, robot)} in all"])
+    grams = in_other_units("environment.mass_bar", mass, robot)
+    return ", ".join([*told, f"{grams} in all where g = {number(robot.gravity_m_s2)} m/s^2"])

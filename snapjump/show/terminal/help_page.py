@@ -31,6 +31,7 @@ GROUPS = {
     "executor": "where a dataset's shards are made; of task=dataset",
     "surrogate": "what learns the map from designs to apexes; of task=train",
     "inverse": "how a design for a target is found; of task=inverse",
+    "uncertainty": "what the robot may be off by, beside the numbers; of task=simulate",
     "tracking": "where MLflow records go",
     "cluster": "sweeps on many machines, added with +cluster=<name>",
     "experiment": "whole compositions, added with +experiment=<name>",

@@ -1,22 +1,24 @@
 """The closing block of an inverse design: the design, where it leads, how sure that is."""
 
+import re
 from collections.abc import Mapping
 from typing import Any
 
-from snapjump.plan.parts.axes import default_axes
 from snapjump.show.terminal.block import number
 from snapjump.show.terminal.build_line import build_line
 from snapjump.show.terminal.scene_report import accuracy_line
 
 MOST_LISTED = 5
 NAMES = ("robust", "plain")
+COST = re.compile(r"one_percent_\w+_bar")
 
 
 def inverse_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list[tuple[str, str]]:
     """Lines of (heading, text); numbers that there are not are left out."""
     title = (
         f"target {point(summary, 'target')}, mu {number(config['environment']['mu'])}, "
-        f"mass_bar {number(config['environment']['mass_bar'])}, by {config['inverse']['name']}"
+        f"mass_bar {number(config['environment']['mass_bar'])}, {sloping(summary)}"
+        f"by {config['inverse']['name']}"
     )
     if "target_x_bar" not in summary:  # it was interrupted
         return [("inverse", f"by {config['inverse']['name']}")]
@@ -26,6 +28,7 @@ def inverse_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> lis
         ("design", controls(summary, "")),
         ("predicted", point(summary, "predicted")),
         ("simulated", point(summary, "simulated", length_mm)),
+        ("on level", point(summary, "level", length_mm)),
         ("error", length(summary["error_bar"], length_mm)),
         ("build", built(config, summary)),
         ("1 % of", costs(summary, length_mm)),
@@ -35,6 +38,12 @@ def inverse_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> lis
         ("accuracy", accuracy_line(config, summary)),
         ("cost", cost(summary)),
     ]
+
+
+def sloping(summary: Mapping[str, Any]) -> str:
+    """The ground's slope, along and across which apexes are; nothing on level ground."""
+    slope_rad = summary.get("slope_rad")
+    return "" if slope_rad is None else f"slope {number(slope_rad)} rad, "
 
 
 def length(value: float | None, length_mm: float) -> str:
@@ -70,13 +79,19 @@ def built(config: Mapping[str, Any], summary: Mapping[str, Any]) -> str:
 
 
 def costs(summary: Mapping[str, Any], length_mm: float) -> str:
-    """Changes of the apex by errors of one percent."""
-    told = [
-        f"{axis.slope} {length(summary[f'one_percent_{axis.slope}_bar'], length_mm)}"
-        for axis in default_axes()
-        if summary[f"one_percent_{axis.slope}_bar"] is not None
-    ]
-    return ", ".join(told)
+    """Changes of the apex by errors of one percent, in the order of the summary; those that are
+    less than the numerical error by name alone."""
+    because = summary.get("one_percent_unknown_because")
+    if because:
+        return f"not known: {because}"
+    least = summary.get("numerical_error_bar") or 0.0
+    found = {key: v for key, v in summary.items() if v is not None and COST.fullmatch(key)}
+    named = {key.removeprefix("one_percent_")[:-4]: value for key, value in found.items()}
+    told = ", ".join(f"{name} {length(v, length_mm)}" for name, v in named.items() if v > least)
+    less = ", ".join(name for name, v in named.items() if v <= least)
+    if less:
+        less = f"less than the numerical error, {length(least, length_mm)}: {less}"
+    return "; ".join(part for part in (told, less) if part)
 
 
 def others(summary: Mapping[str, Any]) -> str:

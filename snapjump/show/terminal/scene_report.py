@@ -10,6 +10,7 @@ from snapjump.robot.other_units import in_other_units
 from snapjump.robot.robot import Robot
 from snapjump.show.terminal.block import number
 from snapjump.show.terminal.build_line import build_line
+from snapjump.show.terminal.uncertainty_report import uncertainty_lines
 from snapjump.sim.base import SceneOptions
 from snapjump.tiers import TIERS
 
@@ -28,6 +29,7 @@ def scene_report(config: Mapping[str, Any], summary: Mapping[str, Any]) -> list[
         *lines.items(),
         ("accuracy", accuracy_line(config, summary)),
         ("warning", _warning(config, summary)),
+        *uncertainty_lines(summary, 1e3 * config["robot"]["length_m"]),
         ("cost", cost),
     ]
 

@@ -78,6 +78,11 @@ def test_the_command_line(command, checkpoint, tmp_path):
     assert result["error_bar"] < 0.03
     assert result["error_m"] == pytest.approx(0.02 * result["error_bar"])
     assert (folder / "inverse.png").stat().st_size > 10_000
+    costs = [key for key in result if key.startswith("one_percent_") and key.endswith("_bar")]
+    assert costs[0] == "one_percent_thickness_m_bar" and len(costs) > 15
+    assert {f"one_percent_{name}_bar" for name in ("epsilon", "delta_alpha", "mu")} < {*costs}
+    assert result["one_percent_mu_m"] == pytest.approx(0.02 * result["one_percent_mu_bar"])
+    assert "thickness_m" in done.stdout
     for word in (
         "target x",
         "design",
@@ -133,11 +138,28 @@ def test_outside_of_what_was_trained_a_simulator_goes_on(run_task, capsys):
     assert warning.startswith("warning: environment.mu = 0.9") and "0.6" in warning
 
 
+def test_a_target_on_a_slope_is_searched_by_simulation(run_task, capsys):
+    """The forward model has seen level ground alone."""
+    given = ("environment.slope_rad=0.1", "inverse=physics")
+    outcome, lines = run_task("target=[2.0,14.0]", *given)
+    found = outcome.summary
+    assert outcome.status == "ok" and found["predicted_x_bar"] is None
+    assert found["error_bar"] < 0.03 and found["slope_rad"] == 0.1
+    (warning,) = capsys.readouterr().err.splitlines()
+    assert warning.startswith("warning: environment.slope_rad = 0.1") and "goes on" in warning
+    # Plumb is along the weight, level across it.
+    x, y = (found[f"simulated_{axis}_bar"] for axis in "xy")
+    turn = np.array([[np.cos(0.1), -np.sin(0.1)], [np.sin(0.1), np.cos(0.1)]])
+    level = [found[f"level_{axis}_bar"] for axis in "xy"]
+    assert level == pytest.approx(turn @ [x, y])
+    assert "slope 0.1 rad" in lines["inverse"] and lines["on level"].startswith("x ")
+
+
 BAD_INPUT = (
     "target=[5]", "target=[nan,5]", "target=[5,-1]", "target=far", "environment.mu=0.7",
     "environment.mass_bar=2.5", "inverse.points=1", "inverse.robust=2", "tolerance.mu=-1",
     "tolerance=0", "sim=bounce", "checkpoint=nowhere.safetensors", f"checkpoint={__file__}",
-    "robot.length_m=0.03", "damping.relaxation_time_s=1e-6",
+    "robot.length_m=0.03", "environment.slope_rad=0.05", "damping.relaxation_time_s=1e-6",
 )  # fmt: skip
 
 

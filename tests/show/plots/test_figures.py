@@ -7,10 +7,11 @@ from typing import Any
 import numpy as np
 import pytest
 from command_line import python
+from pictures import has, picture
 from PIL import Image
 
 from snapjump.composition import with_tier
-from snapjump.show.plots import figures
+from snapjump.show.plots import figures, palette
 from snapjump.show.plots.branches import stable_runs
 from snapjump.show.plots.film import ACTION, FLIGHT, LEAD, SIZE
 from snapjump.simulation import simulate
@@ -39,6 +40,14 @@ def test_jump_files_are_images_of_the_right_size(jump, tmp_path):
             assert image.size == (SIZE if path.suffix == ".gif" else (1440, 960))
     assert [done for done, _ in told] == [0.0, pytest.approx(1 / 3), pytest.approx(2 / 3)]
     assert all(any(path.name in text for _, text in told) for path in paths)
+
+
+def test_the_largest_strain_is_marked(jump, tmp_path):
+    """On the beam, and in the key."""
+    marked = picture(figures(jump, tmp_path, film=False)[0])
+    arrays = {name: values for name, values in jump.arrays.items() if name != "node_strain"}
+    plain = picture(figures(of(jump, arrays=arrays), tmp_path, film=False)[0])
+    assert has(marked, palette.PLUM, 100) and not has(plain, palette.PLUM, 0)
 
 
 def test_film_shows_snap_strike_and_flight(jump, tmp_path):

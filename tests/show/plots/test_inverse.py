@@ -15,6 +15,7 @@ from snapjump.show.plots.achievable import compound
 from snapjump.show.plots.inverse import inverse_picture
 from snapjump.targets.answer import Answer, answer
 from snapjump.targets.designed import Designed
+from snapjump.targets.manufacturing import OnePercent
 from snapjump.targets.region import AchievableRegion
 from snapjump.targets.robust import Tolerance, compare
 
@@ -34,7 +35,7 @@ def shows(pixels: np.ndarray, colour: str) -> bool:
 def test_region_solutions_and_flight(jump, tmp_path, target):
     given = problem(target, MODEL)
     found = answer(given, GaussNewtonOptions())
-    designed = Designed(found, found.solutions[0], np.zeros(4), jump, None, about(), "")
+    designed = Designed(found, found.solutions[0], OnePercent({}), jump, None, about(), "")
     picture = drawn(designed, AchievableRegion.of(given, MODEL), tmp_path)
     for colour in (palette.BEAM, palette.PLUM, palette.CENTRE, palette.FORCE, palette.INK):
         assert shows(picture, colour)
@@ -45,7 +46,7 @@ def test_a_robust_design_has_clouds(jump, tmp_path):
     given = problem(TARGET, MODEL)
     found = answer(given, GaussNewtonOptions())
     robust = compare(found.problem, Tolerance(), found.solutions)
-    designed = Designed(found, robust.robust, np.zeros(4), jump, robust, about(), "")
+    designed = Designed(found, robust.robust, OnePercent({}), jump, robust, about(), "")
     picture = drawn(designed, AchievableRegion.of(given, MODEL), tmp_path)
     assert shows(picture, palette.CLAMP)
     assert picture.shape[0] > 1000
@@ -54,7 +55,7 @@ def test_a_robust_design_has_clouds(jump, tmp_path):
 def test_without_a_forward_model(jump, tmp_path):
     solutions = [Solution(np.array([0.1, 0.2]), TARGET, True)]
     found = Answer(True, solutions, problem(TARGET), np.zeros((2, 2)), 1.0, 60)
-    designed = Designed(found, found.solutions[0], np.zeros(4), jump, None, about(), "")
+    designed = Designed(found, found.solutions[0], OnePercent({}), jump, None, about(), "")
     picture = drawn(designed, None, tmp_path)
     assert shows(picture, palette.CENTRE) and not shows(picture, palette.PLUM)
 

@@ -7,12 +7,15 @@ from typing import Any
 import numpy as np
 import pytest
 
+from snapjump import Environment
+from snapjump.composition import with_tier
 from snapjump.show.plots.film import film_times
 from snapjump.show.plots.instants import instants, middle_height, snap_interval
 from snapjump.show.plots.jump import apex_of, milliseconds
 from snapjump.show.plots.ledger import Ledger, read_ledger
 from snapjump.show.plots.motion import Motion, poses, read_motion
 from snapjump.show.plots.trajectory import flight_end
+from snapjump.simulation import simulate
 
 from .conftest import of
 
@@ -57,6 +60,18 @@ def test_flight_ends_at_the_apex_and_keeps_shape_and_turning(jump):
     assert turned == pytest.approx(round(turned), abs=1e-9)
 
 
+@pytest.mark.parametrize("slope_rad", [-0.1, 0.1])
+def test_on_a_slope_the_flight_ends_at_the_apex_too(slope_rad):
+    simulation = with_tier("draft", environment=Environment(slope_rad=slope_rad))
+    sloping = simulate(simulation)
+    motion = motion_of(sloping)
+    end = flight_end(motion, None)
+    assert end == pytest.approx(milliseconds(sloping, "apex_time_s"))
+    flown = poses(motion, np.array([end]))
+    assert flown.centre is not None
+    assert flown.centre[0] == pytest.approx([sloping.x_bar, sloping.y_bar])
+
+
 def test_middle_height_is_measured_in_the_frame(jump):
     """Turning and moving everything changes nothing."""
     motion = motion_of(jump)
@@ -79,6 +94,16 @@ def test_moments_are_named_in_order_and_eight(jump):
     wanted = ["start", "beam touches", "snap begins", "hardest push", "lift-off"]
     assert [name for _, name in chosen if name] == [*wanted, "in flight"]
     assert len(instants(motion, None, wanted=3)) >= 3
+
+
+def test_the_largest_strain_is_where_and_when_the_outputs_say(jump):
+    motion = motion_of(jump)
+    assert motion.bent is not None
+    assert motion.bent.strain == jump.max_strain and motion.bent.place == jump.max_strain_at_bar
+    assert motion.time[motion.bent.sample] == pytest.approx(1e3 * jump.max_strain_time_s)
+    assert motion.bent.sample in dict(instants(motion, milliseconds(jump, "liftoff_time_s")))
+    without = {name: values for name, values in jump.arrays.items() if name != "node_strain"}
+    assert motion_of(of(jump, arrays=without)).bent is None
 
 
 def test_only_what_jumped_flies(jump):

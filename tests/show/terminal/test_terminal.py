@@ -84,6 +84,17 @@ def test_what_is_not_known_is_left_out():
     assert lines["predicted"] == lines["simulated"] == lines["error"] == lines["1 % of"] == ""
 
 
+def test_costs_below_the_numerical_error_are_names():
+    costs = {"one_percent_thickness_m_bar": 0.3, "one_percent_thickness_m_m": 0.006}
+    lines = told(numerical_error_bar=0.15, **costs)
+    assert lines["1 % of"] == (
+        "thickness_m 0.3 L (6 mm); less than the numerical error, 0.15 L (3 mm): "
+        "delta_alpha, epsilon, mass_bar, mu"
+    )
+    unknown = told(one_percent_unknown_because="robot.mount_height = 3 is not allowed: so")
+    assert unknown["1 % of"] == "not known: robot.mount_height = 3 is not allowed: so"
+
+
 def test_many_solutions():
     others = {
         f"solution_{k}_{name}": 0.1 * k
