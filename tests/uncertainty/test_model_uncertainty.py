@@ -24,7 +24,7 @@ NUMBERS = [name for name in DEFAULTS if name not in LAWS]
 # and one that is 0.
 FURTHER = {
     **{name: None for name in DEFAULTS if name in LAWS},
-    "robot.rotation_end_rad": {"relative": 0.1},
+    "drive.end_rad": {"relative": 0.1},
     "contact.damping_s": {"factor": 2.0},
 }
 
@@ -40,7 +40,7 @@ def apex(simulation):
 
 def test_each_side_is_a_jump_of_its_own(found):
     base = built(BASELINE)
-    assert [one.name for one in found.influences] == [*NUMBERS, "robot.rotation_end_rad"]
+    assert [one.name for one in found.influences] == [*NUMBERS, "drive.end_rad"]
     np.testing.assert_array_equal(found.apex, apex(base))
     for one in found.influences:
         assert [side.side for side in one.sides] == [LESS, MORE]
@@ -60,7 +60,7 @@ def test_thickness_moves_the_apex_more_than_stiffness_which_goes_with_its_cube(f
 
 
 def test_the_spread_is_the_root_of_squares_of_the_larger_sides(found):
-    known = [one for one in found.influences if one.name != "robot.rotation_end_rad"]
+    known = [one for one in found.influences if one.name != "drive.end_rad"]
     for axis in (0, 1):
         squares = [max(abs(side.change[axis]) for side in one.sides) ** 2 for one in known]
         squares.append(abs(found.influences[-1].sides[0].change[axis]) ** 2)
@@ -73,10 +73,10 @@ def test_the_spread_is_the_root_of_squares_of_the_larger_sides(found):
 def test_what_is_left_out_is_told(found):
     assert found.left_out == {"contact.damping_s": "it is 0"}
     (side,) = found.without_apex
-    assert side == "robot.rotation_end_rad more"
-    assert "robot.rotation_end_rad = 1.65 is not allowed" in found.without_apex[side]
+    assert side == "drive.end_rad more"
+    assert "drive.end_rad = 1.65 is not allowed" in found.without_apex[side]
     told = found.summary()["model_left_out"]
-    assert told.startswith("contact.damping_s: it is 0; robot.rotation_end_rad more: ")
+    assert told.startswith("contact.damping_s: it is 0; drive.end_rad more: ")
 
 
 def test_the_summary_is_flat_and_plain(found):
@@ -85,7 +85,7 @@ def test_the_summary_is_flat_and_plain(found):
     assert summary["model_spread_x_m"] == pytest.approx(0.02 * summary["model_spread_x_bar"])
     thick = found.influences[0].sides[1].change
     assert summary["model_robot_thickness_m_more_y_bar"] == thick[1]
-    assert summary["model_robot_rotation_end_rad_more_x_bar"] is None
+    assert summary["model_drive.end_rad_more_x_bar"] is None
     assert summary["model_spread_most"].count("; ") == 2
 
 

@@ -30,7 +30,7 @@ DEFAULTS: Mapping[str, Mapping[str, Any]] = {
     "damping.relaxation_time_s": {FACTOR: 3.0},
     "contact.stiffness_N_m": {FACTOR: 3.0},
     "contact.distance_m": {FACTOR: 2.0},
-    **({"drag": {MEMBERS: ["none", "quadratic"]}} if "drag" in LAWS else {}),
+    "drag": {MEMBERS: ["none", "quadratic"]},
 }
 
 
