@@ -10,7 +10,7 @@ from snapjump.batch.variants import variant
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import DEFAULT_INPUTS, Input, input_at, value_at, with_inputs
-from snapjump.engine.model import Model, numbers_of
+from snapjump.engine.model import Model, numbers_in, numbers_of
 from snapjump.scenes.frame_body import compression
 from snapjump.scenes.jump_start import (
     composed_model,
@@ -138,8 +138,8 @@ def scale_of(one: Input, here: float) -> float:
 
 def places(model: Model, family: str) -> slice:
     """Where the numbers of a member are among those of its model."""
-    first = sum(len(member) for member in model[: model._fields.index(family)])
-    return slice(first, first + len(getattr(model, family)))
+    first = sum(len(numbers_in(member)) for member in model[: model._fields.index(family)])
+    return slice(first, first + len(numbers_in(getattr(model, family))))
 
 
 def place(model: Model, family: str, field: str) -> int:

@@ -56,6 +56,11 @@ class DriveOptions(Part):
         clamp is at the angle ``start`` (rad) in the beginning; of many robots an array."""
 
     @property
+    def table(self) -> Any:
+        """What all robots of a march have to share: measured angles, if there are any."""
+        return None
+
+    @property
     def rate_rad_s(self) -> Any:
         """Rate of the left clamp, of a drive that turns it."""
         raise NotImplementedError

@@ -15,7 +15,7 @@ from snapjump.damping.none import NoDamping
 from snapjump.drag.none import NoDrag
 from snapjump.engine.load.none import NoLoad
 from snapjump.friction.none import NoFriction
-from snapjump.number.array import INDEX
+from snapjump.number.array import INDEX, uncounted_type, without_owner
 
 
 class TimeLimit(NamedTuple):
@@ -47,44 +47,57 @@ class Model(NamedTuple):
     time_limit: Any = NO_LIMIT
 
 
+def numbers_in(member: Any) -> list[Any]:
+    """The numbers of a member, without the tables (2-d arrays) that all robots of a march share."""
+    return [value for value in member if np.ndim(value) < 2]
+
+
 def numbers_of(model: Model) -> NDArray[np.float64]:
     """All numbers of a model in order, shape (P,)."""
-    return np.array([float(v) for member in model for v in member])
+    return np.array([float(v) for member in model for v in numbers_in(member)])
 
 
 def with_numbers(model: Any, numbers: Any) -> Any:
-    """The same composition with the numbers of an array of shape (P,), of whatever number type."""
-    members, position = [], 0
+    """The same composition, and tables, with the numbers of an array of shape (P,), of whatever
+    number type."""
+    members, given = [], iter(numbers)
     for member in model:
-        members.append(type(member)(*[numbers[position + k] for k in range(len(member))]))
-        position += len(member)
+        members.append(type(member)(*[v if np.ndim(v) == 2 else next(given) for v in member]))
     return Model(*members)
+
+
+def is_table(kind: types.Type) -> bool:
+    """Whether a member's field is a table."""
+    return isinstance(kind, types.Array)
 
 
 @infer_global(with_numbers)
 class _WithNumbers(AbstractTemplate):
     def generic(self, args: Any, kws: Any) -> Any:
         model, numbers = args
-        members = [
-            types.NamedUniTuple(numbers.dtype, len(member), member.instance_class)
-            if len(member)
-            else types.NamedTuple((), member.instance_class)
-            for member in model.types
-        ]
+        members = []
+        for member in model.types:
+            kinds = [uncounted_type(k) if is_table(k) else numbers.dtype for k in member.types]
+            members.append(types.BaseTuple.from_types(kinds, member.instance_class))
         return signature(types.NamedTuple(tuple(members), model.instance_class), *args)
 
 
 @lower_builtin(with_numbers, types.BaseTuple, types.Array)
 def _with_numbers(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-    array = sig.args[1]
+    template, array = sig.args
     entry = signature(array.dtype, array, types.intp)
     load = context.get_function(operator.getitem, entry)
     position = 0
     built = []
-    for member in sig.return_type.types:
+    for k, member in enumerate(sig.return_type.types):
         values = []
-        for _ in range(len(member)):
-            values.append(load(builder, (args[1], INDEX(position))))
-            position += 1
+        for n, kind in enumerate(member.types):
+            if is_table(kind):
+                table = builder.extract_value(args[0], [k, n])
+                own = template.types[k].types[n]
+                values.append(without_owner(context, builder, own, table))
+            else:
+                values.append(load(builder, (args[1], INDEX(position))))
+                position += 1
         built.append(context.make_tuple(builder, member, values))
     return context.make_tuple(builder, sig.return_type, built)

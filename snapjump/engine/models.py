@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 
 from snapjump.arrays import Array
-from snapjump.engine.model import Model, numbers_of, with_numbers
+from snapjump.engine.model import Model, numbers_in, numbers_of, with_numbers
 
 
 def numbers_of_columns(model: Sequence[Any], robots: int) -> Array:
     """All numbers (R, P) of so many robots that are one model, or members of one, whose numbers are
     the same for all or arrays (R)."""
-    values = [value for member in model for value in member]
+    values = [value for member in model for value in numbers_in(member)]
     numbers = np.empty((robots, len(values)))
     for k, value in enumerate(values):
         numbers[:, k] = value

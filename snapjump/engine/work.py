@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from snapjump.discretization.base import HALF_BANDWIDTH, SKEW
 from snapjump.engine.clock import ROWS
+from snapjump.engine.model import numbers_in
 from snapjump.frame.base import NO_MESH
 from snapjump.number.memory import aligned_zeros
 
@@ -142,7 +143,7 @@ def sizes_of(
         coordinates=int(frame + beam),
         stages=stages,
         points=int(nodes + model.frame.contact_points(mesh)),
-        numbers=sum(len(member) for member in model),
+        numbers=sum(len(numbers_in(member)) for member in model),
         width=6 if chain else 3,
         padded_beam=beam + pad,
         padded_frame=int(max(frame, 3)) + pad,

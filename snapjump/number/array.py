@@ -208,7 +208,7 @@ def seen_as(context: Any, builder: Any, viewed: NumberArray, kind: types.Array, 
     return View(data, shape[:ndim], strides[:ndim]).packed(context, builder, viewed)
 
 
-def _without_owner(context: Any, builder: Any, kind: types.Type, value: Any) -> Any:
+def without_owner(context: Any, builder: Any, kind: types.Type, value: Any) -> Any:
     """The LLVM value of ``uncounted`` of a value."""
     viewed = uncounted_type(kind)
     if viewed is kind:
@@ -216,7 +216,7 @@ def _without_owner(context: Any, builder: Any, kind: types.Type, value: Any) -> 
     if isinstance(kind, types.BaseTuple):
         parts = cgutils.unpack_tuple(builder, value, len(kind.types))
         pairs = zip(kind.types, parts, strict=True)
-        changed = [_without_owner(context, builder, k, part) for k, part in pairs]
+        changed = [without_owner(context, builder, k, part) for k, part in pairs]
         return context.make_tuple(builder, viewed, changed)
     return seen_as(context, builder, viewed, kind, value)
 
@@ -237,4 +237,4 @@ class _Uncounting(AbstractTemplate):
 
 @lower_builtin(uncounted, types.Any)
 def _uncount(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-    return _without_owner(context, builder, sig.args[0], args[0])
+    return without_owner(context, builder, sig.args[0], args[0])

@@ -85,7 +85,7 @@ def test_the_summary_is_flat_and_plain(found):
     assert summary["model_spread_x_m"] == pytest.approx(0.02 * summary["model_spread_x_bar"])
     thick = found.influences[0].sides[1].change
     assert summary["model_robot_thickness_m_more_y_bar"] == thick[1]
-    assert summary["model_drive.end_rad_more_x_bar"] is None
+    assert summary["model_drive_end_rad_more_x_bar"] is None
     assert summary["model_spread_most"].count("; ") == 2
 
 

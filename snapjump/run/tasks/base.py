@@ -2,11 +2,13 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any, ClassVar
 
 from snapjump.declare.families import FAMILIES
 from snapjump.declare.scenes import Progress
 from snapjump.files.result_folder import ResultFolder
+from snapjump.files.sealed import file_sha256
 
 # What a simulation is made of.
 SIMULATION = ("accuracy", "robot", "design", "environment", *FAMILIES)
@@ -72,7 +74,8 @@ class Task:
     def reads(self, config: Mapping[str, Any]) -> dict[str, str]:
         """Digests of what the job reads beside its configuration, by key, as that is now.
         Asked before ``prepare`` too; raises ParameterError for what cannot be read."""
-        return {}
+        table = (config.get("drive") or {}).get("file")
+        return {"drive.file": file_sha256(Path(table))} if isinstance(table, str) else {}
 
     def leaves(self, config: Mapping[str, Any]) -> dict[str, str]:
         """Digests of what the job has left outside its folder, by key, as that is now."""

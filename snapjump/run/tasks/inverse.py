@@ -98,7 +98,8 @@ class InverseDesign(Task):
         return inverse_report(self._config, outcome.summary)
 
     def reads(self, config: Mapping[str, Any]) -> dict[str, str]:
-        return {"checkpoint": file_sha256(request.checkpoint_path(config.get("checkpoint")))}
+        own = {"checkpoint": file_sha256(request.checkpoint_path(config.get("checkpoint")))}
+        return {**super().reads(config), **own}
 
     def _designed(self, chosen: Solution) -> Simulation:
         """The simulation of a design."""
