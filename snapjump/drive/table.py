@@ -70,12 +70,14 @@ class Table(DriveOptions):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if self.rows is None:
-            object.__setattr__(self, "rows", read_rows(self.file))
-        else:
+        if self.rows is not None:
             object.__setattr__(self, "rows", checked_rows("drive.rows", self.rows))
+        elif self.file is not None:
+            object.__setattr__(self, "rows", read_rows(self.file))
 
     def check_with(self, simulation: Any) -> None:
+        if self.rows is None:
+            read_rows(self.file)
         _, left, right = self.rows[0]
         lag = simulation.design.delta_alpha
         if np.any(np.abs(left - right - lag) > CLOSE_RAD):

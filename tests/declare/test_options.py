@@ -47,6 +47,8 @@ for name in ("grid", "sobol", "latin_hypercube"):
 for name in ("sobol", "latin_hypercube"):
     FURTHER[("plan", name, "count")] = (0, 2**30 + 1, 64.0)
     FURTHER[("plan", name, "seed")] = (-1, 2**32, 0.5)
+FURTHER["drive", "table", "file"] = ("", "nowhere.csv", 1.0)
+FURTHER["drive", "table", "rows"] = ("rows", [[0.0, 0.1, 0.0]], [[0.0, 0.1]] * 3)
 ROW_OF = {
     "order": (0, 13, 2.5),
     "damping_at_infinity": (-0.1, 1.1),
@@ -60,7 +62,7 @@ for name, cls in EVERY["integrator"].items():
 MAY_BE_NONE = {("plan", field) for field in RANGE_OF}
 MAY_BE_NONE |= {("integrator", "weights"), ("integrator", "embedded")}
 MAY_BE_NONE |= {("frame", "mass_centre_height_m"), ("frame", "inertia_kg_m2"), ("drag", "area_m2")}
-MAY_BE_NONE |= {("drive", "right_rate_rad_s")}
+MAY_BE_NONE |= {("drive", "right_rate_rad_s"), ("drive", "file"), ("drive", "rows")}
 MAY_BE_NONE |= {
     ("robot", "yield_stress_Pa"),
     ("uncertainty", "tolerances"),

@@ -88,7 +88,7 @@ def test_rows_that_are_refused(rows, told):
 
 def test_files_that_are_refused(tmp_path):
     with pytest.raises(ParameterError, match="drive.file = None .* a CSV file with a line of headings"):
-        Table()
+        Simulation(drive="table")
     with pytest.raises(ParameterError, match="drive.file .*No such file"):
         Table(file=str(tmp_path / "nowhere.csv"))
     with pytest.raises(ParameterError, match="it lacks right_rad"):
