@@ -12,7 +12,6 @@ import numpy as np
 
 from snapjump.batch import simulate_batch
 from snapjump.composition import with_tier
-from snapjump.declare.inputs import with_inputs
 from snapjump.files.cores import own_cores
 
 from .claims.judge import (
@@ -25,7 +24,7 @@ from .claims.judge import (
     found,
     true_setting,
 )
-from .claims.robots import KINDS
+from .claims.robots import KINDS, robot_of
 from .command import measured
 
 TIER = "standard"
@@ -46,7 +45,7 @@ def report(robots: int = 200, seed: int = 12, threads: int = len(own_cores())) -
             integrator = with_tier(TIER).integrator.changed(spectral_radius=radius)
             base = with_tier(TIER, integrator=integrator)
             worst = errors(found(base, kept, MOST_ITERATIONS, threads), truth)
-            simulations = [with_inputs(base, values) for values in kept]
+            simulations = [robot_of(base, values) for values in kept]
             batch = simulate_batch(simulations, LANES, MOST_ITERATIONS, threads)
             ranked = np.sort(np.where(np.isnan(worst), np.inf, worst))
             places = [int(share * (len(ranked) - 1)) for share in QUANTILES]

@@ -19,6 +19,8 @@ MEMBERS: Mapping[str, Mapping[str, float]] = {
     "contact": {"logbarrier": 1.0, "penalty": 5.0, "hunt_crossley": 3.0},
     "friction": {"implicit": 1.0, "none": 1.0},
     "damping": {"kelvin_voigt": 1.0},
+    "drag": {"none": 1.0, "quadratic": 1.0},
+    "stepping": {"fixed": 1.0, "adaptive": 1.0},
 }
 
 
@@ -92,6 +94,11 @@ def gyration(model: Any) -> Any:
     )
 
 
+def drag(model: Any) -> Any:
+    """Deceleration by the air over the speed squared (1/L), 0 without."""
+    return getattr(model.drag, "per_length", 0.0)
+
+
 def reach(model: Any) -> Any:
     """Reach of the ground (L); of a law that begins at its surface it is of no account."""
     found = np.asarray(model.contact.reach())
@@ -102,6 +109,14 @@ def mismatch(model: Any) -> Any:
     """Mismatch of the clamps over about the angle at which a flat arch snaps."""
     compression = 1.0 - 2.0 * model.frame.half_span
     return np.abs(model.clamp.delta_alpha) / (2.0 * np.sqrt(compression))
+
+
+def against_throw(model: Any) -> Any:
+    """Offset of the frame's centre of mass over half the clear span, where it is to the side that
+    the mismatch does not throw to, and in proportion where that is slight; 0 elsewhere."""
+    throws = np.sign(model.clamp.delta_alpha) * np.minimum(1.0, mismatch(model) / 0.05)
+    offset = getattr(model.frame, "offset", 0.0) / model.frame.half_span
+    return np.maximum(0.0, -offset * throws)
 
 
 GROUPS = (
@@ -118,6 +133,7 @@ GROUPS = (
     Group("height of the frame's centre of mass over the frame's", 0.1, 1.5, mass_height),
     Group("offset of that centre over half the clear span", 0.0, 0.35, mass_offset),
     Group("radius of gyration of the frame over its diagonal", 0.12, 0.9, gyration),
+    Group("deceleration by drag over the speed squared, times L", 0.0, 0.1, drag),
     Group("tangent of the slope", 0.0, 0.2, lambda m: abs(m.load.downhill / m.load.cosine)),
 )
 

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from snapjump.arrays import Array
 from snapjump.calibrated import (
+    against_throw,
     beam_over_frame,
     frame_height,
     friction,
@@ -115,6 +116,12 @@ def jamming(model: Any) -> Any:
     return powers(1.0 + powers(np.maximum(friction(model), 0.1) / 0.66, 16.0), 0.6)
 
 
+def cancelling(model: Any) -> Any:
+    """Factor (R,) by which errors of x are larger where mismatch and the frame's centre of mass
+    throw to opposite sides, so that x is a difference."""
+    return np.maximum(1.0, against_throw(model) / 0.08)
+
+
 def error_estimate(simulation: Simulation, model: Any, error_sum: Array) -> ErrorEstimate:
     """The estimate of R jumps whose steps' estimates add up to ``error_sum`` (R), in L.
 
@@ -131,7 +138,7 @@ def error_estimate(simulation: Simulation, model: Any, error_sum: Array) -> Erro
         steps = factor * jamming(model) * steps_factor(simulation) * error_sum
         steps = steps / (1.0 + steps / LEVEL)
         mesh_x, mesh_y = mesh_percent(simulation.discretization)
-        x = np.where(known, steps + factor * mesh_x, np.nan)
+        x = np.where(known, cancelling(model) * (steps + factor * mesh_x), np.nan)
         y = np.where(known, STEPS_Y * steps + factor * mesh_y, np.nan)
     promise = TIERS[simulation.accuracy].promise_percent
     sure = np.maximum(x, y) <= SURE * promise

@@ -9,13 +9,16 @@ from reported import DRAFT_JUMP
 from experiments.tradeoff.tiers import PROMISES
 from snapjump.calibrated import GROUPS, MEMBERS
 from snapjump.composition import Simulation, with_tier
+from snapjump.declare.families import FAMILIES
 from snapjump.declare.inputs import with_inputs
 from snapjump.declare.members import member_names
 from snapjump.discretization.der import DiscreteElasticRod
+from snapjump.drag.quadratic import QuadraticDrag
 from snapjump.error_estimate import FACTORS, LEVEL, error_estimate, mesh_percent, steps_factor
 from snapjump.scenes.jump_start import composed_model
 from snapjump.scenes.march_outputs import side_by_side
 from snapjump.show.terminal.scene_report import scene_report
+from snapjump.stepping.adaptive import AdaptiveStep
 from snapjump.tiers import TIERS
 
 STANDARD = with_tier("standard")
@@ -70,6 +73,20 @@ def test_what_makes_a_robot_hard(path, easy, hard):
     assert found.x_percent[1] > 1.8 * found.x_percent[0]
 
 
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+def test_what_throws_against_the_mismatch_makes_x_alone_harder(side):
+    """An offset of 2 mm is a quarter of half the clear span, less what the beam's ends take off."""
+    robots = [
+        with_inputs(STANDARD, {"design.delta_alpha": side * lag, "frame.mass_centre_offset_m": c})
+        for lag, c in ((0.1, 0.0), (0.1, side * 2e-3), (0.1, -side * 2e-3), (1e-3, -side * 2e-3))
+    ]
+    found = error_estimate(STANDARD, models(*robots), np.full(4, 5e-4))
+    ratios = found.x_percent / found.x_percent[0]
+    assert ratios[[0, 1, 3]].tolist() == [1.0, 1.0, 1.0]
+    assert 0.95 * 0.25 / 0.08 < ratios[2] < 0.25 / 0.08
+    assert len(set(found.y_percent)) == 1
+
+
 def height(simulation):
     given = simulation.robot.mount_height
     return MOUNT if isinstance(given, str) else given / simulation.robot.length_m
@@ -103,6 +120,32 @@ def test_members_that_were_not_calibrated_say_nothing(family, member):
     simulation = with_tier("standard", **{family: member, "integrator": integrator})
     found = estimated(simulation, 1e-4)
     assert found.within_tier[0] is None and f"{family}={member}" in found.because[0]
+
+
+@pytest.mark.parametrize(
+    ("family", "member"), [("drag", QuadraticDrag), ("stepping", AdaptiveStep)]
+)
+def test_a_law_of_ones_own_says_nothing(family, member):
+    class Own(member):
+        """Of this file, after which it is called."""
+
+    found = estimated(replace(STANDARD, **{family: Own()}), 1e-4)
+    assert found.within_tier[0] is None and f"{family}=test_error_estimate" in found.because[0]
+
+
+def test_drag_is_known_as_far_as_it_was_calibrated():
+    model = composed_model(STANDARD, 0.0, MOUNT, 0.1)
+    known = replace(STANDARD, drag="quadratic")
+    airy = [model._replace(drag=QuadraticDrag.Law(share)) for share in (0.0, 0.099, 0.101, np.nan)]
+    found = error_estimate(known, side_by_side(airy, range(4), 4), np.full(4, 1e-5))
+    assert found.within_tier.tolist() == [True, True, None, None]
+    assert found.x_percent[1] == estimated(STANDARD, 1e-5).x_percent[0]
+    assert "drag" in found.because[2]
+
+
+def test_no_family_is_forgotten():
+    apart = {"sim", "backend", "integrator"}  # which has FACTORS; the others solve the same
+    assert set(FAMILIES) - set(MEMBERS) == apart
 
 
 def test_every_member_is_calibrated_or_says_nothing():

@@ -15,13 +15,12 @@ from snapjump.arrays import Array
 from snapjump.batch import Batch, simulate_batch
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
-from snapjump.declare.inputs import with_inputs
 from snapjump.declare.members import make_member
 from snapjump.scenes.jump_start import jump_model
 from snapjump.tiers import TIERS
 
 from ..errors import relative_errors
-from .robots import KINDS, Values
+from .robots import KINDS, Values, robot_of
 
 JUDGED = ("draft", "standard", "reference")
 DRAWN_AT = "standard"
@@ -64,7 +63,7 @@ def jumped(
         if values is None:
             continue
         try:
-            simulation: Simulation = with_inputs(base, values)
+            simulation = robot_of(base, values)
             jump_model(simulation)
         except ParameterError:
             continue

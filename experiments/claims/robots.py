@@ -1,16 +1,19 @@
-"""Robots far from the paper's: one to three inputs moved, or designs from ranges twice as wide.
+"""Robots far from the paper's: one to three inputs moved, designs from ranges twice as wide, and
+such designs as they are built: in air, their masses measured.
 
 An input is moved log-uniformly by up to 10 times, every third robot's by up to 100; one that is 0,
 or not given, is drawn from its range.
 """
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 
 import numpy as np
 
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import Input, inputs_of, value_at, with_inputs
+from snapjump.robot.environment import mass_bar
 from snapjump.scenes.jump_start import mount_height_bar
 
 from ..designs import AXES, spread_designs
@@ -59,6 +62,27 @@ def wide_designs(base: Simulation, seed: int) -> Draws:
         yield possible(base, values) if beyond else None
 
 
+def as_built(base: Simulation, seed: int) -> Draws:
+    """Designs from ranges twice as wide, with drag and a frame's mass over all that estimates know:
+    where its centre is, its radius of gyration, and up to a fifth of the robot at each clamp."""
+    rng, robot = np.random.default_rng(seed), base.robot
+    for design in filter(None, wide_designs(base, seed)):
+        half_m = 0.5 * robot.length_m * (1.0 - design["design.epsilon"])
+        height_m = robot.frame_height_m
+        whole_kg = design["environment.mass_bar"] / mass_bar(1.0, robot)
+        clamp_kg = whole_kg * rng.uniform(0.0, 0.2)
+        gyration_m = np.hypot(2.0 * half_m, height_m) * rng.uniform(0.12, 0.9)
+        more = {
+            "frame.mass_centre_height_m": height_m * rng.uniform(0.1, 1.5),
+            "frame.mass_centre_offset_m": half_m * rng.uniform(-0.35, 0.35),
+            "frame.inertia_kg_m2": (whole_kg - 2.0 * clamp_kg) * gyration_m**2,
+            "frame.clamp_mass_kg": clamp_kg,
+            "drag.coefficient": 10.0 ** rng.uniform(-0.5, 1.0),
+            "drag.area_m2": 10.0 ** rng.uniform(-4.5, -1.5),
+        }
+        yield possible(base, design | {path: float(value) for path, value in more.items()})
+
+
 def paper_designs(base: Simulation, seed: int) -> Draws:
     """Designs spread over the paper's ranges."""
     while True:
@@ -67,10 +91,16 @@ def paper_designs(base: Simulation, seed: int) -> Draws:
         seed += 1
 
 
+def robot_of(base: Simulation, values: Values) -> Simulation:
+    """The simulation of a robot: in air, if it has numbers of that. Raises ParameterError."""
+    in_air = any(path.startswith("drag.") for path in values)
+    return with_inputs(replace(base, drag="quadratic") if in_air else base, values)
+
+
 def possible(base: Simulation, values: Values) -> Values | None:
     """The values, if they make a simulation."""
     try:
-        with_inputs(base, values)
+        robot_of(base, values)
     except ParameterError:
         return None
     return values
@@ -79,5 +109,6 @@ def possible(base: Simulation, values: Values) -> Values | None:
 KINDS: Mapping[str, Callable[[Simulation, int], Draws]] = {
     "inputs moved": moved_robots,
     "ranges twice as wide": wide_designs,
+    "as built": as_built,
     "the paper's ranges": paper_designs,
 }
