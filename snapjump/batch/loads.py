@@ -5,6 +5,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any
 
+import numpy as np
+
 from snapjump.arrays import Array
 from snapjump.backend.cuda import CudaBackend
 from snapjump.batch.outcome import Batch
@@ -61,7 +63,8 @@ class LoadedBatch(Batch, JumpLoads):
 
     @property
     def push(self) -> Array:
-        return self.figures("push")[ground.FORCE] * self.scales.force_N
+        force = self.figures("push")[ground.FORCE] * self.scales.force_N
+        return np.full_like(force, np.nan) if self.model.contact.is_constraint() else force
 
     @property
     def impulse(self) -> Array:
@@ -93,13 +96,16 @@ def check_outputs(
     """Names of outputs that are asked for, in the order in which they are declared.
     Raises ParameterError for what batches do not offer, or not with this simulation."""
     offered = [one.name for one in OFFERED]
-    others = {one.name for one in RecordedJump.declared()} - {one.name for one in Batch.declared()}
+    every, recorded = ([one.name for one in kind.declared()] for kind in (Batch, RecordedJump))
     if isinstance(outputs, str) or not isinstance(outputs, Sequence):
         raise ParameterError(key, outputs, f"a list of some of {', '.join(offered)}")
     for name in outputs:
-        if name in others and name not in offered:
-            why = "which single recorded jumps alone have"
-            raise ParameterError(key, name, f"no {name}, {why}: some of {', '.join(offered)}")
+        if name in every:
+            allowed = f"no {name}, which every batch has: some of {', '.join(offered)}"
+            raise ParameterError(key, name, allowed)
+        if name in recorded and name not in offered:
+            why = f"{name} is read off one robot's trajectory or modes (task=simulate)"
+            raise ParameterError(key, name, f"{why}; batches have {', '.join(offered)}")
         if name not in offered:
             raise ParameterError(key, name, f"some of {', '.join(offered)}")
         if list(outputs).count(name) > 1:

@@ -55,6 +55,8 @@ def make_ground_recorder(lanes: int, kept: NDArray[np.float64], nodes: int) -> G
 @routine
 def look(recorder: Any, model: Any, masses: Any, work: Any, mask: Any) -> None:
     """See whether the ground bears more at the masked lanes' beginnings of steps than before."""
+    if model.contact.is_constraint():
+        return  # its force is none of a state's
     figures = figures_of(recorder.running)
     still = Motion(work.clock[TIME], 0.0 * work.clock[TIME], 0.0 * work.clock[TIME], 0.0)
     force = ground_force(model, still, masses, work, work.start, work.velocity[0])
