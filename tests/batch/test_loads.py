@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from refusals import refused
 from robots import BASELINE as BASE
+from scaled import Factors, scaled, scaled_row
 
 from snapjump.backend.cuda import CudaBackend
 from snapjump.batch import Batch, simulate_batch, simulate_designs
-from snapjump.batch.loads import OFFERED, reads_of
+from snapjump.batch.loads import OFFERED, LoadedBatch, reads_of
 from snapjump.composition import with_tier
 from snapjump.scenes.recorded_loads import KINDS
 from snapjump.simulation import simulate
@@ -106,6 +107,17 @@ def test_what_differs_between_robots_counts_for_each():
         robot = dict(zip((path.removeprefix("robot.") for path in inputs), row, strict=True))
         one = simulate_batch([replace(BASE, robot=BASE.robot.changed(**robot))], outputs=NAMES)
         assert all(getattr(many, name)[k] == getattr(one, name)[0] for name in NAMES)
+
+
+@pytest.mark.compiles
+def test_loads_have_the_dimensions_of_their_units():
+    base = replace(BASE, robot=BASE.robot.changed(yield_stress_Pa=2e9))
+    factors, rows = Factors(0.5, 4.0, 0.125), []
+    for one in (base, scaled(base, factors)):
+        rows.append(simulate_batch([one], lanes=8, outputs=NAMES).rows()[0])
+    expected = scaled_row(LoadedBatch, rows[0], factors)
+    for name in NAMES:
+        assert rows[1][name] == pytest.approx(expected[name], rel=1e-12), name
 
 
 def test_every_output_that_is_offered_reads_what_can_be_recorded():
