@@ -1,5 +1,6 @@
 """Outputs of a batch of jumps: arrays with one row a jump."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -36,6 +37,10 @@ class Batch(Shown, JumpOutputs):
     sensitivities: Sensitivities | None = None
     designs: dict[str, Array] = field(default_factory=dict)
 
+    def of_each(self, read: Callable[[Simulation], Any]) -> Array:
+        """What is read off each simulation (R)."""
+        return self.ready.spread(self.ready.of_each(read))
+
     @property
     def refusals(self) -> dict[int, str]:
         """Why a design was refused, key, value and range in one line, by the number of its row."""
@@ -58,12 +63,14 @@ class Batch(Shown, JumpOutputs):
 
 class Marched(NamedTuple):
     """Of M robots: outcomes (M, COLUMNS), the kernels' seconds, the iterations that lanes had time
-    for, and slopes where these were asked for."""
+    for, slopes where these were asked for, and by what was recorded of their loads the figures
+    (M, K)."""
 
     outcome: Array
     kernel_seconds: float
     lane_passes: int
     slopes: Slopes | None
+    loads: dict[str, Array]
 
 
 def batch_of(

@@ -1,6 +1,6 @@
 """Robots of many designs: their models, or why there is none."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -45,12 +45,16 @@ class Prepared:
         everyone[self.chosen] = values
         return everyone
 
+    def of_each(self, read: Callable[[Simulation], Any]) -> Array:
+        """Numbers (M) that are read off their simulations."""
+        if self.alike is not None:
+            return np.broadcast_to(read(self.alike), self.chosen.shape)
+        return np.array([read(simulation) for simulation in self.simulations])
+
     @cached_property
     def compressions(self) -> Array:
         """End shortenings (M) of their beams."""
-        if self.alike is not None:
-            return np.broadcast_to(compression(self.alike), self.chosen.shape)
-        return np.array([compression(simulation) for simulation in self.simulations])
+        return self.of_each(compression)
 
     @cached_property
     def scales(self) -> Scales:

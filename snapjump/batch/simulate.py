@@ -10,6 +10,7 @@ from snapjump.backend.base import MOST_THREADS, WIDTHS
 from snapjump.backend.lanes import LanesBackend
 from snapjump.batch.alike import check_alike
 from snapjump.batch.derivatives import model_derivatives, places
+from snapjump.batch.loads import check_outputs, reads_of, with_loads
 from snapjump.batch.outcome import Batch, Marched, batch_of
 from snapjump.batch.prepare import Prepared, prepare_designs
 from snapjump.batch.progress import BatchProgress
@@ -33,6 +34,7 @@ from snapjump.engine.status import RUNNING
 from snapjump.scenes.card_march import check_backend
 from snapjump.scenes.jump_march import march_from_rest
 from snapjump.scenes.jump_start import jump_model
+from snapjump.scenes.recorded_loads import KINDS, record_loads
 from snapjump.scenes.runner import MOST_ITERATIONS, March
 from snapjump.scenes.sensitivities import check_differentiable, record_sensitivities
 from snapjump.statics.threshold_curve import ThresholdCurve
@@ -70,15 +72,19 @@ def march_all(
     most_iterations: float,
     progress: Progress | None,
     numbers: Array | None = None,
+    reads: Sequence[str] = (),
 ) -> Marched:
     """Outcomes of prepared jumps; with slopes (M, P, I) of the models' ``numbers`` also those of
-    the flights."""
+    the flights; with ``reads`` also what these record."""
     count = len(ready.models)
     outcome, slopes = np.zeros((count, c.COLUMNS)), None
     if numbers is not None:
         inputs = numbers.shape[2]
         load, drag = (slopes_of_member(ready, numbers, which) for which in ("load", "drag"))
         slopes = Slopes(np.zeros((count, 4, inputs)), load, drag, np.zeros(count))
+    loads: dict[str, Array] = {
+        read: np.full((count, KINDS[read].figures), np.nan) for read in reads
+    }
     told = BatchProgress(count, progress or (lambda share, text: None))
     kernel_seconds, lane_passes = 0.0, 0
     for group, march in marches(ready, lanes, threads, most_iterations):
@@ -86,14 +92,17 @@ def march_all(
         recorded = None
         if numbers is not None:
             recorded = record_sensitivities(march, numbers[group])
+        borne = record_loads(march, reads) if reads else {}
         outcome[group] = march.run(told.jumps(len(group)))
         if slopes is not None and recorded is not None:
             slopes.flights[group] = recorded[0][:, :, : slopes.flights.shape[2]]
             slopes.grazes[group] = recorded[1]
+        for read, figures in borne.items():
+            loads[read][group] = figures
         told.finish(len(group))
         kernel_seconds += march.kernel_seconds
         lane_passes += march.lanes * march.passes
-    return Marched(outcome, kernel_seconds, lane_passes, slopes)
+    return Marched(outcome, kernel_seconds, lane_passes, slopes, loads)
 
 
 def slopes_of_member(ready: Prepared, numbers: Array, family: str) -> Array:
@@ -110,15 +119,16 @@ def simulate_batch(
     most_iterations: float = MOST_ITERATIONS,
     threads: int = 1,
     progress: Progress | None = None,
+    outputs: Sequence[str] = (),
 ) -> Batch:
     """Simulate jumps, ``lanes`` at a time in each thread, each for at most so many iterations.
 
     They differ in numbers only: of robot, design, environment, and the contact, friction and
     damping laws. Frames whose mesh depends on the design march with those of the same mesh.
     Results depend neither on lanes, threads nor order. With ``backend=cuda`` they run on the card,
-    one in each of its threads.
+    one in each of its threads. ``outputs``: as of :func:`simulate_designs`.
 
-    Raises ParameterError where they differ in more than that.
+    Raises ParameterError where they differ in more than that, and for outputs that there are not.
     """
     if not simulations:
         raise ParameterError("simulations", [], "one at least")
@@ -126,14 +136,15 @@ def simulate_batch(
     check_alike(simulations)
     check_width(lanes, threads)
     check_number("most_iterations", most_iterations, 1.0)
+    asked = check_outputs(simulations[0], outputs)
     count = len(simulations)
     models = Models.of([jump_model(simulation) for simulation in simulations])
     ready = Prepared(list(simulations), models, np.arange(count), np.full(count, RUNNING))
-    marched = march_all(ready, lanes, threads, most_iterations, progress)
+    marched = march_all(ready, lanes, threads, most_iterations, progress, reads=reads_of(asked))
     given = {p: np.array([value_at(s, p) for s in simulations], float) for p in DEFAULT_INPUTS}
     names = column_names([input_at(simulations[0], path) for path in given])
     designs = dict(zip(names, given.values(), strict=True))
-    return batch_of(simulations[0], ready, marched, designs)
+    return with_loads(batch_of(simulations[0], ready, marched, designs), asked, marched.loads)
 
 
 def check_width(lanes: int, threads: int) -> None:
@@ -153,6 +164,7 @@ def simulate_designs(
     threads: int | None = None,
     lanes: int | None = None,
     sensitivities: bool = False,
+    outputs: Sequence[str] = (),
 ) -> Batch:
     """Simulate designs (R, I), whose columns are ``inputs``, by their paths.
 
@@ -164,11 +176,14 @@ def simulate_designs(
     A curve spares a threshold for every epsilon in its range.
     With ``sensitivities`` the batch has derivatives of every apex by the inputs, of which there
     are at most four then; the jumps are the same.
+    ``outputs``: names of outputs that cost time, and that the batch then has too: the largest
+    loads, of all steps (``["max_strain", "peak_clamp_torque_N_m"]``, docs/outputs.md). The jumps
+    are the same.
     A design that is refused is a row with the status ``bad_design`` or ``no_threshold``.
 
     Raises ParameterError for an array of another shape, a path that is no input, a scene that is no
-    jump, a number of lanes or threads out of range, a curve of another robot or mesh, or a module
-    that sensitivities do not know.
+    jump, a number of lanes or threads out of range, a curve of another robot or mesh, a module
+    that sensitivities do not know, or outputs that there are not, or not with these.
     """
     base = with_tier(base) if isinstance(base, str) else base
     check_inputs(base, inputs)
@@ -181,6 +196,7 @@ def simulate_designs(
     width = backend.width if lanes is None else lanes
     crew = backend.thread_count if threads is None else threads
     check_width(width, crew)
+    asked = check_outputs(base, outputs, sensitivities)
     if sensitivities:
         check_differentiable(base, inputs)
         if curve is None and "design.epsilon" in inputs:
@@ -190,6 +206,7 @@ def simulate_designs(
     numbers = None
     if sensitivities:
         numbers = model_derivatives(base, table[ready.chosen], curve, inputs)
-    marched = march_all(ready, width, crew, MOST_ITERATIONS, progress, numbers)
+    marched = march_all(ready, width, crew, MOST_ITERATIONS, progress, numbers, reads_of(asked))
     names = column_names([known[path] for path in inputs])
-    return batch_of(base, ready, marched, dict(zip(names, table.T, strict=True)))
+    batch = batch_of(base, ready, marched, dict(zip(names, table.T, strict=True)))
+    return with_loads(batch, asked, marched.loads)

@@ -1,7 +1,7 @@
 """The columns of a dataset: names, units, meanings; as numpy arrays, as Arrow, and as a hash."""
 
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -9,7 +9,8 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from snapjump.batch import Batch
-from snapjump.declare.outputs import FLAG, INTEGER, NUMBER, WORD
+from snapjump.batch.loads import OFFERED
+from snapjump.declare.outputs import FLAG, INTEGER, NUMBER, WORD, Output
 from snapjump.plan.parts.axes import Axis
 
 # Arrays (R,) by column; a column that is left out has no values.
@@ -29,9 +30,14 @@ class Column(NamedTuple):
 
 APEX = ("x_bar", "y_bar")
 INDEX = Column("index", "", "number of the design in the plan", INTEGER)
-OUTPUTS = tuple(
-    Column(each.name, each.unit, each.meaning, each.kind, each.timing) for each in Batch.declared()
-)
+
+
+def column_of(each: Output[Any]) -> Column:
+    """The column of an output."""
+    return Column(each.name, each.unit, each.meaning, each.kind, each.timing)
+
+
+OUTPUTS = tuple(column_of(each) for each in Batch.declared())
 TIMINGS = {column.name for column in OUTPUTS if column.timing}
 JUDGED = (
     Column("graze_distance", "1", "change of a parameter that makes or breaks a contact"),
@@ -39,12 +45,13 @@ JUDGED = (
 )
 
 
-def columns_of(axes: Sequence[Axis]) -> tuple[Column, ...]:
-    """The columns of a dataset of these axes."""
+def columns_of(axes: Sequence[Axis], outputs: Collection[str] = ()) -> tuple[Column, ...]:
+    """The columns of a dataset of these axes, with these outputs beside those of all jumps."""
     return (
         INDEX,
         *(Column(axis.column, axis.unit or "1", axis.meaning) for axis in axes),
         *OUTPUTS,
+        *(column_of(each) for each in OFFERED if each.name in outputs),
         *(
             Column(
                 name,

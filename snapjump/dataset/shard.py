@@ -24,7 +24,8 @@ def write_shard(
     folder: DatasetFolder, specification: Specification, number: int, rows: Rows
 ) -> Entry:
     """Write the rows of a shard, then its entry; returns the entry."""
-    table = table_of(columns_of(specification.axes), rows)
+    columns = columns_of(specification.axes, specification.outputs)
+    table = table_of(columns, rows)
     return write_table(folder, specification, number, table)
 
 

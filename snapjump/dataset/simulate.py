@@ -41,6 +41,7 @@ class ShardSimulator:
             progress=progress,
             lanes=1 if isinstance(base.backend, ScalarBackend) else None,
             sensitivities=self.specification.sensitivities,
+            outputs=self.specification.outputs,
         )
         axes = self.specification.axes
         inputs = {axis.column: values for axis, values in zip(axes, designs.T, strict=True)}

@@ -1,10 +1,11 @@
 """The specification of a dataset: all that determines its numbers, to plain JSON and back."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from snapjump.batch.loads import check_outputs
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.dataset.options import DatasetOptions
@@ -44,6 +45,11 @@ class Specification:
         return bool(self.plain["sensitivities"])
 
     @property
+    def outputs(self) -> list[str]:
+        """Names of outputs beside those of all jumps."""
+        return list(self.plain.get("outputs", ()))
+
+    @property
     def shards(self) -> int:
         return -(-self.plan.count // self.shard_size)
 
@@ -54,7 +60,10 @@ class Specification:
 
 
 def specify(
-    config: Mapping[str, Any], shard_size: int, sensitivities: bool = False
+    config: Mapping[str, Any],
+    shard_size: int,
+    sensitivities: bool = False,
+    outputs: Sequence[str] = (),
 ) -> Specification:
     """The specification of a configuration's dataset.
 
@@ -72,6 +81,7 @@ def specify(
     middles = {axis.path: 0.5 * (axis.low + axis.high) for axis in axes}
     simulation = with_inputs(configured, middles)
     plan = options.plan(tuple(axis.range for axis in axes))
+    asked = check_outputs(simulation, outputs, sensitivities, "dataset.outputs")
     if given.sensitivities:
         check_differentiable(simulation, [axis.path for axis in axes], "plan.inputs")
     configuration = {
@@ -89,6 +99,8 @@ def specify(
         "processor": simulation.backend.processor,
         "source_sha256": source_hash(BEYOND_DATASETS),
     }
+    if asked:  # without any a dataset is the one that it was before there were any
+        plain["outputs"] = asked
     plain = json.loads(json.dumps(plain))  # tuples become lists, as in the files
     return Specification(plain, simulation, plan, axes)
 
@@ -102,7 +114,7 @@ def restored(plain: Mapping[str, Any], backend: Mapping[str, Any]) -> Specificat
     for axis in axes:
         group, _, name = axis.path.partition(".")
         config[group] = {**config[group], name: 0.5 * (axis.low + axis.high)}
-    return specify(config, plain["shard_size"], plain["sensitivities"])
+    return specify(config, plain["shard_size"], plain["sensitivities"], plain.get("outputs", ()))
 
 
 def first_difference(ours: Any, theirs: Any, key: str = "") -> tuple[str, Any, Any] | None:

@@ -23,7 +23,8 @@ class Output(cached_property[T]):
 
     ``unit``: 1 without a dimension, empty for words and flags; ``kind``: NUMBER, INTEGER, FLAG or
     WORD; ``of``: the statuses that have it, empty for all; ``timing``: differs from run to run;
-    ``unknown``: NaN says that it is not known, and not that anything went wrong;
+    ``unknown``: NaN says that it is not known, and not that anything went wrong; ``reads``: what
+    must have been recorded of the march, without which there is no such figure;
     ``show``: heading and text of its place in the closing block, empty to leave it out.
     """
 
@@ -35,13 +36,14 @@ class Output(cached_property[T]):
         of: tuple[str, ...],
         timing: bool,
         unknown: bool,
+        reads: tuple[str, ...],
         show: str | None,
     ):
         super().__init__(known_of(of, read) if of else read)
         self.name = read.__name__
         self.meaning = " ".join((read.__doc__ or "").split()).rstrip(".")
         self.unit, self.kind, self.of, self.timing = unit, kind, of, timing
-        self.unknown = unknown
+        self.unknown, self.reads = unknown, reads
         self.show = f"{self.name}: {{}}" if show is None else show
 
 
@@ -52,10 +54,11 @@ def output(
     of: tuple[str, ...] = (),
     timing: bool = False,
     unknown: bool = False,
+    reads: tuple[str, ...] = (),
     show: str | None = None,
 ) -> Callable[[Callable[[Any], T]], Output[T]]:
     """Declare a method to be an output; without ``show`` its name is its heading."""
-    return lambda read: Output(read, unit, kind, of, timing, unknown, show)
+    return lambda read: Output(read, unit, kind, of, timing, unknown, reads, show)
 
 
 def known_of(statuses: tuple[str, ...], read: Callable[[Any], Any]) -> Callable[[Any], Any]:
@@ -90,11 +93,15 @@ class Outputs:
         found = (getattr(cls, name) for name in names)
         return [each for each in found if isinstance(each, Output)]
 
+    def reported(self) -> list[Output[Any]]:
+        """The declared ones that these simulations have."""
+        return self.declared()
+
     def columns(self) -> dict[str, NDArray[Any]]:
-        """Every output by name, as an array (R,) of its kind."""
+        """Every output that there is by name, as an array (R,) of its kind."""
         return {
             each.name: np.atleast_1d(np.asarray(getattr(self, each.name), TYPES[each.kind]))
-            for each in self.declared()
+            for each in self.reported()
         }
 
     def rows(self, *names: str) -> list[dict[str, Any]]:

@@ -204,7 +204,8 @@ def ground_force(model: Any, motion: Any, masses: Any, work: Any, state: Any, ve
         for point in range(point_count(model, masses, work.mesh)):
             touch = touch_at(model, masses, work, point, state, velocity)
             if any_true(touch.share > 0.0):
-                total += touch.share * normal_force(model, motion, touch)
+                if any_true(model.contact.active(touch.now.gap, contact_state(motion, touch))):
+                    total += touch.share * normal_force(model, motion, touch)
     return total
 
 

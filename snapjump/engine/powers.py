@@ -29,6 +29,34 @@ def clamp_torques(model: Any, chain: Any, tangents: Any) -> Any:
     return chain.left_moment + shift * left_pull, chain.right_moment + shift * right_pull
 
 
+class Held(NamedTuple):
+    """What a beam and its clamps do to each other: the clamps' directions
+    (:class:`~snapjump.discretization.base.EndTangents`), the power that damping takes out of the
+    beam (EI/(L T)), the clamps' torques on it (EI/L), and the power that they put in."""
+
+    tangents: Any
+    dissipation: Any
+    left: Any
+    right: Any
+    power: Any
+
+
+@kernel
+def held_beam(model: Any, mesh: Any, angles: Any, state: Any, velocity: Any) -> Held:
+    """What the clamps at these angles and the beam of a state and velocity do to each other."""
+    rotations = model.frame.mount_rotations(mesh, state, velocity)
+    tangents = model.frame.end_tangents(mesh, model.load, angles, state, rotations)
+    first = model.frame.dofs(mesh)
+    chain = model.discretization.chain_powers(
+        model.damping, state[first:], velocity[first:], tangents
+    )
+    left, right = clamp_torques(model, chain, tangents)
+    power = left * angles.left_rate
+    power = power + right * angles.right_rate
+    power = power + 0.5 * angles.apart_rate * (chain.right_x - chain.left_x)
+    return Held(tangents, chain.dissipation, left, right, power)
+
+
 @routine
 def powers(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity: Any) -> Powers:
     """The :class:`Powers` of a stage's state and velocity."""
@@ -53,17 +81,9 @@ def powers(model: Any, motion: Any, masses: Any, work: Any, state: Any, velocity
         damping = damping + drag * mass * velocity[k] * velocity[k]
     damping = damping + model.frame.dissipation(model.damping, mesh, state, velocity)
     if model.discretization.has_elements():
-        angles = model.clamp.angles(motion.time)
-        rotations = model.frame.mount_rotations(mesh, state, velocity)
-        tangents = model.frame.end_tangents(mesh, model.load, angles, state, rotations)
-        chain = model.discretization.chain_powers(
-            model.damping, state[offset:], velocity[offset:], tangents
-        )
-        damping = damping + chain.dissipation
-        left, right = clamp_torques(model, chain, tangents)
-        clamps = left * angles.left_rate
-        clamps = clamps + right * angles.right_rate
-        clamps = clamps + 0.5 * angles.apart_rate * (chain.right_x - chain.left_x)
+        beam = held_beam(model, mesh, model.clamp.angles(motion.time), state, velocity)
+        damping = damping + beam.dissipation
+        clamps = beam.power
     air = 0.0 * state[0]
     if model.drag.exists():
         vx, vy = mean_of(model, masses, mesh, velocity)

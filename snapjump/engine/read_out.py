@@ -3,6 +3,7 @@
 from typing import Any, NamedTuple
 
 from snapjump.engine.assemble import Motion
+from snapjump.engine.bending import fill_turnings
 from snapjump.engine.model import with_numbers
 from snapjump.engine.points import (
     Touch,
@@ -12,7 +13,7 @@ from snapjump.engine.points import (
     point_count,
     share_of,
 )
-from snapjump.engine.powers import clamp_torques
+from snapjump.engine.powers import held_beam
 from snapjump.number.array import uncounted
 from snapjump.number.dispatch import compiled, kernel
 
@@ -25,7 +26,8 @@ class Readings(NamedTuple):
     elastic, stored in contact: energies (S), in EI/L; angles: of the clamps (S, 2), in rad; pose:
     x, y, sine and cosine of the frame (S, 4); corners: places (S, 4, 2), in L; gap (S, P), in L;
     normal, friction: forces of the ground (S, P), in EI/L^2, zero at points without a share;
-    tangents: directions x, y of both clamps (S, 4); torques: of both on the beam (S, 2), in EI/L.
+    turnings: of the beam at its N + 1 nodes over an element's length (S, N + 1); torques: of both
+    clamps on the beam (S, 2), in EI/L.
     """
 
     elastic: Any
@@ -36,7 +38,7 @@ class Readings(NamedTuple):
     gap: Any
     normal: Any
     friction: Any
-    tangents: Any
+    turnings: Any
     torques: Any
 
 
@@ -70,25 +72,24 @@ def read_states(
 
 
 @kernel
+def elastic_energy(model: Any, mesh: Any, state: Any, tangents: Any) -> Any:
+    """Elastic energy of beam and frame (EI/L); ``tangents``: the directions of the clamps."""
+    chain = state[model.frame.dofs(mesh) :]
+    beam = model.discretization.internal_energy(chain, tangents)
+    return beam + model.frame.energy(mesh, state)
+
+
+@kernel
 def read_beam(
     model: Any, mesh: Any, n: Any, state: Any, velocity: Any, angles: Any, readings: Any
 ) -> None:
-    """Fill the elastic energy, the directions of the clamps and their torques."""
-    rotations = model.frame.mount_rotations(mesh, state, velocity)
-    tangents = model.frame.end_tangents(mesh, model.load, angles, state, rotations)
-    held = model.frame.dofs(mesh)
-    beam = model.discretization.internal_energy(state[held:], tangents)
-    readings.elastic[n] = beam + model.frame.energy(mesh, state)
-    readings.tangents[n, 0] = tangents.left_x
-    readings.tangents[n, 1] = tangents.left_y
-    readings.tangents[n, 2] = tangents.right_x
-    readings.tangents[n, 3] = tangents.right_y
-    chain = model.discretization.chain_powers(
-        model.damping, state[held:], velocity[held:], tangents
-    )
-    left, right = clamp_torques(model, chain, tangents)
-    readings.torques[n, 0] = left
-    readings.torques[n, 1] = right
+    """Fill the elastic energy, the beam's turning and the torques of the clamps."""
+    held = held_beam(model, mesh, angles, state, velocity)
+    readings.elastic[n] = elastic_energy(model, mesh, state, held.tangents)
+    chain = state[model.frame.dofs(mesh) :]
+    fill_turnings(model.discretization, chain, held.tangents, readings.turnings[n])
+    readings.torques[n, 0] = held.left
+    readings.torques[n, 1] = held.right
 
 
 @kernel

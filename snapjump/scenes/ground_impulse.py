@@ -6,12 +6,20 @@ with the integrator's own weights, friction comes out 6, 31 and 0.1 % off for th
 draft, 7, 16 and 0.03 % at standard, 0.8, 1.6 and 0.0005 % at reference; normal forces to 1e-7.
 """
 
+from typing import Any
+
 import numpy as np
 from scipy.integrate import cumulative_trapezoid
 
 from snapjump.arrays import Array
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.scenes.runner import March
+
+
+def momentum_gained(model: Any, time: Any, risen: Any, faster: Any) -> Any:
+    """What the ground, and drag, have given a robot of momentum across the ground, over its mass
+    (L/T), when it has risen (L) and become faster (L/T) so much in a time (T)."""
+    return faster + model.damping.drag() * risen + model.load.gravity() * time
 
 
 def impulse_arrays(
@@ -27,7 +35,7 @@ def impulse_arrays(
     mass_kg = (model.frame.whole_mass(march.mesh) + np.sum(march.masses)) * scales.mass_kg
     drag, load = model.damping.drag(), model.load
     along = vx - vx[0] + drag * (x - x[0]) - load.pull() * times
-    across = vy - vy[0] + drag * (y - y[0]) + load.gravity() * times
+    across = momentum_gained(model, times, y - y[0], vy - vy[0])
     if model.drag.exists():
         air = np.array([model.drag.acceleration(*v) for v in zip(vx, vy, strict=True)])
         gained = cumulative_trapezoid(air, times, axis=0, initial=0.0)

@@ -12,8 +12,9 @@ from snapjump.engine import outcome as c
 from snapjump.error_estimate import ErrorEstimate, error_estimate
 from snapjump.number.trigonometry import arctan
 from snapjump.results import JumpResult
+from snapjump.scenes.beam_outputs import BeamOutputs
 from snapjump.scenes.flight import Flight, flight, world
-from snapjump.scenes.jump_loads import JumpLoads
+from snapjump.scenes.jump_loads import JumpLoads, Release
 from snapjump.scenes.march_outputs import GroundOutputs, RunOutputs
 
 Array = NDArray[np.float64]
@@ -171,7 +172,7 @@ class JumpRun(JumpOutputs, RunOutputs):
 
 
 @dataclass(frozen=True)
-class RecordedJump(JumpOutputs, JumpLoads):
+class RecordedJump(JumpOutputs, JumpLoads, BeamOutputs):
     """One jump with its trajectory."""
 
     kind = JumpResult
@@ -180,3 +181,23 @@ class RecordedJump(JumpOutputs, JumpLoads):
     def estimate(self) -> ErrorEstimate:
         """Estimated errors, and whether energy and forces are in balance as they then must be."""
         return super().estimate.balanced(self.numerical_loss_share, self.max_residual)
+
+    @property
+    def push(self) -> float:
+        """Of all samples."""
+        if "node_normal_N" not in self.arrays:
+            return np.nan
+        sums = (self.arrays[f"{of}_normal_N"].sum(axis=1) for of in ("node", "corner"))
+        return float(sum(sums).max())
+
+    @property
+    def impulse(self) -> float:
+        """Up to the last sample."""
+        return float(self.arrays["ground_impulse_y_N_s"][-1])
+
+    @property
+    def release(self) -> Release:
+        """Up to the first sample after the last contact."""
+        elastic, start_m = self.arrays["elastic_J"], self.arrays["com_y_m"][0]
+        off = int(np.searchsorted(self.arrays["time_s"], float(self.liftoff_time_s[0])))
+        return Release(float(start_m), elastic[0] - elastic[min(off, len(elastic) - 1)])

@@ -1,7 +1,7 @@
 """Outputs that scenes share: of any simulation, of any march, of one on the ground, recorded."""
 
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
@@ -80,6 +80,10 @@ class MarchOutputs(Outputs):
     def scales(self) -> Scales:
         """The units of its numbers."""
         return self.simulation.robot.scales
+
+    def of_each(self, read: Callable[[Simulation], Any]) -> Any:
+        """What is read off each simulation."""
+        return read(self.simulation)
 
     @cached_property
     def codes(self) -> NDArray[np.int64]:

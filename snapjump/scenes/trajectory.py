@@ -54,7 +54,7 @@ def trajectory_arrays(march: March, recorder: TrajectoryRecorder) -> dict[str, A
         arrays |= contact_arrays(march, states, readings)
         arrays |= impulse_arrays(march, times, states, velocities)
     if model.discretization.has_elements():
-        arrays |= bending_arrays(march, nodes, readings)
+        arrays |= bending_arrays(march, readings)
     arrays |= energy_arrays(march, states, velocities, works, readings)
     return arrays
 
@@ -62,8 +62,8 @@ def trajectory_arrays(march: March, recorder: TrajectoryRecorder) -> dict[str, A
 def read(march: March, times: Array, states: Array, velocities: Array) -> Readings:
     """What is read off states and velocities (S, D) at times (S) of a march's first robot."""
     model, masses, mesh = march.models[0], march.masses, march.mesh
-    points = point_count(model, masses, mesh)
-    shapes = ((), (), (2,), (4,), (CORNERS, 2), (points,), (points,), (points,), (4,), (2,))
+    points, nodes = point_count(model, masses, mesh), len(masses)
+    shapes = ((), (), (2,), (4,), (CORNERS, 2), (points,), (points,), (points,), (nodes,), (2,))
     readings = Readings(*(np.zeros((len(times), *shape)) for shape in shapes))
     read_states(model, numbers_of(model), masses, mesh, times, states, velocities, readings)
     return readings

@@ -34,7 +34,7 @@ def line(shown: Result | Batch) -> str:
 def text(shown: Result | Batch) -> str:
     """The closing block of a simulation; of a batch, how many ended how, and where."""
     if isinstance(shown, Batch):
-        spans = [(each.name, _range(shown, each.name)) for each in shown.declared() if each.show]
+        spans = [(each.name, _range(shown, each.name)) for each in shown.reported() if each.show]
         per_jump = number(1e3 * shown.march_seconds / max(len(shown.status), 1))
         return block([("batch", _title(shown)), *spans, ("cost", f"{per_jump} ms a jump and core")])
     lines = scene_report(shown.simulation.configuration, shown.summary)
@@ -100,5 +100,5 @@ def _range(batch: Batch, name: str) -> str:
     known = np.broadcast_to(values, np.shape(batch.status))[np.isfinite(values)]
     if not len(known):
         return ""
-    unit = next(each.unit for each in batch.declared() if each.name == name)
+    unit = next(each.unit for each in batch.reported() if each.name == name)
     return f"{number(float(known.min()))} to {number(float(known.max()))} {unit}".removesuffix(" 1")

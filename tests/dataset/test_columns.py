@@ -4,7 +4,7 @@ import numpy as np
 import pyarrow as pa
 import pytest
 from refusals import refused
-from small_datasets import CONFIG, made_up_rows, small
+from small_datasets import CONFIG, WIDE_STICK, made_up_rows, small
 
 from snapjump.batch import Batch
 from snapjump.checks import ParameterError
@@ -38,6 +38,11 @@ def test_every_column_has_its_unit_and_meaning_in_the_schema():
 
 def test_every_output_of_a_jump_is_a_column():
     assert {output.name for output in Batch.declared()} < set(NAMES)
+
+
+def test_outputs_that_cost_time_are_columns_if_they_are_asked_for():
+    asked = {column.name for column in columns_of(SPECIFICATION.axes, ["max_strain"])}
+    assert asked == {*NAMES, "max_strain"}
 
 
 def test_what_is_not_finite_or_left_out_is_null():
@@ -123,6 +128,26 @@ def test_what_changes_numbers_changes_the_specification():
 def test_bad_input(changes, key):
     with refused(key):
         small(**changes)
+
+
+def test_outputs_that_cost_time_count_in_the_specification_if_they_are_asked_for():
+    plain, asked = small(), small(outputs=["clamp_work_J", "max_strain"])
+    assert "outputs" not in plain.plain and plain.outputs == []
+    assert asked.sha256 != plain.sha256 == small(outputs=[]).sha256
+    assert asked.sha256 == small(outputs=("max_strain", "clamp_work_J")).sha256
+    again = restored(asked.plain, CONFIG["backend"])
+    assert again.plain == asked.plain and again.outputs == ["max_strain", "clamp_work_J"]
+
+
+@pytest.mark.parametrize("outputs", ["max_strain", 3, ["x_bar"], ["damping_ratio_1"], ["spam"]])
+def test_outputs_that_datasets_do_not_have(outputs):
+    with refused("dataset.outputs", "max_strain"):
+        small(outputs=outputs)
+
+
+def test_no_outputs_that_cost_time_with_sensitivities():
+    with refused("dataset.outputs", "sensitivities"):
+        small(outputs=["max_strain"], sensitivities=True, friction=WIDE_STICK)
 
 
 @pytest.mark.parametrize("size", [0, -1, 1.5, True, 1_000_001])

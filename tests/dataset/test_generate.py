@@ -70,6 +70,21 @@ def test_derivatives_of_every_apex(tmp_path, undisturbed):
     assert load_dataset(undisturbed).frame()[columns].isna().to_numpy().all()
 
 
+def test_outputs_that_are_asked_for_are_columns(tmp_path, undisturbed):
+    asked = small(outputs=["clamp_work_J", "max_strain"])
+    generated(tmp_path, asked)
+    dataset, plain = load_dataset(tmp_path), load_dataset(undisturbed)
+    frame, others = dataset.frame(), plain.frame()
+    assert dataset.specification["outputs"] == ["max_strain", "clamp_work_J"]
+    assert {*frame} - {*others} == {"max_strain", "clamp_work_J"}
+    jumps = [name for name in others if name != "kernel_seconds"]
+    assert frame[jumps].equals(others[jumps]) and dataset.sha256 != plain.sha256
+    designs, curve = asked.plan.designs(0, 24), curve_over(asked.simulation, asked.axes)
+    batch = simulate_designs(asked.simulation, designs, curve=curve, lanes=1, outputs=asked.outputs)
+    for name in asked.outputs:
+        np.testing.assert_array_equal(frame[name].to_numpy(), getattr(batch, name))
+
+
 def test_any_inputs_are_axes(tmp_path):
     """Inputs that change the beam or its scales, or are words otherwise, are axes as well."""
     ranges = {

@@ -5,18 +5,40 @@ import pytest
 from physical import DESIGNS, discretized, parts_of, slender, snap
 
 from snapjump import simulate_jump
-from snapjump.scenes.bending import curvatures, turning
+from snapjump.discretization.base import EndTangents
+from snapjump.discretization.der import DiscreteElasticRod
+from snapjump.engine.bending import fill_turnings
+from snapjump.robot.robot import Robot
+
+
+def turnings(beam, nodes, position, left, right):
+    """Turnings (N + 1) of a chain between clamps in these directions (rad)."""
+    found = np.zeros(nodes)
+    ends = np.cos(left), np.sin(left), 0.0, np.cos(right), np.sin(right), 0.0, 0.0, 0.0
+    fill_turnings(beam, position, EndTangents(*ends), found)
+    return found
 
 
 def test_a_circle_turns_by_as_much_at_every_node():
     radius, angles = 0.3, np.linspace(0.1, 1.5, 33)
     places = radius * np.stack([np.sin(angles), -np.cos(angles)], axis=1)
-    ends = angles[[0, -1]]
-    tangents = np.stack([np.cos(ends), np.sin(ends)], axis=1)
-    found = turning(places[None], tangents[None])[0]
     turn = angles[1] - angles[0]
-    np.testing.assert_allclose(found[1:-1], 2.0 * np.tan(0.5 * turn), rtol=1e-12)
-    np.testing.assert_allclose(found[[0, -1]], 2.0 * np.tan(0.25 * turn), rtol=1e-12)
+    for clamp, at_ends in (("half_element", 2.0), ("two_nodes", 1.0)):
+        beam = DiscreteElasticRod(elements=32, clamp=clamp).beam(Robot())
+        found = turnings(beam, len(angles), places.ravel(), *angles[[0, -1]])
+        np.testing.assert_allclose(found[1:-1], 2.0 * np.tan(0.5 * turn), rtol=1e-12)
+        ends = at_ends * 2.0 * np.tan(0.25 * turn)
+        np.testing.assert_allclose(found[[0, -1]], ends, rtol=1e-12)
+
+
+@pytest.mark.parametrize("rod", ["corotational", "geometrically_exact"])
+def test_nodes_that_turn_tell_a_curvature_that_grows_linearly(rod):
+    """Of rotations that are quadratic in the node's number, also at the ends."""
+    beam, node = discretized(rod, 20).beam(slender(1e-4)), np.arange(21)
+    position = np.zeros(3 * len(node))
+    position[2::3] = beam.rotation_length() * (0.02 * node + 0.003 * node**2)
+    found = turnings(beam, len(node), position, 0.0, 0.0)
+    np.testing.assert_allclose(found, 0.02 + 0.006 * node, atol=1e-14)
 
 
 @pytest.fixture(scope="module")
@@ -44,9 +66,7 @@ def test_at_its_threshold_an_arch_bends_as_the_elastica(rod):
     for elements in (48, 96):
         at = snap(0.2, elements, name=rod).before
         beam = discretized(rod, elements).beam(slender(1e-4))
-        ends = np.array([-at.left, at.right])
-        tangents = np.stack([np.cos(ends), np.sin(ends)], axis=1)
-        found = curvatures(beam, elements, at.state[None], tangents[None])[0, [0, -1]]
+        found = elements * turnings(beam, elements + 1, at.state, -at.left, at.right)[[0, -1]]
         errors.append(np.abs(found * 0.8 / (2.0 * np.sin(at.left)) - 1.0).max())
     assert errors[1] < 0.3 * errors[0] < 0.02
 

@@ -1,6 +1,6 @@
 """Small datasets: real ones of a coarse simulation, and shards of made-up numbers."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -35,11 +35,15 @@ OVERRIDES = (
 
 
 def small(
-    count: int = 24, shard_size: int = 8, sensitivities: bool = False, **changes: Any
+    count: int = 24,
+    shard_size: int = 8,
+    sensitivities: bool = False,
+    outputs: Sequence[str] = (),
+    **changes: Any,
 ) -> Specification:
     """The specification of few coarse jumps."""
     plan = {"name": "latin_hypercube", "count": count}
-    return specify({**CONFIG, "plan": plan, **changes}, shard_size, sensitivities)
+    return specify({**CONFIG, "plan": plan, **changes}, shard_size, sensitivities, outputs)
 
 
 def generated(

@@ -42,7 +42,7 @@ class GenerateDataset(Task):
     def prepare(self, config: Mapping[str, Any]) -> None:
         self._config = config
         self._options: SharedDataset = whole(SharedDataset, config.get("dataset"))
-        self._specification = specify(config, self._options.shard_size, self._options.sensitivities)
+        self._specification = specify(config, *self._options.contents)
         check_complete(config, self._specification.simulation)
         warn_of_unusual(self._specification.simulation)
         check_fixed(self._specification.axes, given_overrides())
@@ -99,7 +99,7 @@ class GenerateDataset(Task):
 
     def leaves(self, config: Mapping[str, Any]) -> dict[str, str]:
         options: SharedDataset = whole(SharedDataset, config.get("dataset"))
-        made_of = specify(config, options.shard_size, options.sensitivities)
+        made_of = specify(config, *options.contents)
         folder = DatasetFolder(Path(options.path or default_path(made_of)))
         numbers = range(options.part - 1, made_of.shards, options.parts)
         entries = [read_entry(folder, number, made_of.sha256)[0] for number in numbers]

@@ -134,7 +134,7 @@ def dataset_path(config: Mapping[str, Any]) -> Path:
     given: DatasetOptions = whole(DatasetOptions, config.get("dataset"))
     if given.path is not None:
         return Path(given.path)
-    return default_path(specify(config, given.shard_size, given.sensitivities))
+    return default_path(specify(config, *given.contents))
 
 
 def command_of_dataset() -> str:

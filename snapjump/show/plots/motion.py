@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from snapjump.scenes.bending import place_bar
+from snapjump.scenes.bending import clamped_bar
 
 Array = np.ndarray
 NAMES = (
@@ -171,7 +171,8 @@ def _most_bent(data: dict[str, Array], result: Any) -> Bent | None:
         return None
     size = np.abs(data["node_strain"])
     sample, node = divmod(int(size.argmax()), size.shape[1])
-    place = place_bar(result.simulation.discretization, node)
+    mesh = result.simulation.discretization
+    place = node / mesh.elements + clamped_bar(mesh)
     return Bent(sample, node, place, float(size[sample, node]))
 
 

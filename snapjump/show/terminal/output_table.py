@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from snapjump.batch import Batch
+from snapjump.batch.loads import LoadedBatch
 from snapjump.declare.members import member_class, member_names
 from snapjump.declare.outputs import Outputs
 from snapjump.engine.status import NAMES, REASONS
@@ -15,14 +15,15 @@ def output_table() -> str:
     """Markdown: a row for each output, and the scenes (and batches) that have it."""
     owners: Mapping[str, type[Outputs]] = {
         **{name: member_class("sim", name)().outputs for name in member_names("sim")},
-        "batch": Batch,
+        "batch": LoadedBatch,
     }
     found: dict[tuple[str, ...], list[str]] = {}
     for scene, kind in owners.items():
         for each in kind.declared():
             known = " or ".join(f"`{status}`" for status in each.of)
             row = (f"`{each.name}`", each.unit, each.meaning, known)
-            found.setdefault(row, []).append(scene)
+            asked = scene == "batch" and each.reads
+            found.setdefault(row, []).append(f"{scene} if asked" if asked else scene)
     rows = [
         (name, unit, meaning, "all" if len(scenes) == len(owners) else ", ".join(scenes), known)
         for (name, unit, meaning, known), scenes in found.items()

@@ -19,7 +19,8 @@ from snapjump.run.tasks.complete import whole
 
 PLAN = ("plan=sobol", "plan.count=16", "dataset.shard_size=8")
 KEYS: dict[str, Any] = {
-    "path": None, "sensitivities": False, "shard_size": 8, "part": 1, "parts": 1,
+    "path": None, "sensitivities": False, "outputs": [], "shard_size": 8, "part": 1,
+    "parts": 1,
 }  # fmt: skip
 
 
