@@ -19,6 +19,7 @@ MEMBERS: Mapping[str, Mapping[str, float]] = {
     "contact": {"logbarrier": 1.0, "penalty": 5.0, "hunt_crossley": 3.0},
     "friction": {"implicit": 1.0, "none": 1.0},
     "damping": {"kelvin_voigt": 1.0},
+    "drive": {"constant_rate": 1.0},
     "drag": {"none": 1.0, "quadratic": 1.0},
     "stepping": {"fixed": 1.0, "adaptive": 1.0},
 }
@@ -134,6 +135,7 @@ GROUPS = (
     Group("offset of that centre over half the clear span", 0.0, 0.35, mass_offset),
     Group("radius of gyration of the frame over its diagonal", 0.12, 0.9, gyration),
     Group("deceleration by drag over the speed squared, times L", 0.0, 0.1, drag),
+    Group("rate of the right clamp over the left one's", 1.0, 1.0, lambda m: m.clamp.right_share),
     Group("tangent of the slope", 0.0, 0.2, lambda m: abs(m.load.downhill / m.load.cosine)),
 )
 

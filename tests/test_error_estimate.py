@@ -110,7 +110,7 @@ def test_a_method_that_was_not_measured_says_nothing():
 
 UNKNOWN = [
     ("contact", "signorini"), ("friction", "lagged"), ("damping", "none"),
-    ("damping", "mass_proportional"), ("frame", "elastic"),
+    ("damping", "mass_proportional"), ("frame", "elastic"), ("drive", "smooth_start"),
 ]  # fmt: skip
 
 
@@ -169,6 +169,7 @@ def test_a_start_that_leaves_out_loading_says_nothing(start):
         ("damping.relaxation_time_s", 0.0),
         ("damping.relaxation_time_s", 1e-8),
         ("drive.rate_rad_s", 2000.0),
+        ("drive.right_rate_rad_s", 10.0),
         ("contact.stiffness_N_m", 1e12),
         ("friction.velocity_threshold_m_s", 1.0),
         ("friction.velocity_threshold_m_s", 1e-6),

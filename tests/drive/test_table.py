@@ -87,9 +87,7 @@ def test_rows_that_are_refused(rows, told):
 
 
 def test_files_that_are_refused(tmp_path):
-    with pytest.raises(
-        ParameterError, match="drive.file = None .* a line of headings"
-    ):
+    with pytest.raises(ParameterError, match="drive.file = None .* a line of headings"):
         Simulation(drive="table")
     with pytest.raises(ParameterError, match="drive.file .*No such file"):
         Table(file=str(tmp_path / "nowhere.csv"))
