@@ -38,10 +38,12 @@ COMPOSITIONS = {
     },
     "a constraint": {"contact": "signorini", "integrator": "implicit_euler"},
 }
+FIRST, *OTHERS = COMPOSITIONS.values()
+CHANGES = [FIRST, *(pytest.param(one, marks=pytest.mark.slow) for one in OTHERS)]
 
 
 @pytest.mark.compiles
-@pytest.mark.parametrize("changes", COMPOSITIONS.values(), ids=COMPOSITIONS)
+@pytest.mark.parametrize("changes", CHANGES, ids=COMPOSITIONS)
 def test_loads_are_those_of_a_trajectory_with_every_step(changes):
     one = with_tier("draft", **(COARSE | changes))
     batch, jump = simulate_batch([one], lanes=1, outputs=NAMES), simulate(one)
@@ -75,7 +77,9 @@ def alone():
 
 
 @pytest.mark.compiles
-@pytest.mark.parametrize("names", [NAMES, ["max_strain"]], ids=["all", "strain"])
+@pytest.mark.parametrize(
+    "names", [NAMES, pytest.param(["max_strain"], marks=pytest.mark.slow)], ids=["all", "strain"]
+)
 def test_lanes_and_threads_change_no_bit(alone, names):
     wide = simulate_designs(BASE, np.tile(DESIGNS, (3, 1)), threads=2, lanes=8, outputs=names)
     for name in names:

@@ -148,7 +148,7 @@ def test_a_march_through_the_air_meets_the_integrated_flight():
     assert way[1] < 0.97 * (vacuum.apex_y - end[c.COM_Y])
 
 
-@pytest.mark.compiles
+@pytest.mark.slow
 def test_what_the_air_takes_is_in_the_ledger_and_the_momentum():
     found = simulate(with_tier("standard", drag=HARD))
     vacuum = simulate(with_tier("standard"))
@@ -165,7 +165,7 @@ def test_what_the_air_takes_is_in_the_ledger_and_the_momentum():
 
 
 @pytest.mark.compiles
-@pytest.mark.parametrize("frame", ["rigid", "elastic"])
+@pytest.mark.parametrize("frame", ["rigid", pytest.param("elastic", marks=pytest.mark.slow)])
 def test_lanes_jump_as_one_robot_does(frame):
     base = with_tier("draft", drag=HARD, frame=frame)
     rows = [[0.1, 0.2, 0.768, 0.3], [0.05, 0.15, 1.2, 0.4]]

@@ -49,7 +49,7 @@ def test_other_scenes_are_refused():
         study.Benchmarks().prepare(configured(sim={"name": "snap"}))
 
 
-@pytest.mark.compiles
+@pytest.mark.slow
 @pytest.mark.parametrize("regime", [INERTIA, DAMPING])
 def test_delays_and_times_are_near_the_amplitude_equation(regime):
     groups, near = snapping_groups(STANDARD, regime), NEAR[regime]
