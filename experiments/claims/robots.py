@@ -13,6 +13,7 @@ import numpy as np
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
 from snapjump.declare.inputs import Input, inputs_of, value_at, with_inputs
+from snapjump.drag.quadratic import QuadraticDrag
 from snapjump.robot.environment import mass_bar
 from snapjump.scenes.jump_start import mount_height_bar
 
@@ -94,7 +95,7 @@ def paper_designs(base: Simulation, seed: int) -> Draws:
 def robot_of(base: Simulation, values: Values) -> Simulation:
     """The simulation of a robot: in air, if it has numbers of that. Raises ParameterError."""
     in_air = any(path.startswith("drag.") for path in values)
-    return with_inputs(replace(base, drag="quadratic") if in_air else base, values)
+    return with_inputs(replace(base, drag=QuadraticDrag()) if in_air else base, values)
 
 
 def possible(base: Simulation, values: Values) -> Values | None:
