@@ -1,7 +1,7 @@
 """Batches of jumps: on the processor, or on a card with ``backend=cuda``."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, TypedDict, Unpack
 
 import numpy as np
 
@@ -154,6 +154,24 @@ def check_width(lanes: int, threads: int) -> None:
     check_integer("threads", threads, 1, MOST_THREADS)
 
 
+class Crew(TypedDict, total=False):
+    """Who simulates: threads, and jumps side by side in each of them."""
+
+    threads: int | None
+    lanes: int | None
+
+
+def crew_of(
+    base: Simulation, threads: int | None = None, lanes: int | None = None
+) -> tuple[int, int]:
+    """Lanes and threads, those of ``base`` where they are not given. Raises ParameterError."""
+    backend = base.backend if isinstance(base.backend, LanesBackend) else LanesBackend()
+    width = backend.width if lanes is None else lanes
+    count = backend.thread_count if threads is None else threads
+    check_width(width, count)
+    return width, count
+
+
 def simulate_designs(
     base: Simulation | str,
     designs: Any,
@@ -161,10 +179,9 @@ def simulate_designs(
     inputs: Sequence[str] = DEFAULT_INPUTS,
     curve: ThresholdCurve | None = None,
     progress: Progress | None = None,
-    threads: int | None = None,
-    lanes: int | None = None,
     sensitivities: bool = False,
     outputs: Sequence[str] = (),
+    **crew: Unpack[Crew],
 ) -> Batch:
     """Simulate designs (R, I), whose columns are ``inputs``, by their paths.
 
@@ -192,10 +209,7 @@ def simulate_designs(
     if base.sim.name != "jump":
         raise ParameterError("sim", base.sim.name, "jump, for batches")
     check_backend(base)
-    backend = base.backend if isinstance(base.backend, LanesBackend) else LanesBackend()
-    width = backend.width if lanes is None else lanes
-    crew = backend.thread_count if threads is None else threads
-    check_width(width, crew)
+    width, count = crew_of(base, **crew)
     asked = check_outputs(base, outputs, sensitivities)
     if sensitivities:
         check_differentiable(base, inputs)
@@ -206,7 +220,7 @@ def simulate_designs(
     numbers = None
     if sensitivities:
         numbers = model_derivatives(base, table[ready.chosen], curve, inputs)
-    marched = march_all(ready, width, crew, MOST_ITERATIONS, progress, numbers, reads_of(asked))
+    marched = march_all(ready, width, count, MOST_ITERATIONS, progress, numbers, reads_of(asked))
     names = column_names([known[path] for path in inputs])
     batch = batch_of(base, ready, marched, dict(zip(names, table.T, strict=True)))
     return with_loads(batch, asked, marched.loads)
