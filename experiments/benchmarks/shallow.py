@@ -13,8 +13,9 @@ W = W0 + A phi is
 
 c1 = -(turned_left phi''(0) + turned_right phi''(1)) / <phi^2>, c2 = 3 <phi'^2> / (2 <phi^2>), of
 which only the product matters to times and delays. Where the clamps keep their angles and the span
-opens, the integral of W'^2 / 2 falls: it is 1 at the fold, and c1 = 1 / <phi^2> of its distance, with
-the same phi and c2 (derived here; Gomez, Moulton and Vella 2017 and Liu, Gomez and Vella 2021 have such an equation for their drives).
+opens, the integral of W'^2 / 2 falls: it is 1 at the fold, and c1 = 1 / <phi^2> of its distance
+from that, with the same phi and c2 (derived here; Gomez, Moulton and Vella 2017 and Liu, Gomez and
+Vella 2021 have such an equation for their drives).
 """
 
 import math

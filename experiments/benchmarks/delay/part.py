@@ -120,9 +120,7 @@ def expected(drive: str, regime: str) -> float:
     return delay_prefactor(regime, fold.opening if drive == OPENED else fold.product)
 
 
-def exponent(
-    part: Delay, drive: str, regime: str, one: Scaling, rows: list[Row]
-) -> Comparison:
+def exponent(part: Delay, drive: str, regime: str, one: Scaling, rows: list[Row]) -> Comparison:
     """The row of an exponent."""
     driven = DRIVES[drive]
     return part.compared(
@@ -133,9 +131,7 @@ def exponent(
     )  # fmt: skip
 
 
-def prefactor(
-    part: Delay, drive: str, regime: str, one: Scaling, rows: list[Row]
-) -> Comparison:
+def prefactor(part: Delay, drive: str, regime: str, one: Scaling, rows: list[Row]) -> Comparison:
     """The row of a prefactor, which has no number of the source beside it."""
     return part.told(
         f"prefactor {label(drive, regime)}", f"{one.ratios[-1] * one.prefactor:.4f}",

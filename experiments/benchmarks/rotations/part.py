@@ -40,7 +40,8 @@ class Rotations(Source):
                 Cell(
                     regime,
                     {"kind": "delays", "groups": flat(snapping_groups(standard, regime)),
-                     "rates": RATES[regime], "right_share": 0.0, "exponent": law, "prefactor": expected(regime)},
+                     "rates": RATES[regime], "right_share": 0.0, "exponent": law,
+                     "prefactor": expected(regime)},
                 )
                 for regime, law in DELAY_EXPONENTS.items()
             ),
