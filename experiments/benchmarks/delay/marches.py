@@ -30,13 +30,13 @@ def turned_rows(inputs: Mapping[str, Any]) -> list[Row]:
     fold = (fold_rad(made) if inputs["right_share"] else one_end(made, root * root)) / root
     rows = []
     for rate in inputs["rates"]:
-        rate_rad_s = rate * root / unit_s
-        right = {"right_rate_rad_s": inputs["right_share"] * rate_rad_s}
-        drive = {"name": "smooth_start", "rate_rad_s": rate_rad_s, **right}
-        found = driven(inputs, drive, rate, fold)
+        own = {"rate_rad_s": rate * root / unit_s}
+        right = {"right_rate_rad_s": inputs["right_share"] * own["rate_rad_s"]}
+        found = driven(inputs, {"name": "smooth_start", **own, **right}, rate, fold)
         snap = found.summary["alpha_snap_rad"]
         at = None if snap is None else snap / root
-        rows.append({"rate_rad_s": rate_rad_s, **row_of(found, rate, fold, at, 1.0)})
+        delay = None if at is None else at - fold
+        rows.append(row_of(found, {"rate": rate, **own, "fold": fold, "snap": at, "delay": delay}))
     return rows
 
 
@@ -49,16 +49,12 @@ def opened_rows(inputs: Mapping[str, Any]) -> list[Row]:
     wide = changed(inputs["groups"], {"design": {"epsilon": BEGIN * epsilon}})
     rows = []
     for rate in inputs["rates"]:
-        rate_m_s = rate * epsilon * scales.velocity_m_s
-        opened = {**drive, "rate_m_s": rate_m_s}
-        found = driven({**inputs, "groups": wide}, opened, rate, BEGIN - 1.0)
-        at = snap_epsilon(found)
-        rows.append(
-            {
-                "rate_m_s": rate_m_s,
-                **row_of(found, rate, 1.0, None if at is None else at / epsilon, -1.0),
-            }
-        )
+        own = {"rate_m_s": rate * epsilon * scales.velocity_m_s}
+        found = driven({**inputs, "groups": wide}, {**drive, **own}, rate, BEGIN - 1.0)
+        snap = snap_epsilon(found)
+        at = None if snap is None else snap / epsilon
+        delay = None if at is None else 1.0 - at
+        rows.append(row_of(found, {"rate": rate, **own, "fold": 1.0, "snap": at, "delay": delay}))
     return rows
 
 
@@ -74,16 +70,9 @@ def driven(inputs: Mapping[str, Any], drive: Mapping[str, Any], rate: float, way
     return simulate(composed(changed(inputs["groups"], changes)))
 
 
-def row_of(found: Result, rate: float, fold: float, snap: float | None, ahead: float) -> Row:
-    """``ahead``: 1 where the drive's number grows, -1 where it falls."""
-    return {
-        "status": found.status,
-        "rate": rate,
-        "fold": fold,
-        "snap": snap,
-        "delay": None if snap is None else ahead * (snap - fold),
-        "steps": found.summary["steps"],
-    }
+def row_of(found: Result, row: Row) -> Row:
+    """Between how the march ended and how many steps it took."""
+    return {"status": found.status, **row, "steps": found.summary["steps"]}
 
 
 def snap_epsilon(found: Result) -> float | None:
