@@ -23,12 +23,14 @@ BARE = {
     "friction": {"name": "none"},
     "backend": {"name": "scalar"},
 }
+# Clamps that turn at once would shake the arch.
+SNAP = {"sim": {"name": "snap"}, "drive": {"name": "smooth_start"}}
 
 
 def snap_groups(groups: Mapping[str, Any], setting: str) -> Groups:
     """The snap of a composition of a jump at one of the SETTINGS."""
     tier = setting.removeprefix("undamped").strip() or "standard"
-    bare = changed(groups_at(groups, tier), {**BARE, "sim": {"name": "snap"}})
+    bare = changed(groups_at(groups, tier), {**BARE, **SNAP})
     if setting == "paper":
         return changed(bare, {"discretization": {"elements": PAPER_ELEMENTS}})
     if setting in UNDAMPED_STEP_S:

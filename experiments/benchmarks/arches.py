@@ -4,9 +4,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from snapjump.declare.families import FAMILIES
-
-from ..arches.swings import BARE
+from ..arches.swings import BARE, SNAP
 from ..compositions import Groups, changed, composed
 
 # Shallow, so that the closed form is near, and so mismatched that the branch ends at a fold far
@@ -19,7 +17,7 @@ DRAG = 100.0
 INERTIA, DAMPING = "inertia", "damping"
 STEP_S = 4e-5  # of the undamped arch, a hundredth of T; of the damped one steps adapt
 TOLERANCE = 1e-7
-WITHOUT_DRAG = {"drag": {"name": "none"}} if "drag" in FAMILIES else {}
+WITHOUT_DRAG = {"drag": {"name": "none"}}
 AT_REST = {**BARE, **WITHOUT_DRAG, "damping": {"name": "none"}}
 
 
@@ -34,7 +32,7 @@ def snapping_groups(groups: Mapping[str, Any], regime: str) -> Groups:
         groups,
         {
             **AT_REST,
-            "sim": {"name": "snap"},
+            **SNAP,
             "design": {"epsilon": EPSILON, "delta_alpha": MISMATCH * math.sqrt(EPSILON)},
             "discretization": {"elements": ELEMENTS},
         },

@@ -12,8 +12,10 @@ W = W0 + A phi is
     A_tt + nu A_t = c1 (mu - mu_fold) + c2 A^2,
 
 c1 = -(turned_left phi''(0) + turned_right phi''(1)) / <phi^2>, c2 = 3 <phi'^2> / (2 <phi^2>), of
-which only the product matters to times and delays (derived here; Gomez, Moulton and Vella 2017 and
-Liu, Gomez and Vella 2021 have such an equation for their drives).
+which only the product matters to times and delays. Where the clamps keep their angles and the span
+opens, the integral of W'^2 / 2 falls: it is 1 at the fold, and c1 = 1 / <phi^2> of its distance
+from that, with the same phi and c2 (derived here; Gomez, Moulton and Vella 2017 and Liu, Gomez and
+Vella 2021 have such an equation for their drives).
 """
 
 import math
@@ -51,11 +53,13 @@ def lagging(mismatch: float) -> Drive:
 
 
 class Fold(NamedTuple):
-    """``mu``: angle over sqrt(epsilon); ``thrust`` (EI/L^2); ``product``: c1 c2 (1/T^4)."""
+    """``mu``: angle over sqrt(epsilon); ``thrust`` (EI/L^2); ``product``: c1 c2 (1/T^4) of mu;
+    ``opening``: of what epsilon is less than the fold's, over that."""
 
     mu: float
     thrust: float
     product: float
+    opening: float
 
 
 def coefficients(thrust: float, left: float, right: float) -> Array:
@@ -112,9 +116,10 @@ def fold(drive: Drive) -> Fold:
 
     size, bent = WEIGHTS @ mode(0, PLACES) ** 2, WEIGHTS @ mode(1, PLACES) ** 2
     pushed = -float(np.array(drive.turned) @ mode(2, places)) / size
-    return Fold(-float(found.fun), thrust, float(pushed * 1.5 * bent / size))
+    second = 1.5 * bent / size
+    return Fold(-float(found.fun), thrust, float(pushed * second), float(second / size))
 
 
 def pitchfork() -> Fold:
     """Where the arch whose clamps turn alike may lean to a side: before its fold."""
-    return Fold(angle(SECOND, ALIKE), SECOND, math.nan)
+    return Fold(angle(SECOND, ALIKE), SECOND, math.nan, math.nan)

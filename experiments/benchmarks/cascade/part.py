@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.declare.families import FAMILIES
 from snapjump.run.studies.base import Cell, Done, Row, column
 
 from ...compositions import changed, groups_at
@@ -34,8 +33,7 @@ class Cascade(Source):
     every_jump = True
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
-        """Those with the gravity of experiments, one with the paper's, and, where the library has
-        it, one with drag."""
+        """Those with the gravity of experiments, one with the paper's, and one with drag."""
         standard = groups_at(groups, "standard")
         equal = {"design": {"epsilon": MIDDLE, "delta_alpha": 0.0}}
         made = changed(standard, {**WITHOUT_DRAG, **equal, "robot": {"gravity_m_s2": GRAVITY_M_S2}})
@@ -46,16 +44,14 @@ class Cascade(Source):
                 name, {"kind": kind, "groups": changed(made, changes or {}), **own, **values}
             )
 
-        cells = [
+        air = {"name": "quadratic", "coefficient": COEFFICIENT, "air_density_kg_m3": AIR_KG_M3}
+        return [
             cell(HEIGHTS, "heights", epsilons=EPSILONS),
             cell(PAPERS, "heights", {"robot": {"gravity_m_s2": PAPERS_M_S2}}, epsilons=[MIDDLE]),
             cell(UNKNOWNS, "band", count=COUNT, seed=seed),
             cell(SINGLE, "single"),
+            cell(DRAG, "heights", {"drag": air}, epsilons=[MIDDLE]),
         ]
-        if "drag" in FAMILIES:
-            air = {"name": "quadratic", "coefficient": COEFFICIENT, "air_density_kg_m3": AIR_KG_M3}
-            cells.append(cell(DRAG, "heights", {"drag": air}, epsilons=[MIDDLE]))
-        return cells
 
     def judge(self, done: Mapping[str, Done]) -> Compared:
         """Height, and the band."""
@@ -81,9 +77,6 @@ class Cascade(Source):
         """The rows of the height."""
         middle = row_at(rows, MIDDLE)
         height, drag = column(rows, "height_m"), column(rows, "with_drag_m")
-        simulated = ""
-        if DRAG in done:
-            simulated = self.words("simulated drag", height=done[DRAG].rows[0]["height_m"])
         off = percent_off(middle["height_m"], self.number("height"))
         length_m = done[HEIGHTS].cell.inputs["groups"]["robot"]["length_m"]
         lengths = middle["height_m"] / length_m
@@ -91,7 +84,8 @@ class Cascade(Source):
         return [
             self.compared(
                 "height", f"{middle['height_m']:.3f}", f"{off:.2g} %", self.by_limit("height", off),
-                epsilon=MIDDLE, drag=middle["with_drag_m"], simulated=simulated,
+                epsilon=MIDDLE, drag=middle["with_drag_m"],
+                simulated=done[DRAG].rows[0]["height_m"],
                 least=EPSILONS[0], most=EPSILONS[-1], low=height.min(), high=height.max(),
                 low_drag=drag.min(), high_drag=drag.max(), gravity=GRAVITY_M_S2,
                 ten=done[PAPERS].rows[0]["height_m"],

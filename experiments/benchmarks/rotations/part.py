@@ -13,12 +13,12 @@ from .. import shallow
 from ..amplitude import DELAY_EXPONENTS, delay_prefactor
 from ..arches import DRAG, EPSILON, snapping_groups, static_groups
 from ..base import Compared, Comparison, Source
+from ..delay.marches import turned_rows
+from ..delay.part import RATES
 from ..figure import draw_scalings
 from ..scaling import Scaling, scaling_of
 from ..symmetries.angles import ALIKE, FOLD, ONE_END, angle_rows
-from .marches import BEGIN, one_end_rows
 
-RATES = tuple(10.0 ** (-0.5 * k) for k in range(2, 9))  # over sqrt(epsilon), 1/T
 EPSILONS = (0.1, 0.2, 0.3)
 ELEMENTS = 224
 ANGLES = "angles"
@@ -29,7 +29,7 @@ class Rotations(Source):
 
     name = "rotations"
     words = Words(__file__)
-    kinds = {"delays": one_end_rows, "angles": angle_rows}
+    kinds = {"delays": turned_rows, "angles": angle_rows}
 
     def plan(self, groups: Mapping[str, Any], seed: int) -> list[Cell]:
         """A cell for each ladder, and one of angles."""
@@ -40,7 +40,8 @@ class Rotations(Source):
                 Cell(
                     regime,
                     {"kind": "delays", "groups": flat(snapping_groups(standard, regime)),
-                     "rates": RATES, "exponent": law, "prefactor": expected(regime)},
+                     "rates": RATES[regime], "right_share": 0.0, "exponent": law,
+                     "prefactor": expected(regime)},
                 )
                 for regime, law in DELAY_EXPONENTS.items()
             ),
@@ -78,7 +79,7 @@ class Rotations(Source):
         rows = [{"resists": name, **row} for name in scalings for row in done[name].rows]
         section = self.section(
             comparisons, {"rotations": draw}, {"rotations_marches": rows},
-            {"rotations_marches": {"fold": 7, "snap": 7}}, epsilon=EPSILON, begin=BEGIN,
+            {"rotations_marches": {"fold": 7, "snap": 7}}, epsilon=EPSILON,
         )  # fmt: skip
         summary = {f"rotations_{name}_exponent": one.fitted for name, one in scalings.items()}
         return Compared(section, [], summary, comparisons)

@@ -11,7 +11,7 @@ from snapjump.run.studies.base import Row
 from snapjump.simulation import simulate
 
 from ...compositions import composed
-from ..held_march import SAMPLES
+from ..delay.marches import SAMPLES
 
 LATEST, AFTER = 3.0, 20.0  # times the expected time, and T
 

@@ -40,6 +40,18 @@ def test_the_product_by_the_eigenvalue_of_our_arch():
     assert square**2 / (4.0 * below) == pytest.approx(fold(lagging(MISMATCH)).product, rel=0.05)
 
 
+def test_the_product_of_an_opening_span():
+    """The same at the fold's angle, the pre-compression a little larger than the fold's."""
+    simulation = with_tier("standard")
+    robot, mesh = simulation.robot, simulation.discretization
+    lag, above = MISMATCH * math.sqrt(EPSILON), 1e-4
+    left = find_snap(robot, mesh, EPSILON, lag).alpha_rad
+    arch = StaticArch(robot, mesh, EPSILON * (1.0 + above))
+    state = arch.turn(arch.flat(lag), (0.0, -lag), (left, left - lag))
+    square = Branch(arch, lag).point(state, left).eigenvalue * mesh.elements
+    assert square**2 / (4.0 * above) == pytest.approx(fold(lagging(MISMATCH)).opening, rel=0.05)
+
+
 def test_when_the_amplitude_blows_up(monkeypatch):
     whole, _ = quad(lambda a: 2.0 / math.sqrt(2.0 + 2.0 * a**4 / 3.0), 0.0, math.inf)
     assert amplitude.time_prefactor(INERTIA, 1.0) == pytest.approx(whole, rel=1e-10)

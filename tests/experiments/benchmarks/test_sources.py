@@ -90,8 +90,8 @@ def surface(cell: Cell, off: float) -> list[Row]:
 def delay(cell: Cell, off: float) -> list[Row]:
     law = cell.inputs["exponent"] + 10 * off
     return [
-        {"status": "ok", "rate": r, "rate_rad_s": r, "fold": 1.8, "snap": 1.9, "steps": 10,
-         "delay": cell.inputs["prefactor"] * r**law}
+        {"status": "ok", "rate": r, "rate_rad_s": r, "rate_m_s": r, "fold": 1.8, "snap": 1.9,
+         "steps": 10, "delay": cell.inputs["prefactor"] * r**law}
         for r in cell.inputs["rates"]
     ]  # fmt: skip
 
@@ -105,10 +105,16 @@ def slowing(cell: Cell, off: float) -> list[Row]:
 
 
 def span(cell: Cell, off: float) -> list[Row]:
-    rate = cell.inputs["rate_rad_s"]
-    slope = (20.0 if off == 0.0 else 1.0) * 2.0 / rate if rate < 200.0 else 1.0
+    if cell.inputs["kind"] == "fold":
+        return [
+            {"status": "ok", "rate_m_s": r, "snap": 0.1 - 0.05 * r**0.8, "mesh": 0.1 + 10 * off,
+             "fold": 0.1 + 10 * off}
+            for r in cell.inputs["rates_m_s"]
+        ]  # fmt: skip
+    rate = cell.inputs["rate_m_s"]
+    slope = (20.0 if off == 0.0 else 1.0) * 0.01 / rate if rate < 1.0 else 1.0
     return [
-        {"rate_rad_s": rate, "delta_alpha_rad": lag,
+        {"rate_m_s": rate, "delta_alpha_rad": lag,
          "theta_max_rad": slope * lag ** (1 + 100 * off)}
         for lag in cell.inputs["mismatches_rad"]
     ]  # fmt: skip

@@ -15,10 +15,10 @@ from experiments.benchmarks.amplitude import (
 )
 from experiments.benchmarks.arches import DAMPING, INERTIA, MISMATCH, snapping_groups
 from experiments.benchmarks.cubes.part import BOUNCE, SLIDE, Cubes
-from experiments.benchmarks.delay.marches import delay_rows
-from experiments.benchmarks.rotations.marches import one_end_rows
+from experiments.benchmarks.delay.marches import opened_rows, turned_rows
 from experiments.benchmarks.rotations.part import flat
 from experiments.benchmarks.slowing.marches import time_rows
+from experiments.benchmarks.span.part import FOLD, SLOW, Span
 from experiments.benchmarks.symmetries import part as symmetries
 from snapjump.checks import ParameterError
 
@@ -55,12 +55,14 @@ def test_delays_and_times_are_near_the_amplitude_equation(regime):
     groups, near = snapping_groups(STANDARD, regime), NEAR[regime]
     both, one = shallow.fold(shallow.lagging(MISMATCH)), shallow.fold(shallow.ONE_END)
     law, rate, distance = DELAY_EXPONENTS[regime], 3e-3, 1e-4
-    for rows, made, product in (
-        (delay_rows, groups, both.product),
-        (one_end_rows, flat(groups), one.product),
+    for rows, made, share, product in (
+        (opened_rows, groups, 1.0, both.opening),
+        (turned_rows, groups, 1.0, both.product),
+        (turned_rows, flat(groups), 0.0, one.product),
     ):
         expected = delay_prefactor(regime, product)
-        inputs = {"groups": made, "rates": [rate], "exponent": law, "prefactor": expected}
+        inputs = {"groups": made, "rates": [rate], "right_share": share, "exponent": law}
+        inputs = {**inputs, "prefactor": expected}
         (row,) = rows(inputs)
         assert row["status"] == "ok"
         assert row["delay"] == pytest.approx(expected * rate**law, rel=near)
@@ -68,6 +70,18 @@ def test_delays_and_times_are_near_the_amplitude_equation(regime):
     inputs = {"groups": groups, "distances": [distance], "exponent": law, "prefactor": expected}
     (row,) = time_rows(inputs)
     assert row["time"] == pytest.approx(expected * distance**law, rel=near)
+
+
+@pytest.mark.compiles
+def test_a_slowly_opened_span_snaps_behind_its_fold():
+    part = Span()
+    cell = next(cell for cell in part.plan(STANDARD, 0) if cell.name == SLOW)
+    slow, fast = part.compute({**cell.inputs, "rates_m_s": [3e-3, 1e-2]})
+    assert slow["status"] == fast["status"] == "ok"
+    assert fast["snap"] < slow["snap"] < slow["mesh"] == fast["mesh"]
+    assert slow["mesh"] == pytest.approx(FOLD, rel=2e-3) and slow["fold"] == FOLD
+    delays = [row["mesh"] - row["snap"] for row in (slow, fast)]
+    assert delays[1] / delays[0] == pytest.approx((1e-2 / 3e-3) ** 0.8, rel=0.1)
 
 
 @pytest.mark.compiles
