@@ -120,6 +120,11 @@ def against_throw(model: Any) -> Any:
     return np.maximum(0.0, -offset * throws)
 
 
+def unlike_rates(model: Any) -> Any:
+    """By how much the clamps' rates differ, over the left one's."""
+    return np.abs(model.clamp.right_share - 1.0)
+
+
 GROUPS = (
     Group("mass of the beam over that of the frame", 0.0, 4.0, beam_over_frame),
     Group("relaxation time of the material over T", 2e-5, 0.2, relaxation),
@@ -135,7 +140,7 @@ GROUPS = (
     Group("offset of that centre over half the clear span", 0.0, 0.35, mass_offset),
     Group("radius of gyration of the frame over its diagonal", 0.12, 0.9, gyration),
     Group("deceleration by drag over the speed squared, times L", 0.0, 0.1, drag),
-    Group("rate of the right clamp over the left one's", 1.0, 1.0, lambda m: m.clamp.right_share),
+    Group("difference of the clamps' rates over the left one's", 0.0, 0.0, unlike_rates),
     Group("tangent of the slope", 0.0, 0.2, lambda m: abs(m.load.downhill / m.load.cosine)),
 )
 

@@ -26,8 +26,10 @@ FOLDERS = (CONF, TABLEAUX)
 NEEDS = {
     ("integrator", "central_difference"): ("damping=none",),
     ("contact", "signorini"): ("integrator=implicit_euler",),
+    ("drive", "table"): ("drive.rows=[[0,0,-0.1],[0.01,0.2,0.1],[0.1,1.5,1.4]]",),
 }
 SCENE_OF = {("frame", "fixed"): "snap", ("contact", "none"): "snap"}
+SCENE_OF |= {("drive", "unload"): "snap", ("drive", "hold_release"): "snap"}
 
 
 def files(group: str) -> set[str]:

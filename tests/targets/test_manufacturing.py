@@ -15,6 +15,7 @@ from snapjump.uncertainty.parts.tolerances import Tolerance
 
 # Of the default robot: what is 0 or not given has no percent.
 WITHOUT = {"slope_rad", "mass_centre_offset_m", "clamp_mass_kg", "damping_s", "yield_stress_Pa"}
+WITHOUT |= {"right_rate_rad_s"}
 
 
 @pytest.fixture(scope="module")
