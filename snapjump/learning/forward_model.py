@@ -12,8 +12,10 @@ from torch import Tensor
 
 from snapjump.arrays import Array
 from snapjump.checks import ParameterError, of_ours
-from snapjump.composition import Simulation
+from snapjump.composition import DEFAULTS, Simulation
 from snapjump.dataset.specification import first_difference
+from snapjump.declare.families import FAMILIES
+from snapjump.declare.former_options import with_present_options
 from snapjump.declare.inputs import PARTS
 from snapjump.declare.tables import rows_of
 from snapjump.learning import STANDARD
@@ -66,14 +68,17 @@ class ForwardModel:
     def check_model(self, simulation: Simulation) -> None:
         """Raise ParameterError if a simulation has another physical model than the dataset had.
         Mesh, integrator and step control may differ: they are errors, and no other robot."""
-        configuration = self.about["dataset"]["specification"]["configuration"]
+        kept = self.about["dataset"]["specification"]["configuration"]
+        configuration = with_present_options(kept)
         inputs = {axis.path for axis in self.axes}
         given: dict[str, Any] = {"sim": simulation.sim.name}
         learned: dict[str, Any] = {"sim": configuration["sim"]["name"]}
         for part in PARTS:
             known = configuration.get(part, {})
-            if "name" in known:
-                given[part], learned[part] = getattr(simulation, part).name, known["name"]
+            if part in FAMILIES:
+                # A family that there was not yet had what is its default.
+                given[part] = getattr(simulation, part).name
+                learned[part] = known.get("name", DEFAULTS.get(part))
             for field in fields(getattr(simulation, part)):
                 path = f"{part}.{field.name}"
                 if path not in inputs:

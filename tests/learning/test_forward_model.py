@@ -13,6 +13,8 @@ from small_datasets import CONFIG
 from snapjump import ParameterError, Robot
 from snapjump.composition import with_tier
 from snapjump.damping.kelvin_voigt import KelvinVoigt
+from snapjump.drag.quadratic import QuadraticDrag
+from snapjump.drive.smooth_start import SmoothStart
 from snapjump.integrator.bdf2 import Bdf2
 from snapjump.learning.forward_model import ForwardModel
 from snapjump.learning.measures import errors, measures
@@ -106,6 +108,22 @@ def test_another_physical_model_is_refused(model, key):
     part = {key.partition(".")[0]: OTHERS[key]}
     with refused(key, "trained with"):
         model.check_model(replace(build(CONFIG), **part))
+
+
+def test_families_that_a_checkpoint_does_not_know_had_their_defaults(model):
+    """It was trained before there were drives and drag; and a drive's number was the robot's."""
+    kept = model.about["dataset"]["specification"]["configuration"]
+    robot = {**kept["robot"], "rotation_rate_rad_s": 20.0, "rotation_end_rad": 1.5}
+    older = {key: v for key, v in kept.items() if key not in ("drag", "drive")} | {"robot": robot}
+    model.about["dataset"]["specification"]["configuration"] = older
+    base = build(CONFIG)
+    model.check_model(base)
+    for key, part in (("drag", QuadraticDrag()), ("drive", SmoothStart())):
+        with refused(key, "trained with"):
+            model.check_model(replace(base, **{key: part}))
+    robot["rotation_rate_rad_s"] = 30.0
+    with refused("drive.rate_rad_s", "30.0, which the forward model was trained with"):
+        model.check_model(base)
 
 
 ROWS, OFF = jumps(100), torch.tensor([[3.0, -1.0], [-4.0, 1.0]]).repeat(50, 1)
