@@ -32,7 +32,7 @@ VALUES = {path: value_at(BASE, path) for path in inputs_of(BASE) if path not in 
 VALUES |= {"robot.mount_height": 1.4e-3, "contact.damping_s": 1e-6}
 VALUES |= {"frame.mass_centre_height_m": 8e-3, "frame.inertia_kg_m2": 1.2e-7}
 VALUES |= {"frame.mass_centre_offset_m": 5e-4, "frame.clamp_mass_kg": 2e-4}
-VALUES |= {"drag.area_m2": 4e-4}
+VALUES |= {"drive.right_rate_rad_s": 18.0}
 VALUES |= {"robot.yield_stress_Pa": 1.5e9, "design.epsilon": 0.15, "environment.slope_rad": 0.1}
 FOURS = [dict(list(VALUES.items())[k : k + 4]) for k in range(0, len(VALUES), 4)]
 # delta_alpha, epsilon, mass_bar, mu
