@@ -49,8 +49,8 @@ def test_lanes_and_scalars_agree_to_the_last_bit(name):
         LogBarrier.Law(4e3, 0.025, 0.0),
         ImplicitFriction.Law(0.4, 0.25),
         KelvinVoigt.Law(1e-3),
-        Gravity(20.0),
-        Ground(7.0, 1.5, 0.025),
+        load=Gravity(20.0),
+        ground=Ground(7.0, 1.5, 0.025),
     )
     numbers = numbers_of(model)
     rng = np.random.default_rng(0)
