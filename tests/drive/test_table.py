@@ -110,7 +110,7 @@ def test_what_does_not_go_with_a_table():
         simulate_batch(others)
 
 
-@pytest.mark.compiles
+@pytest.mark.slow
 def test_a_ramp_jumps_as_a_constant_rate_does():
     """Up to its first piece, in which the clamps begin at rest; in lanes as alone."""
     base = with_tier("draft", drive=Table(rows=RAMP))

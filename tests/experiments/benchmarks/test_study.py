@@ -72,7 +72,7 @@ def test_delays_and_times_are_near_the_amplitude_equation(regime):
     assert row["time"] == pytest.approx(expected * distance**law, rel=near)
 
 
-@pytest.mark.compiles
+@pytest.mark.slow
 def test_a_slowly_opened_span_snaps_behind_its_fold():
     part = Span()
     cell = next(cell for cell in part.plan(STANDARD, 0) if cell.name == SLOW)
