@@ -17,6 +17,8 @@ LINES = {
     "contact": ("contact", palette.FORCE, 1.6),
     "friction_loss": ("lost to friction", palette.PLUM, 2.2),
     "damping_loss": ("lost to damping", palette.VIOLET, 2.2),
+    "contact_loss": ("lost to contact", palette.FORCE, 2.2),
+    "drag_loss": ("lost to the air", palette.CENTRE, 2.2),
     "numerical_loss": ("lost to numerics", palette.SKY, 2.2),
 }
 

@@ -9,6 +9,7 @@ from snapjump.show.plots.motion import finite_samples
 
 STORED = ("elastic_J", "kinetic_J", "gravitational_J", "contact_J")
 LOST = ("friction_loss_J", "damping_loss_J", "numerical_loss_J")
+LOST_IF_ANY = ("contact_loss_J", "drag_loss_J")  # which most compositions have none of
 WORK = "clamp_work_J"
 
 
@@ -36,7 +37,8 @@ class Ledger:
 def read_ledger(result: Any) -> Ledger | None:
     """The ledger of a result, without samples that are not finite; None if it keeps none."""
     arrays = result.arrays
-    names = [name for name in (*STORED, WORK, *LOST) if np.size(arrays.get(name, ())) > 0]
+    lost = (*LOST, *(name for name in LOST_IF_ANY if np.any(arrays.get(name, 0.0))))
+    names = [name for name in (*STORED, WORK, *lost) if np.size(arrays.get(name, ())) > 0]
     if "time_s" not in arrays or not any(name in STORED for name in names):
         return None
     columns = finite_samples({name: arrays[name] for name in ("time_s", *names)})
@@ -51,4 +53,4 @@ def read_ledger(result: Any) -> Ledger | None:
         return {name[:-2]: columns[name] for name in wanted if name in columns}
 
     work = columns.get(WORK, np.zeros(len(time)))
-    return Ledger(1e3 * time, pick(STORED), work, pick(LOST), unit)
+    return Ledger(1e3 * time, pick(STORED), work, pick(lost), unit)

@@ -52,6 +52,8 @@ class Motion(Poses):
     pad_x: Array  # (M, P) where the ground pushes: centre of pressure of the beam, then corners
     pad_force: Array  # (M, P, 2) friction and normal force there, over the robot's weight
     bent: Bent | None  # None of what has no strain
+    # Through air: time (ms) to the apex, and the even acceleration (L/ms^2) that leads there.
+    arc: tuple[float, Array] | None = None
 
     @property
     def count(self) -> int:
@@ -59,7 +61,9 @@ class Motion(Poses):
 
     @property
     def weight(self) -> Array:
-        """Acceleration (2,) of a free flight, L/ms^2."""
+        """Acceleration (2,) of a free flight, L/ms^2; through air the mean one up to its apex."""
+        if self.arc is not None:
+            return self.arc[1]
         return -self.gravity * np.array([np.sin(self.slope_rad), np.cos(self.slope_rad)])
 
     @property
@@ -67,6 +71,8 @@ class Motion(Poses):
         """Time from the last sample to the highest point against gravity; 0 or less if it falls."""
         if self.velocity is None or self.gravity <= 0.0:
             return 0.0
+        if self.arc is not None:
+            return self.arc[0]
         return -float(self.velocity @ self.weight) / self.gravity**2
 
     @property
@@ -126,6 +132,7 @@ def read_motion(result: Any) -> Motion | None:
         pad_x=pad_x,
         pad_force=pad_force,
         bent=_most_bent(data, result),
+        arc=None if speed is None or centre is None else _arc(result, time[-1], centre, speed),
     )
 
 
@@ -174,6 +181,18 @@ def _most_bent(data: dict[str, Array], result: Any) -> Bent | None:
     mesh = result.simulation.discretization
     place = node / mesh.elements + clamped_bar(mesh)
     return Bent(sample, node, place, float(size[sample, node]))
+
+
+def _arc(result: Any, ended: float, centre: Array, speed: Array) -> tuple[float, Array] | None:
+    """A drawn flight through air, so that it meets the apex; None where there is no drag."""
+    if result.status != "ok" or result.simulation.drag.absent:
+        return None
+    rise = 1e3 * float(result.summary["apex_time_s"]) - ended
+    if rise <= 0.0:
+        return None
+    apex = np.array([result.summary["x_bar"], result.summary["y_bar"]])
+    missing = apex - centre[-1, 0] - rise * 1e-3 * speed[-1, 0]
+    return rise, 2.0 * missing / rise**2
 
 
 def _turning_rate(time: Array, corners: Array) -> float:
