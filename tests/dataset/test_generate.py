@@ -70,6 +70,7 @@ def test_derivatives_of_every_apex(tmp_path, undisturbed):
     assert load_dataset(undisturbed).frame()[columns].isna().to_numpy().all()
 
 
+@pytest.mark.compiles
 def test_outputs_that_are_asked_for_are_columns(tmp_path, undisturbed):
     asked = small(outputs=["clamp_work_J", "max_strain"])
     generated(tmp_path, asked)

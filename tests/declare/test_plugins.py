@@ -5,11 +5,18 @@ import re
 import shutil
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pytest
 from command_line import ROOT, RUN, python
 
 PLUGINS = ROOT / "docs" / "plugins"
+
+
+def slow(*choice: str) -> Any:
+    return pytest.param(choice, marks=pytest.mark.slow)
+
+
 run = partial(python, OMP_NUM_THREADS="1")
 
 # In one process that has the plug-in, the rest in another that has it not.
@@ -128,16 +135,26 @@ import numpy as np
 import snapjump
 from snapjump.batch import simulate_designs
 from snapjump.composition import with_tier
-from snapjump.stepping.fixed import FixedStep
 snapjump.load_plugins(sys.argv[1])
-# Steps that resolve the strike: at four times the step, what Newton's method leaves moves
-# derivatives by 5 %.
-base = with_tier("draft", contact="cone", friction="tanh", stepping=FixedStep(step_s=5e-7))
+base = with_tier("draft", contact="cone", friction="tanh")
 designs = np.array([[0.1, 0.2, 0.768, 0.3], [0.05, 0.25, 1.2, 0.4], [0.15, 0.15, 0.6, 0.2]])
 beside = simulate_designs(base, designs, lanes=8, threads=1)
 alone = simulate_designs(base, designs[:1], lanes=1)
 assert beside.status == ["ok"] * 3 and alone.status == ["ok"]
 assert (alone.x_bar[0], alone.y_bar[0]) == (beside.x_bar[0], beside.y_bar[0])
+"""
+
+SLOPES = """
+import sys
+import numpy as np
+import snapjump
+from snapjump.batch import simulate_designs
+from snapjump.composition import with_tier
+from snapjump.stepping.fixed import FixedStep
+snapjump.load_plugins(sys.argv[1])
+# Steps that resolve the strike: at four times the step, what Newton's method leaves moves
+# derivatives by 5 %.
+base = with_tier("draft", contact="cone", friction="tanh", stepping=FixedStep(step_s=5e-7))
 # A number of the law is an input as any other, and so are derivatives by it: those of the steps
 # that are taken, so that differences are of the same steps.
 inputs = ("design.delta_alpha", "environment.mass_bar", "contact.modulus_Pa")
@@ -153,8 +170,13 @@ for column in (1, 2):
 
 
 @pytest.mark.compiles
-def test_in_python_in_lanes_and_with_sensitivities(tmp_path: Path) -> None:
+def test_in_python_and_in_lanes(tmp_path: Path) -> None:
     run("-c", LANES, str(PLUGINS), folder=tmp_path)
+
+
+@pytest.mark.slow
+def test_with_sensitivities(tmp_path: Path) -> None:
+    run("-c", SLOPES, str(PLUGINS), folder=tmp_path)
 
 
 @pytest.mark.compiles
@@ -162,8 +184,8 @@ def test_in_python_in_lanes_and_with_sensitivities(tmp_path: Path) -> None:
     "choice",
     [
         ("sim=drop", "contact=cone"),
-        ("sim=slide", "friction=tanh"),
-        ("sim=snap", "integrator=theta", "stepping=fixed", "stepping.step_s=1e-5"),
+        slow("sim=slide", "friction=tanh"),
+        slow("sim=snap", "integrator=theta", "stepping=fixed", "stepping.step_s=1e-5"),
     ],
 )
 def test_other_families(choice: tuple[str, ...], tmp_path: Path) -> None:
@@ -186,7 +208,7 @@ def test_other_families(choice: tuple[str, ...], tmp_path: Path) -> None:
         assert result["alpha_snap_rad"] == pytest.approx(0.9109, abs=5e-4)
 
 
-@pytest.mark.compiles
+@pytest.mark.slow
 def test_the_composition_tests_take_them_in() -> None:
     """Ranges, derivatives and small jumps with most members; long ones are left out."""
     files = ("contact/test_laws.py", "declare/test_options.py", "test_composition.py")

@@ -161,7 +161,7 @@ def test_an_arch_is_the_slower_the_less_it_is_beyond_its_fold():
     assert -0.5 < math.log10(times[1] / times[0]) < -0.2
 
 
-@pytest.mark.compiles
+@pytest.mark.slow
 def test_jumps_of_clamps_that_are_driven_otherwise():
     """At rest in the beginning a jump is little another; with one clamp still it is thrown aside.
     In lanes they are what they are alone."""

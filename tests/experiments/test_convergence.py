@@ -66,7 +66,7 @@ def test_other_scenes_are_refused():
     assert groups_of(config)["integrator"]["name"] == "generalized_alpha"
 
 
-@pytest.mark.compiles
+@pytest.mark.slow
 def test_from_the_command_line_to_record_and_documentation(command, database, tmp_path):
     (tmp_path / "docs").mkdir()
     done = command(*TINY, "publish=docs/studies")

@@ -61,6 +61,7 @@ def test_the_pieces_leave_the_march_as_it_was(robots):
     assert found["iteration"] > found["assembly"] > 0.0
 
 
+@pytest.mark.compiles
 def test_the_parts_make_a_pass(robots):
     parts = split(*robots, 1)
     whole = parts.pop("pass")
@@ -140,7 +141,7 @@ def test_a_floor_is_of_the_units_that_are_busy_longest():
     assert floor(Operations(100.0, 40.0, 30.0, 2.0, 1.0, 5.0, 3.0), shared)["floor"] == 85.0
 
 
-@pytest.mark.compiles
+@pytest.mark.slow
 def test_what_parts_take_makes_a_pass(robots, monkeypatch):
     monkeypatch.setattr(costs, "STEPS", 20_000)
     found = roofline(*robots, 1)

@@ -56,6 +56,7 @@ def test_differences_vanish_with_the_frame_s_compliance(rigid):
     assert y[2] < 0.002
 
 
+@pytest.mark.slow
 def test_another_integrator_gives_the_same_jumps(rigid):
     sdirk2 = elastic(1e5, integrator="sdirk2")
     x, y = apart(sdirk2, rigid)

@@ -96,7 +96,10 @@ def test_options_are_in_seconds_and_shares_of_the_length():
 TOLERANCES = (1e-5, 1e-6, 1e-7, 1e-8)
 
 
-@pytest.mark.parametrize("name", ["tr_bdf2", pytest.param("esdirk3", marks=pytest.mark.slow)])
+OTHERS = [pytest.param(name, marks=pytest.mark.slow) for name in ("tr_bdf2", "esdirk3")]
+
+
+@pytest.mark.parametrize("name", ["generalized_alpha", *OTHERS])
 def test_errors_fall_with_the_tolerance(name):
     """Median over sixteen designs against a far smaller tolerance, on one mesh."""
     base = with_tier("draft", integrator=name)

@@ -107,7 +107,7 @@ def test_a_robot_that_does_not_jump_has_no_spread():
     assert set(found.without_apex.values()) == {"no_jump"}
 
 
-@pytest.mark.compiles
+@pytest.mark.slow
 def test_another_member_is_a_side_of_its_own():
     rows = {**dict.fromkeys(DEFAULTS), "damping": {"members": ["none", "kelvin_voigt"]}}
     found = model_uncertainty(BASELINE, rows)
