@@ -11,6 +11,8 @@ the tangent stiffness, for which the stage's rate is 4/h, and holds the step to 
 
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from snapjump.checks import ParameterError
 from snapjump.declare.fields import Need
 from snapjump.integrator.base import IntegratorOptions, Rates, Reached, TimeIntegrator
@@ -40,9 +42,9 @@ class CentralDifference(IntegratorOptions):
         eta = damping.relaxation_s()
         if not simulation.sim.moves_a_beam or eta == 0.0:
             return
-        rate = 2.0 * simulation.discretization.elements * robot.stretching_stiffness_bar**0.5
+        rate = 2.0 * simulation.discretization.elements * np.sqrt(robot.stretching_stiffness_bar)
         time_s = robot.scales.time_s
-        step_s, smallest_s = time_s**2 / (eta * rate**2), SMALLEST_STEP * time_s
+        step_s, smallest_s = time_s / rate * time_s / rate / eta, SMALLEST_STEP * time_s
         if step_s < smallest_s:
             raise ParameterError(
                 "damping",

@@ -19,7 +19,7 @@ from snapjump.statics.rounding import LostToRoundingError
 from snapjump.statics.threshold import Threshold, symmetric_threshold
 
 COMPARED = (56, 112, 224)  # elements of meshes that show whether an arch snaps
-BUCKLING_LOAD = 4.0 * math.pi**2  # of a straight beam between clamps (EI/L^2)
+BUCKLING_LOAD = 4.0 * math.pi * math.pi  # of a straight beam between clamps (EI/L^2)
 
 # Of the critical angle: clamps that stop earlier make no arch snap, whatever their mismatch.
 TURNED_FAR = 0.85

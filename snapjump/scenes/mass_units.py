@@ -41,7 +41,7 @@ def units_of_impact(simulation: Simulation) -> Scales:
     scene, robot = simulation.sim, simulation.robot.scales
     if scene.speed_m_s == 0.0:
         return robot
-    energy = 0.5 * scene.mass_kg * scene.speed_m_s**2 / robot.energy_J
+    energy = 0.5 * scene.mass_kg * scene.speed_m_s * scene.speed_m_s / robot.energy_J
     deepest = scene.speed_m_s * scene.duration_s / robot.length_m
     depth_m = depth_of(simulation.contact.law(robot), energy, deepest) * robot.length_m
     return Scales(depth_m, depth_m / scene.speed_m_s, scene.mass_kg)

@@ -61,5 +61,5 @@ class FrameMass(FrameOptions):
         x = self.mass_centre_offset_m / outline.length_m
         y = None if height_m is None else height_m / outline.length_m
         if inertia is not None:
-            inertia = inertia / (outline.mass_kg * outline.length_m**2)
+            inertia = inertia / (outline.mass_kg * outline.length_m * outline.length_m)
         return with_ends(measured(mass, width, height, (x, y), inertia), end, half, mount)
