@@ -122,7 +122,7 @@ def against_throw(model: Any) -> Any:
 
 def unlike_rates(model: Any) -> Any:
     """By how much the clamps' rates differ, over the left one's."""
-    return np.abs(model.clamp.right_share - 1.0)
+    return np.abs(model.clamp.right_over_left() - 1.0)
 
 
 GROUPS = (

@@ -17,7 +17,8 @@ def check_alike(simulations: Sequence[Simulation]) -> None:
             ours, theirs = getattr(first, family), getattr(other, family)
             if family in SAME and theirs != ours:
                 raise ParameterError(family, theirs, f"the first robot's: {ours}")
-            if family == "drive" and theirs.table != ours.table:
-                raise ParameterError("drive", theirs.name, "the table of the first robot")
+            if family == "drive" and theirs.in_common != ours.in_common:
+                words, _ = theirs.in_common
+                raise ParameterError("drive", theirs.name, f"{words} of the first robot")
             if type(theirs) is not type(ours):
                 raise ParameterError(family, theirs.name, f"{ours.name}, as of the first robot")

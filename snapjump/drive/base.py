@@ -25,8 +25,7 @@ class Programme(Contract):
     """What the clamps do over time, in dimensionless numbers.
 
     One that turns them from a static start has ``start``, ``end`` and ``rate`` of the left clamp
-    (rad, rad/T), ``delta_alpha``, by which the right one lags at the beginning (rad), and
-    ``right_share``, its rate over the left one's.
+    (rad, rad/T), and ``delta_alpha``, by which the right one lags at the beginning (rad).
     """
 
     @required
@@ -36,6 +35,14 @@ class Programme(Contract):
     def time_turned(self) -> Any:
         """Time (T) since the leading clamp was flat, at a march's beginning; of one or of many."""
         return 0.0
+
+    def has_two_rates(self) -> bool:
+        """Whether the right clamp has a rate of its own; a constant while compiling."""
+        return False
+
+    def right_over_left(self) -> Any:
+        """The right clamp's rate over the left one's."""
+        return 1.0
 
     def initial_share(self) -> Any:
         """Rate at a march's beginning over ``rate``; a constant while compiling."""
@@ -56,9 +63,10 @@ class DriveOptions(Part):
         clamp is at the angle ``start`` (rad) in the beginning; of many robots an array."""
 
     @property
-    def table(self) -> Any:
-        """What all robots of a march have to share: measured angles, if there are any."""
-        return None
+    def in_common(self) -> tuple[str, Any]:
+        """What all robots of a march have to share, in words and as a value: measured angles, or
+        whether the right clamp has a rate of its own; nothing by default."""
+        return "all", None
 
     @property
     def rate_rad_s(self) -> Any:

@@ -14,14 +14,13 @@ class ConstantRate(Turning):
 
     @Programme.member
     class Law(NamedTuple):
-        """Left angle at time 0 and at the end (rad), its rate (rad/T), how far the right lags at
-        time 0, and the right rate over the left one."""
+        """Left angle at time 0 and at the end (rad), its rate (rad/T), and how far the right lags
+        at time 0."""
 
         start: float
         end: float
         rate: float
         delta_alpha: float
-        right_share: float
 
         def angles(self, time: Any) -> Any:
             return turned_to(self, self.start + self.rate * time, self.rate + 0.0 * time)
@@ -32,6 +31,34 @@ class ConstantRate(Turning):
         def initial_share(self) -> Any:
             return 1.0
 
-    def programme(self, simulation: Any, start: Any) -> Law:
+    @Programme.member
+    class TwoRates(NamedTuple):
+        """The same, and the right rate over the left one."""
+
+        start: float
+        end: float
+        rate: float
+        delta_alpha: float
+        right_share: float
+
+        def has_two_rates(self) -> bool:
+            return True
+
+        def right_over_left(self) -> Any:
+            return self.right_share
+
+        def angles(self, time: Any) -> Any:
+            return turned_to(self, self.start + self.rate * time, self.rate + 0.0 * time)
+
+        def time_turned(self) -> Any:
+            return time_turned(self)
+
+        def initial_share(self) -> Any:
+            return 1.0
+
+    def programme(self, simulation: Any, start: Any) -> Law | TwoRates:
         """The dimensionless programme."""
-        return self.Law(*self.numbers(simulation, start))
+        numbers = self.numbers(simulation, start)
+        if self.right_rate_rad_s is None:
+            return self.Law(*numbers)
+        return self.TwoRates(*numbers, self.right_share)

@@ -53,13 +53,12 @@ class Table(DriveOptions):
     @Programme.member
     class Law(NamedTuple):
         """Left angle at time 0 and at the end (rad), the largest rate (rad/T), mismatch at time 0,
-        1 for the right clamp's share, and the pieces (K, 9) by their beginnings (T)."""
+        and the pieces (K, 9) by their beginnings (T)."""
 
         start: float
         end: float
         rate: float
         delta_alpha: float
-        right_share: float
         pieces: Any
 
         def angles(self, time: Any) -> Any:
@@ -90,8 +89,8 @@ class Table(DriveOptions):
             raise ParameterError("backend", "cuda", "scalar or lanes with drive=table")
 
     @property
-    def table(self) -> Any:
-        return self.rows
+    def in_common(self) -> tuple[str, Any]:
+        return "the table", self.rows
 
     @cached_property
     def pieces(self) -> Array:
@@ -125,10 +124,10 @@ class Table(DriveOptions):
     def programme(self, simulation: Any, start: Any) -> Law:
         """The dimensionless programme."""
         time_s = simulation.robot.scales.time_s
-        cubic = time_s ** np.arange(4.0)
+        cubic = np.cumprod([1.0, time_s, time_s, time_s])
         pieces = self.pieces * np.concatenate([[1.0 / time_s], cubic, cubic])
         rate = self.rate_rad_s * time_s
-        return self.Law(start, self.end_rad, rate, simulation.design.delta_alpha, 1.0, pieces)
+        return self.Law(start, self.end_rad, rate, simulation.design.delta_alpha, pieces)
 
     def rest(self, simulation: Any, arch: Any) -> Any:
         lag, (_, left, right) = simulation.design.delta_alpha, self.rows[0]

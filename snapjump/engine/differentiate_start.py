@@ -97,7 +97,7 @@ def differentiate_starts(
         passing = DIFFERENCE_RAD / of_duals.clamp.rate
         sooner = difference * (of_duals.clamp.rate - moving.clamp.rate)
         now = with_angles(of_duals, start, delta_alpha)
-        unlike = (of_duals.clamp.right_share - 1.0) * sooner
+        unlike = (of_duals.clamp.right_over_left() - 1.0) * sooner
         earlier = with_angles(of_duals, start + sooner, delta_alpha - unlike)
         later = with_angles(of_duals, start - sooner, delta_alpha + unlike)
 

@@ -49,7 +49,12 @@ class Model(NamedTuple):
 
 def numbers_in(member: Any) -> list[Any]:
     """The numbers of a member, without the tables (2-d arrays) that all robots of a march share."""
-    return [value for value in member if np.ndim(value) < 2]
+    return [value for value in member if not shared(value)]
+
+
+def shared(value: Any) -> bool:
+    """Whether a member's value is a table."""
+    return isinstance(value, np.ndarray) and value.ndim == 2
 
 
 def numbers_of(model: Model) -> NDArray[np.float64]:
@@ -62,7 +67,7 @@ def with_numbers(model: Any, numbers: Any) -> Any:
     number type."""
     members, given = [], iter(numbers)
     for member in model:
-        members.append(type(member)(*[v if np.ndim(v) == 2 else next(given) for v in member]))
+        members.append(type(member)(*[v if shared(v) else next(given) for v in member]))
     return Model(*members)
 
 

@@ -17,7 +17,7 @@ from snapjump.number.functions import negate, where
 
 CONTINUATION_STEPS = 16
 FIRST_TURN = 0.02  # of a step
-TURNING = ConstantRate.Law  # what every drive's clamps do near the start, but for how fast
+TURNING = ConstantRate.TwoRates  # what every drive's clamps do near the start, but for how fast
 DIFFERENCE_RAD = 2e-3  # clamp angle between the equilibria that velocity is taken from
 
 
@@ -26,7 +26,7 @@ def with_angles(model: Any, left: Any, delta_alpha: Any) -> Any:
     """The model with other clamp angles at time 0, and friction that holds it on its slope: slow
     loading has no sliding velocity, and a lagged law would look for one that is not there yet."""
     drive = model.clamp
-    clamp = TURNING(left, drive.end, drive.rate, delta_alpha, drive.right_share)
+    clamp = TURNING(left, drive.end, drive.rate, delta_alpha, drive.right_over_left())
     return Model(
         model.discretization,
         model.frame,

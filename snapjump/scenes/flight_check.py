@@ -32,7 +32,7 @@ def farthest_apex(model: Any, beam_mass: float) -> Any:
     """
     frame = model.frame
     compression = 1.0 - 2.0 * frame.half_span + 2.0 * getattr(frame, "inset", 0.0)
-    fastest = model.clamp.rate * np.maximum(1.0, np.abs(model.clamp.right_share))
+    fastest = model.clamp.rate * np.maximum(1.0, np.abs(model.clamp.right_over_left()))
     turning = ENERGY_PER_RATE_SQUARED * fastest * fastest
     energy = ENERGY_PER_COMPRESSION * compression + turning
     return 1.0 + energy / ((frame.mass + beam_mass) * model.load.acceleration)

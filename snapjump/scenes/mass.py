@@ -20,7 +20,7 @@ from snapjump.results import Result
 from snapjump.scenes.march_outputs import GroundOutputs, RecordedOutputs, side_by_side
 from snapjump.scenes.mass_units import stick_speed
 from snapjump.scenes.runner import March, Progress
-from snapjump.scenes.trajectory import trajectory_arrays
+from snapjump.scenes.trajectory import samples_of, trajectory_arrays
 from snapjump.units import Scales
 
 # Below the steps that the smallest gaps take whose powers are numbers, of e^-200 and less.
@@ -41,7 +41,7 @@ def mass_model(
     return Model(
         LooseNodes(),
         NoFrame(),
-        ConstantRate.Law(0.0, 1.0, 1.0, 0.0, 1.0),
+        ConstantRate.Law(0.0, 1.0, 1.0, 0.0),
         contact=simulation.contact.law(scales),
         friction=simulation.friction.law(scales, simulation.environment.mu),
         damping=simulation.damping.law(scales),
@@ -106,7 +106,7 @@ def march_mass(
     largest = largest_step(model, stick, duration)
     march.stepping = march.stepping.within(SMALLEST_STEP_BAR, largest)
     outcome = march.run(progress)
-    arrays = trajectory_arrays(march, march.recorder)
+    arrays = trajectory_arrays(march, samples_of(march, march.recorder))
     side = side_by_side([model])
     outputs = kind(simulation, begun, side, outcome, march.kernel_seconds, arrays, scales)
     return outputs.result(arrays)

@@ -29,7 +29,7 @@ def bend_cantilever(
 ) -> tuple[np.ndarray, float, int]:
     """Nodes (N + 1, 2) in L, elastic energy (EI/L) and negative pivots under a tip load.
     Force in EI/L^2, moment in EI/L. Raises ArithmeticError where Newton's method fails."""
-    clamp, load = ConstantRate.Law(0.0, 1.0, 1.0, 0.0, 1.0), TipLoad(0.0, 0.0, 0.0)
+    clamp, load = ConstantRate.Law(0.0, 1.0, 1.0, 0.0), TipLoad(0.0, 0.0, 0.0)
     model = Model(rod, CantileverFrame(), clamp, load=load)
     dofs = rod.node_dofs()
     memory = make_memory(sizes_of(model, elements + 1))

@@ -80,7 +80,7 @@ class StaticArch:
         self.band: Array = self.memory.band[self.free, :, 0]
 
     def _model(self, left: float, right: float) -> Model:
-        return Model(self.rod, self.frame, ConstantRate.Law(left, 10.0, 1.0, left - right, 1.0))
+        return Model(self.rod, self.frame, ConstantRate.Law(left, 10.0, 1.0, left - right))
 
     def guess(self, upward: bool = True) -> Array:
         """State of the exact arch between flat clamps, buckled up or down."""

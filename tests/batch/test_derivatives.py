@@ -102,7 +102,7 @@ def test_numbers_that_do_not_depend_on_the_design_have_no_derivative(curve):
     frame = rod + len(model.frame)
     assert (found[:rod] == 0.0).all()
     # mu is one number of the friction law; delta_alpha one of the clamps.
-    assert np.flatnonzero(found[:, 3]).tolist() == [frame + 5 + len(model.contact)]
+    assert np.flatnonzero(found[:, 3]).tolist() == [frame + len(model.clamp) + len(model.contact)]
     assert np.flatnonzero(found[:, 0]).tolist() == [frame + 3]
 
 

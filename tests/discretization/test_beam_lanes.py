@@ -45,7 +45,7 @@ def test_lanes_and_scalars_agree_to_the_last_bit(name):
     model = Model(
         options.beam(Robot()),
         RigidFrame.Body(0.4, -0.15, -0.25, 0.25, 15.0, 1.3, 0.06, 0.01),
-        ConstantRate.Law(0.35, 1.5, 0.6, 0.1, 1.0),
+        ConstantRate.Law(0.35, 1.5, 0.6, 0.1),
         LogBarrier.Law(4e3, 0.025, 0.0),
         ImplicitFriction.Law(0.4, 0.25),
         KelvinVoigt.Law(1e-3),

@@ -23,7 +23,7 @@ from snapjump.engine.model import Model
 from snapjump.frame.fixed import FixedFrame
 from snapjump.frame.parts.cantilever import CantileverFrame
 
-CLAMP = ConstantRate.Law(0.3, 1.5, 0.7, 0.1, 1.0)
+CLAMP = ConstantRate.Law(0.3, 1.5, 0.7, 0.1)
 STILL = Motion(0.0, 0.0, 0.0, 0.0)
 MOVING = Motion(0.4, 30.0, 30.0, 0.0)
 RELAXATION = 2e-3

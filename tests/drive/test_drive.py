@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from command_line import here
 
-from snapjump.batch import simulate_designs
+from snapjump.batch import simulate_batch, simulate_designs
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
 from snapjump.drive.constant_rate import ConstantRate
@@ -16,8 +16,8 @@ from snapjump.simulation import build, simulate
 from snapjump.statics.arch import StaticArch
 from snapjump.statics.critical import find_snap
 
-CONSTANT = ConstantRate.Law(0.4, 1.5, 0.09, 0.1, 1.0)
-SMOOTH = SmoothStart.Law(0.4, 1.5, 0.09, 0.1, 1.0, 2.0)
+CONSTANT = ConstantRate.Law(0.4, 1.5, 0.09, 0.1)
+SMOOTH = SmoothStart.Law(0.4, 1.5, 0.09, 0.1, 2.0)
 programmes = pytest.mark.parametrize("clamp", [CONSTANT, SMOOTH])
 
 
@@ -64,7 +64,7 @@ def test_smooth_start_begins_at_rest_and_becomes_a_late_constant_rate():
     assert sudden.angles(3.0).left == pytest.approx(CONSTANT.angles(3.0).left, abs=1e-9)
 
 
-UNLIKE = CONSTANT._replace(right_share=0.25)
+UNLIKE = ConstantRate.TwoRates(*CONSTANT, 0.25)
 
 
 def test_clamps_with_rates_of_their_own_lag_at_the_beginning_and_stop_together():
@@ -74,6 +74,12 @@ def test_clamps_with_rates_of_their_own_lag_at_the_beginning_and_stop_together()
     assert done.right == pytest.approx(0.3 + 0.25 * 1.1) and done.right_rate == 0.0
     drive = ConstantRate(rate_rad_s=20.0, right_rate_rad_s=-5.0)
     assert drive.programme(Simulation(), 0.0).right_share == -0.25
+
+
+def test_robots_beside_each_other_all_have_a_right_rate_or_none():
+    both = [with_tier("draft", drive=ConstantRate(right_rate_rad_s=r)) for r in (None, 10.0)]
+    with pytest.raises(ParameterError, match="drive = 'constant_rate' .* given or null"):
+        simulate_batch(both)
 
 
 def test_a_span_opens_and_its_clamps_keep_their_angles():

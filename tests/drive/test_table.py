@@ -1,9 +1,11 @@
 """Measured clamp angles: what they are between rows, what is refused, and a jump of them."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from scaled import Factors, scaled
 from scipy.interpolate import PchipInterpolator
 
 from snapjump.batch import simulate_batch, simulate_designs
@@ -15,6 +17,7 @@ from snapjump.drive.table import Table
 from snapjump.run.tasks.simulate import Simulate
 from snapjump.simulation import build
 
+SMALL, LARGE = Factors(2.0**-7, 2.0**-9, 2.0**-18), Factors(2.0**7, 2.0**11, 2.0**18)
 TIMES = np.linspace(0.003, 0.083, 41)
 HEADINGS = "time_s, left_rad, right_rad"
 
@@ -45,6 +48,15 @@ def test_angles_go_through_the_rows_as_monotone_cubics():
     held = law.angles(1e4)
     assert (held.left, held.left_rate, held.right_rate) == (WAVY[-1][1], 0.0, 0.0)
     assert law.rate == pytest.approx(one.drive.rate_rad_s * time_s)
+
+
+@pytest.mark.parametrize("factors", [SMALL, LARGE])
+def test_a_table_of_a_world_of_other_scales_turns_alike(factors):
+    one = Simulation(drive=Table(rows=WAVY))
+    slower = [[time * factors.time, *angles] for time, *angles in WAVY]
+    other = replace(scaled(one, factors), drive=Table(rows=slower))
+    found, expected = (each.drive.programme(each, 0.7) for each in (other, one))
+    assert found[:-1] == expected[:-1] and np.array_equal(found.pieces, expected.pieces)
 
 
 def test_a_file_is_its_rows(tmp_path):

@@ -36,8 +36,8 @@ from snapjump.scenes.resting import resting_guess
 OPTIONS = ElasticFrame(30.0, 2.0, 6, 5, inset_m=3e-4)
 MOVING = Motion(0.2, 50.0, 50.0, 0.0)
 REST = Motion(0.0, 0.0, 0.0, 0.0)
-FLAT = ConstantRate.Law(0.0, 1.0, 1.0, 0.0, 1.0).angles(0.0)
-STANDING = ConstantRate.Law(0.35, 1.5, 0.0, 0.1, 1.0)
+FLAT = ConstantRate.Law(0.0, 1.0, 1.0, 0.0).angles(0.0)
+STANDING = ConstantRate.Law(0.35, 1.5, 0.0, 0.1)
 clamps = pytest.mark.parametrize("clamp", ["half_element", "two_nodes"])
 
 
@@ -50,7 +50,7 @@ class Case:
     """A robot of few nodes, its clamps turned, in a bent and tilted state."""
 
     def __init__(self, simulation: Simulation, **members: Any):
-        clamp = ConstantRate.Law(0.35, 1.5, 0.6, 0.1, 1.0)
+        clamp = ConstantRate.Law(0.35, 1.5, 0.6, 0.1)
         usual = {"clamp": clamp, "friction": NoFriction.Law(), "damping": NoDamping.Law()}
         self.model = jump_model(simulation)._replace(**(usual | members))
         self.masses = simulation.discretization.masses()

@@ -33,7 +33,7 @@ ELEMENTS = 9
 FRAME = RigidFrame.Body(0.4, -0.15, -0.25, 0.25, 15.0, 1.3, 0.06, 0.01)
 BARRIER = LogBarrier.Law(4e3, 0.025, 0.0)
 FRICTION = ImplicitFriction.Law(0.4, 0.25)
-CLAMP = ConstantRate.Law(0.35, 1.5, 0.6, 0.1, 1.0)
+CLAMP = ConstantRate.Law(0.35, 1.5, 0.6, 0.1)
 HELD = CLAMP._replace(rate=0.0)
 STILL = Motion(0.0, 0.0, 0.0, 0.0)
 MOVING = Motion(0.2, 50.0, 50.0, 0.0)

@@ -12,7 +12,7 @@ from snapjump.frame.parts.cantilever import CantileverFrame
 from snapjump.frame.parts.no_frame import NoFrame
 from snapjump.frame.rigid import RigidFrame
 
-STILL = ConstantRate.Law(0.0, 1.0, 1.0, 0.0, 1.0)
+STILL = ConstantRate.Law(0.0, 1.0, 1.0, 0.0)
 
 
 def bare_model(discretization: Any, frame: Any, **members: Any) -> Model:

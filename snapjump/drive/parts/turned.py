@@ -14,9 +14,13 @@ def turned_to(clamp: Any, turned: Any, turning: Any) -> Any:
     stopped = turned > clamp.end
     left = where(stopped, clamp.end, turned)
     rate = where(stopped, 0.0, turning)
-    unlike = clamp.right_share - 1.0
-    right = left - clamp.delta_alpha + unlike * (left - clamp.start)
-    return ClampAngles(left, right, rate, rate * clamp.right_share, 0.0, 0.0)
+    right = left - clamp.delta_alpha
+    right_rate = rate
+    if clamp.has_two_rates():
+        share = clamp.right_over_left()
+        right = right + (share - 1.0) * (left - clamp.start)
+        right_rate = rate * share
+    return ClampAngles(left, right, rate, right_rate, 0.0, 0.0)
 
 
 def time_turned(clamp: Any) -> Any:

@@ -25,8 +25,17 @@ class Turning(DriveOptions):
         kind="control", usual=(-1e4, 1e4), takes_arrays=True,
     )  # fmt: skip
 
-    def numbers(self, simulation: Any, start: Any) -> tuple[Any, Any, Any, Any, Any]:
-        """start, end, rate, delta_alpha and right_share of a programme."""
-        share = 1.0 if self.right_rate_rad_s is None else self.right_rate_rad_s / self.rate_rad_s
+    @property
+    def in_common(self) -> tuple[str, bool]:
+        return "right_rate_rad_s given or null, as", self.right_rate_rad_s is not None
+
+    @property
+    def right_share(self) -> Any:
+        """The right clamp's rate over the left one's."""
+        own = self.right_rate_rad_s
+        return 1.0 if own is None else own / self.rate_rad_s
+
+    def numbers(self, simulation: Any, start: Any) -> tuple[Any, Any, Any, Any]:
+        """start, end, rate and delta_alpha of a programme."""
         rate = self.rate_rad_s * simulation.robot.scales.time_s
-        return start, self.end_rad, rate, simulation.design.delta_alpha, share
+        return start, self.end_rad, rate, simulation.design.delta_alpha

@@ -85,7 +85,11 @@ class TrajectoryRecorder(NamedTuple):
 
 def make_recorder(size: int, duration: float, interval: float) -> TrajectoryRecorder:
     """A recorder for D = ``size`` coordinates, a duration and an interval of samples (T)."""
-    samples = int(duration / interval) + 16
+    return recorder_of(size, int(duration / interval) + 16, interval)
+
+
+def recorder_of(size: int, samples: int, interval: float = 0.0) -> TrajectoryRecorder:
+    """A recorder for so many samples, of every step if there is no interval."""
     return TrajectoryRecorder(
         interval=np.array([interval]),
         filled=np.zeros(1, dtype=np.int64),
