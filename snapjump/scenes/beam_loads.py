@@ -41,8 +41,7 @@ class BeamLoads(MarchOutputs):
 
     @output("1", of=MARCHED, reads=("bending",), show="beam: strain {} at most")
     def max_strain(self) -> Any:
-        """Largest bending strain of the beam's outer fibres, at any node and sample, of batches at
-        any step."""
+        """Largest bending strain of the beam's outer fibres, at any node and step."""
         return self.bending.strain
 
     @output("L", of=MARCHED, reads=("bending",), show="")

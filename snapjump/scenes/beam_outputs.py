@@ -1,12 +1,14 @@
-"""Outputs of recorded beams between clamps: what they bore, at their samples, and their damping."""
+"""Outputs of recorded beams between clamps: what they bore, and their damping."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 
 from snapjump.declare.outputs import output
 from snapjump.scenes.beam_loads import MARCHED, BeamLoads, Bending, Clamping
+from snapjump.scenes.bending import strain_per_turning
+from snapjump.scenes.every_step import EveryStep
 from snapjump.scenes.frame_body import compression
 from snapjump.scenes.march_outputs import RecordedOutputs
 from snapjump.statics.modes import flat_arch_damping
@@ -40,28 +42,28 @@ class DampingOutputs(RecordedOutputs):
 
 @dataclass(frozen=True)
 class BeamOutputs(BeamLoads, DampingOutputs):
-    """Of one march with its trajectory: largest values are those of its samples."""
+    """Of one march with its trajectory. ``every``: what was read off all of its steps."""
 
-    def _largest(self, read: str) -> float:
-        return float(np.abs(self.arrays[read]).max())
+    every: EveryStep = field(kw_only=True)
 
     @property
     def bending(self) -> Bending:
-        """Of all samples and nodes."""
-        strain = np.abs(self.arrays["node_strain"])
-        sample, node = divmod(int(strain.argmax()), strain.shape[1])
-        along_bar = node / self.simulation.discretization.elements
-        return Bending(float(strain.max()), along_bar, float(self.arrays["time_s"][sample]))
+        """Of all steps and nodes."""
+        steps, begun = self.every, self.model.clamp.time_turned()
+        return Bending(
+            strain_per_turning(self.simulation) * steps.turning,
+            steps.node / self.simulation.discretization.elements,
+            (steps.when + begun) * self.scales.time_s,
+        )
 
     @property
     def clamping(self) -> Clamping:
-        """Torque and power of all samples; the work of all stages."""
-        sides = ("clamp_left_torque_N_m", "clamp_right_torque_N_m")
-        torque = max(self._largest(side) for side in sides)
+        """Torque of all steps, work of all stages; power of all samples, which hardly changes."""
         time_s, power = self.arrays["time_s"], 0.0
         for side in ("left", "right"):
             rate = np.gradient(self.arrays[f"clamp_{side}_rad"], time_s)
             power = power + rate * self.arrays[f"clamp_{side}_torque_N_m"]
         if not self.simulation.drive.turns:  # clamps that move apart work too
             power = np.gradient(self.arrays["clamp_work_J"], time_s)
-        return Clamping(torque, float(self.arrays["clamp_work_J"][-1]), float(np.max(power)))
+        torque_N_m = self.every.torque * self.scales.energy_J
+        return Clamping(torque_N_m, float(self.arrays["clamp_work_J"][-1]), float(np.max(power)))

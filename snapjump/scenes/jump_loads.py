@@ -36,8 +36,8 @@ class JumpLoads(BeamLoads):
 
     @output("N", of=MARCHED, unknown=True, reads=("push",), show="ground: force {} at most")
     def peak_ground_force_N(self) -> Any:
-        """Largest normal force of the ground on the robot, of all samples, of batches of all steps;
-        null where contact is a constraint, whose forces are none of a state's."""
+        """Largest normal force of the ground on the robot at any step; null where contact is a
+        constraint, whose forces are none of a state's."""
         return self.push
 
     @output("N s", of=MARCHED, reads=("impulse",), show="ground: impulse {}")

@@ -184,20 +184,18 @@ class RecordedJump(JumpOutputs, JumpLoads, BeamOutputs):
 
     @property
     def push(self) -> float:
-        """Of all samples."""
-        if "node_normal_N" not in self.arrays:
-            return np.nan
-        sums = (self.arrays[f"{of}_normal_N"].sum(axis=1) for of in ("node", "corner"))
-        return float(sum(sums).max())
+        """Of all steps and points; unknown where it is none of a state's."""
+        constraint = self.model.contact.is_constraint()
+        return np.nan if constraint else self.every.force * self.scales.force_N
 
     @property
     def impulse(self) -> float:
-        """Up to the last sample."""
+        """Up to the end of the march."""
         return float(self.arrays["ground_impulse_y_N_s"][-1])
 
     @property
     def release(self) -> Release:
-        """Up to the first sample after the last contact."""
-        elastic, start_m = self.arrays["elastic_J"], self.arrays["com_y_m"][0]
-        off = int(np.searchsorted(self.arrays["time_s"], float(self.liftoff_time_s[0])))
-        return Release(float(start_m), elastic[0] - elastic[min(off, len(elastic) - 1)])
+        """Up to the last contact, between samples."""
+        elastic, time_s = self.arrays["elastic_J"], self.arrays["time_s"]
+        left = np.interp(float(self.liftoff_time_s[0]), time_s, elastic)
+        return Release(float(self.arrays["com_y_m"][0]), float(elastic[0] - left))

@@ -36,8 +36,8 @@ class March:
     """Robots of one composition and one mesh of their frames, their beginnings, and the memory they
     are simulated in: ``lanes`` at a time in each of ``threads``, which take them from one queue.
 
-    ``units``: of all its numbers, the robot's if None. ``memory`` and ``queue`` are those of the
-    first thread.
+    ``units``: of all its numbers, the robot's if None; ``after_slice``: called when a slice of a
+    single thread's march is over. ``memory`` and ``queue`` are those of the first thread.
     """
 
     models: Sequence[Model]
@@ -53,6 +53,7 @@ class March:
     most_iterations: float = MOST_ITERATIONS
     mesh: NDArray[np.int64] = field(default_factory=lambda: NO_MESH)
     units: Scales | None = None
+    after_slice: Callable[[], None] | None = None
 
     def __post_init__(self) -> None:
         robots, size = self.states.shape
@@ -141,6 +142,8 @@ class March:
             return march(*self.arguments(worker), PASSES_PER_SLICE)
 
         def report() -> None:
+            if self.after_slice is not None:
+                self.after_slice()
             if progress is not None:
                 progress(self._done(), "marching")
 

@@ -1,5 +1,7 @@
 """A recorded march as arrays in SI units, with contact forces and the energy ledger."""
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,8 +19,17 @@ from snapjump.scenes.runner import March
 Array = NDArray[np.float64]
 
 
-def samples_of(march: March, recorder: TrajectoryRecorder) -> tuple[Array, Array, Array, Array]:
-    """Times (S), states and velocities (S, D), works (S, 5), the march's last state included."""
+class Samples(NamedTuple):
+    """Times (S), states and velocities (S, D), works (S, 5)."""
+
+    times: Array
+    states: Array
+    velocities: Array
+    works: Array
+
+
+def samples_of(march: March, recorder: TrajectoryRecorder) -> Samples:
+    """What a recorder has kept, and the march's last state."""
     count = int(recorder.filled[0])
     times, states = recorder.times[:count], recorder.states[:count]
     velocities, works = recorder.velocities[:count], recorder.works[:count]
@@ -28,13 +39,13 @@ def samples_of(march: March, recorder: TrajectoryRecorder) -> tuple[Array, Array
         states = np.vstack([states, march.memory.start[:, 0]])
         velocities = np.vstack([velocities, march.memory.velocity[0, :, 0]])
         works = np.vstack([works, recorder.totals])
-    return times, states, velocities, works
+    return Samples(times, states, velocities, works)
 
 
-def trajectory_arrays(march: March, recorder: TrajectoryRecorder) -> dict[str, Array]:
+def trajectory_arrays(march: March, samples: Samples) -> dict[str, Array]:
     """Everything that ``trajectory.npz`` holds; S samples, N + 1 nodes, 4 corners."""
     model, scales = march.models[0], march.scales
-    times, states, velocities, works = samples_of(march, recorder)
+    times, states, velocities, works = samples
     dofs = model.frame.dofs(march.mesh)
     stride = model.discretization.node_dofs()
     nodes, speeds = states[:, dofs:], velocities[:, dofs:]

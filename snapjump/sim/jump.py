@@ -5,10 +5,11 @@ from typing import Any
 
 from snapjump.composition import Simulation
 from snapjump.declare.fields import Need, number
-from snapjump.engine.recorder.trajectory import make_recorder
+from snapjump.engine.recorder.trajectory import recorder_of
 from snapjump.results import Result
 from snapjump.scenes.card_march import check_backend
 from snapjump.scenes.compile_ahead import compile_ahead
+from snapjump.scenes.every_step import ROWS, EveryStep
 from snapjump.scenes.jump_march import jump_march, jumped, no_recorder
 from snapjump.scenes.jump_outputs import JumpRun, RecordedJump
 from snapjump.scenes.jump_start import jump_model
@@ -59,12 +60,12 @@ class Jump(SceneOptions):
         if alone:
             compile_ahead(simulation)
         model, time_s = jump_model(simulation), simulation.robot.scales.time_s
-        times = model.time_limit.duration, self.sample_interval_s / time_s
-        recorder = (lambda size: make_recorder(size, *times)) if alone else no_recorder
+        recorder = (lambda size: recorder_of(size, ROWS)) if alone else no_recorder
         march = jump_march([simulation], [model], recorder=recorder, lanes=simulation.backend.width)
         march.find_starts()
+        steps = EveryStep(march, march.recorder, self.sample_interval_s / time_s) if alone else None
         known = simulation, begun, *jumped(march, progress), march.kernel_seconds
-        if not alone:
+        if steps is None:
             return JumpRun(*known).result({})
-        arrays = trajectory_arrays(march, march.recorder) if march.recorder.filled[0] > 0 else {}
-        return RecordedJump(*known, arrays).result(arrays)
+        arrays = trajectory_arrays(march, steps.samples()) if steps.kept else {}
+        return RecordedJump(*known, arrays, every=steps).result(arrays)

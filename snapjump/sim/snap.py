@@ -10,10 +10,11 @@ from snapjump.declare.fields import number
 from snapjump.declare.outputs import output
 from snapjump.engine import outcome as c
 from snapjump.engine.recorder.midpoint import make_midpoint_recorder
-from snapjump.engine.recorder.trajectory import make_recorder
+from snapjump.engine.recorder.trajectory import recorder_of
 from snapjump.engine.status import NO_SNAP, OK
 from snapjump.results import Result
 from snapjump.scenes.beam_outputs import BeamOutputs
+from snapjump.scenes.every_step import ROWS, EveryStep
 from snapjump.scenes.march_outputs import side_by_side
 from snapjump.scenes.midpoint import Midpoint
 from snapjump.scenes.snap_march import snap_march
@@ -84,19 +85,16 @@ class Snap(SampledScene):
     def simulate(self, simulation: Simulation, progress: Progress | None = None) -> Result:
         """Turn the clamps of the arch at rest from flat and follow it through the snap."""
         begun, scales = time.perf_counter(), simulation.robot.scales
-        duration, interval = self.duration_s / scales.time_s, self.sample_interval_s / scales.time_s
         march = snap_march(
-            simulation,
-            lambda size, steps: make_midpoint_recorder(
-                make_recorder(size, duration, interval), steps
-            ),
+            simulation, lambda size, steps: make_midpoint_recorder(recorder_of(size, ROWS), steps)
         )
-        outcome, model, recorder = march.run(progress), march.models[0], march.recorder
-        midpoint = Midpoint.of(recorder, scales)
+        interval = self.sample_interval_s / scales.time_s
+        every = EveryStep(march, march.recorder.trajectory, interval)
+        outcome, model = march.run(progress), march.models[0]
+        midpoint = Midpoint.of(march.recorder, scales)
         if outcome[0, c.STATUS] == OK and math.isnan(midpoint.crossing_s):
             outcome[0, c.STATUS] = NO_SNAP
-        marched = recorder.filled[0] > 0
-        arrays = trajectory_arrays(march, recorder.trajectory) if marched else {}
+        arrays = trajectory_arrays(march, every.samples()) if every.kept else {}
         marches = side_by_side([model]), outcome, march.kernel_seconds
-        outputs = SnapOutputs(simulation, begun, *marches, arrays, midpoint, model.clamp)
-        return outputs.result(arrays)
+        known = simulation, begun, *marches, arrays, midpoint, model.clamp
+        return SnapOutputs(*known, every=every).result(arrays)

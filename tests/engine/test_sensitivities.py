@@ -12,6 +12,7 @@ from snapjump.contact.logbarrier import LogBarrier
 from snapjump.declare.inputs import DEFAULT_INPUTS, inputs_of, value_at
 from snapjump.discretization.corotational import Corotational
 from snapjump.discretization.der import DiscreteElasticRod
+from snapjump.drag.quadratic import QuadraticDrag
 from snapjump.friction.implicit import ImplicitFriction
 from snapjump.integrator.generalized_alpha import GeneralizedAlpha
 from snapjump.scenes.sensitivities import CORRECTIONS
@@ -26,6 +27,7 @@ BASE = with_tier(
     contact=LogBarrier(distance_m=1e-3),
     # The kinks of friction, at its true 1e-4 m/s, leave nothing of differences.
     friction=ImplicitFriction(velocity_threshold_m_s=1.0),
+    drag=QuadraticDrag(area_m2=2e-4),
 )
 # All inputs beside the four, where they are but for some, four at a time.
 VALUES = {path: value_at(BASE, path) for path in inputs_of(BASE) if path not in DEFAULT_INPUTS}

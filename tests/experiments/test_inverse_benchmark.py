@@ -90,7 +90,7 @@ def test_the_study_concludes_and_replaces_readme_s_table(checkpoint, tmp_path, m
     assert "`gauss_newton`" in (folder.path / "inverse.block.md").read_text()
 
 
-@pytest.mark.compiles
+@pytest.mark.slow
 def test_the_region_is_held_against_simulation(checkpoint, monkeypatch):
     monkeypatch.setattr(region, "POINTS", 9)
     monkeypatch.setattr(region, "TARGETS", 8)

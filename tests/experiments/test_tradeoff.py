@@ -32,10 +32,16 @@ def few_curves(base: Any, full: bool) -> list[Curve]:
     broken = changed(base, {"contact": {"distance_m": 1e-9}})
     refused = changed(base, {"frame": {"name": "fixed"}})
     return [
-        Curve("tr_bdf2 adaptive", "tr_bdf2", adaptive(base, "tr_bdf2", COARSE)),
-        Curve("tr_bdf2 fixed", "tr_bdf2", fixed(base, "tr_bdf2", COARSE)),
-        Curve("broken", "tr_bdf2", adaptive(broken, "tr_bdf2", COARSE[:1])),
-        Curve("refused", "tr_bdf2", adaptive(refused, "tr_bdf2", COARSE[:1])),
+        Curve(
+            "generalized_alpha adaptive",
+            "generalized_alpha",
+            adaptive(base, "generalized_alpha", COARSE),
+        ),
+        Curve(
+            "generalized_alpha fixed", "generalized_alpha", fixed(base, "generalized_alpha", COARSE)
+        ),
+        Curve("broken", "generalized_alpha", adaptive(broken, "generalized_alpha", COARSE[:1])),
+        Curve("refused", "generalized_alpha", adaptive(refused, "generalized_alpha", COARSE[:1])),
     ]
 
 
@@ -71,7 +77,7 @@ def test_tables_and_figures_of_few_compositions(few_compositions):
     for name in ("precision_p95", "precision_median", "modelling"):
         assert (folder.path / f"{name}.png").stat().st_size > 20_000
     levels = list(csv.DictReader((folder.path / "levels.csv").read_text().splitlines()))
-    twice = ["tr_bdf2 adaptive"] * 2 + ["tr_bdf2 fixed"] * 2
+    twice = ["generalized_alpha adaptive"] * 2 + ["generalized_alpha fixed"] * 2
     assert [row["curve"] for row in levels] == [*twice, "broken", "refused"]
     assert float(levels[0]["ms"]) > 0.0 and float(levels[0]["x_median_percent"]) > 0.0
     failures = (folder.path / "failures.csv").read_text()
@@ -83,7 +89,7 @@ def test_tables_and_figures_of_few_compositions(few_compositions):
     report = (folder.path / "report.md").read_text()
     assert "To have x and y right" in report and "confirms the limit" in report
     records = json.loads((folder.path / "children.json").read_text())["children"]
-    (record,) = [r for r in records if r["name"].startswith("tr_bdf2 adaptive, 16")]
+    (record,) = [r for r in records if r["name"].startswith("generalized_alpha adaptive, 16")]
     assert record["metrics"]["x_median_percent"] == float(levels[0]["x_median_percent"])
 
 

@@ -15,7 +15,7 @@ from snapjump.scenes.mass import mass_model
 from snapjump.scenes.runner import March
 
 START, VX, VY, G = 0.01, 0.3, 1.0, 10.0
-EULER = pytest.param("implicit_euler", marks=pytest.mark.compiles)
+EULER = pytest.param("implicit_euler", marks=pytest.mark.slow)
 
 
 def test_apex():

@@ -20,8 +20,7 @@ CASES = {
 }
 # Elements with rotations, whose programs no other test needs.
 TURNING = [
-    pytest.param(name, marks=pytest.mark.compiles)
-    for name in ("corotational", "geometrically_exact")
+    pytest.param(name, marks=pytest.mark.slow) for name in ("corotational", "geometrically_exact")
 ]
 
 

@@ -12,7 +12,7 @@ from snapjump.discretization.der import DiscreteElasticRod
 from snapjump.frame.elastic import ElasticFrame
 from snapjump.stepping.adaptive import AdaptiveStep
 
-pytestmark = pytest.mark.compiles
+pytestmark = pytest.mark.slow
 # delta_alpha, epsilon, mass_bar, mu
 DESIGNS = [
     (0.1, 0.2, 0.768, 0.3),
@@ -56,7 +56,6 @@ def test_differences_vanish_with_the_frame_s_compliance(rigid):
     assert y[2] < 0.002
 
 
-@pytest.mark.slow
 def test_another_integrator_gives_the_same_jumps(rigid):
     sdirk2 = elastic(1e5, integrator="sdirk2")
     x, y = apart(sdirk2, rigid)

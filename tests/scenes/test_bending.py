@@ -78,7 +78,9 @@ def test_a_builder_s_figures_go_together(jump):
     assert np.isnan(told["safety_factor"])
     sample = int(np.abs(jump.arrays["time_s"] - told["max_strain_time_s"]).argmin())
     node = round(told["max_strain_at_bar"] * (jump.arrays["node_strain"].shape[1] - 1))
-    assert abs(jump.arrays["node_strain"][sample, node]) == told["max_strain"]
+    # Its largest is between two samples.
+    nearest = abs(jump.arrays["node_strain"][sample, node])
+    assert 0.99 * told["max_strain"] < nearest <= told["max_strain"]
 
 
 def test_a_yield_stress_gives_a_safety_factor_and_moves_nothing(jump):
@@ -98,7 +100,8 @@ def test_impulse_is_the_momentum_gained_and_the_weight_borne(jump):
     gained = mass_kg * (kept["com_vy_m_s"][-1] - kept["com_vy_m_s"][0])
     expected = gained + mass_kg * robot.gravity_m_s2 * flown
     assert told["ground_impulse_N_s"] == pytest.approx(expected, rel=1e-6)
-    assert told["peak_ground_force_N"] > mass_kg * robot.gravity_m_s2
+    force = kept["node_normal_N"].sum(axis=1) + kept["corner_normal_N"].sum(axis=1)
+    assert told["peak_ground_force_N"] >= force.max() > mass_kg * robot.gravity_m_s2
 
 
 def test_lift_off_tells_spin_direction_and_landing(jump):

@@ -12,7 +12,6 @@ NAMES = (
     *("time_s", "node_x_m", "node_y_m", "corner_x_m", "corner_y_m", "clamp_left_rad"),
     *("com_x_m", "com_y_m", "com_vx_m_s", "com_vy_m_s"),
     *("node_normal_N", "node_friction_N", "corner_normal_N", "corner_friction_N"),
-    "node_strain",
 )
 
 
@@ -131,13 +130,13 @@ def read_motion(result: Any) -> Motion | None:
         turning=0.0 if corners is None else _turning_rate(time, corners),
         pad_x=pad_x,
         pad_force=pad_force,
-        bent=_most_bent(data, result),
+        bent=_most_bent(data["time_s"], result),
         arc=None if speed is None or centre is None else _arc(result, time[-1], centre, speed),
     )
 
 
 def poses(motion: Motion, times: Array) -> Poses:
-    """Poses at `times` (ms): linear between samples, ballistic and evenly turning after them."""
+    """Poses at `times` (ms): linear between samples, after them in even acceleration."""
     times = np.maximum(np.asarray(times, float), motion.time[0])
     last = motion.count - 1
     right = np.clip(np.searchsorted(motion.time, times), min(1, last), last)
@@ -172,15 +171,15 @@ def _carry(points: Array, old: Array, new: Array, angle: Array) -> Array:
     return np.stack([x, y], axis=-1)
 
 
-def _most_bent(data: dict[str, Array], result: Any) -> Bent | None:
-    """Where and when the beam's outer fibres are strained most."""
-    if "node_strain" not in data:
+def _most_bent(time_s: Array, result: Any) -> Bent | None:
+    """Where and when the beam's outer fibres are strained most, at the nearest sample."""
+    strain = result.summary.get("max_strain", np.nan)
+    if not np.isfinite(strain):
         return None
-    size = np.abs(data["node_strain"])
-    sample, node = divmod(int(size.argmax()), size.shape[1])
-    mesh = result.simulation.discretization
-    place = node / mesh.elements + clamped_bar(mesh)
-    return Bent(sample, node, place, float(size[sample, node]))
+    mesh, place = result.simulation.discretization, result.summary["max_strain_at_bar"]
+    node = round((place - clamped_bar(mesh)) * mesh.elements)
+    sample = int(np.abs(time_s - result.summary["max_strain_time_s"]).argmin())
+    return Bent(sample, node, place, strain)
 
 
 def _arc(result: Any, ended: float, centre: Array, speed: Array) -> tuple[float, Array] | None:

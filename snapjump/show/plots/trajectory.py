@@ -37,7 +37,7 @@ def draw_trajectory(
     flies = end > motion.time[-1]
     axes.plot(
         *flight.centre.T, ls=(0, (4, 2.5)), lw=1.6, color=palette.CENTRE, alpha=0.75, zorder=7,
-        label="centre of mass, in ballistic flight" if flies else None,
+        label="centre of mass, in flight" if flies else None,
     )  # fmt: skip
     axes.plot(
         *motion.centre.T, lw=2.8, color=palette.CENTRE, zorder=8, label="centre of mass, simulated"

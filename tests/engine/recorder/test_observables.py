@@ -12,7 +12,7 @@ from snapjump.simulation import simulate
 from snapjump.stepping.adaptive import AdaptiveStep
 
 
-@pytest.mark.compiles
+@pytest.mark.slow
 @pytest.mark.parametrize("clamp", ["half_element", "two_nodes"])
 def test_observables_are_those_of_the_trajectory(clamp):
     simulation = with_tier(

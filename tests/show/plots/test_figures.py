@@ -45,8 +45,8 @@ def test_jump_files_are_images_of_the_right_size(jump, tmp_path):
 def test_the_largest_strain_is_marked(jump, tmp_path):
     """On the beam, and in the key."""
     marked = picture(figures(jump, tmp_path, film=False)[0])
-    arrays = {name: values for name, values in jump.arrays.items() if name != "node_strain"}
-    plain = picture(figures(of(jump, arrays=arrays), tmp_path, film=False)[0])
+    summary = {name: value for name, value in jump.summary.items() if name != "max_strain"}
+    plain = picture(figures(of(jump, summary=summary), tmp_path, film=False)[0])
     assert has(marked, palette.PLUM, 100) and not has(plain, palette.PLUM, 0)
 
 
