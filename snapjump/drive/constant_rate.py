@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 from snapjump.drive.base import Programme
 from snapjump.drive.parts.turned import time_turned, turned_to
 from snapjump.drive.parts.turning import Turning
+from snapjump.drive.parts.two_rates import TwoRates
 
 
 class ConstantRate(Turning):
@@ -31,34 +32,13 @@ class ConstantRate(Turning):
         def initial_share(self) -> Any:
             return 1.0
 
-    @Programme.member
-    class TwoRates(NamedTuple):
-        """The same, and the right rate over the left one."""
-
-        start: float
-        end: float
-        rate: float
-        delta_alpha: float
-        right_share: float
-
-        def has_two_rates(self) -> bool:
-            return True
-
-        def right_over_left(self) -> Any:
-            return self.right_share
-
-        def angles(self, time: Any) -> Any:
-            return turned_to(self, self.start + self.rate * time, self.rate + 0.0 * time)
-
-        def time_turned(self) -> Any:
-            return time_turned(self)
-
-        def initial_share(self) -> Any:
-            return 1.0
+    @property
+    def in_common(self) -> tuple[str, bool]:
+        return "right_rate_rad_s given or null, as", self.right_rate_rad_s is not None
 
     def programme(self, simulation: Any, start: Any) -> Law | TwoRates:
         """The dimensionless programme."""
         numbers = self.numbers(simulation, start)
         if self.right_rate_rad_s is None:
             return self.Law(*numbers)
-        return self.TwoRates(*numbers, self.right_share)
+        return TwoRates(*numbers, self.right_share)

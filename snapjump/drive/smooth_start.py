@@ -6,16 +6,7 @@ from snapjump.declare.fields import number
 from snapjump.drive.base import Programme
 from snapjump.drive.parts.turned import time_turned, turned_to
 from snapjump.drive.parts.turning import Turning
-from snapjump.number.dispatch import kernel
 from snapjump.number.exponentials import exp
-
-
-@kernel
-def smoothly_turned(clamp: Any, time: Any) -> Any:
-    """The angles of clamps that start from rest."""
-    missing = 1.0 - exp(-time / clamp.rise_time)
-    turned = clamp.start + clamp.rate * (time - clamp.rise_time * missing)
-    return turned_to(clamp, turned, clamp.rate * missing)
 
 
 class SmoothStart(Turning):
@@ -28,30 +19,15 @@ class SmoothStart(Turning):
 
     @Programme.member
     class Law(NamedTuple):
-        """Left angle at time 0 and at the end (rad), rate (rad/T), mismatch, and tau (T)."""
+        """Left angle at time 0 and at the end (rad), rate (rad/T), mismatch, the right rate over
+        the left one, and tau (T)."""
 
         start: float
         end: float
         rate: float
         delta_alpha: float
-        rise_time: float
-
-        def angles(self, time: Any) -> Any:
-            return smoothly_turned(self, time)
-
-        def time_turned(self) -> Any:
-            return time_turned(self)
-
-    @Programme.member
-    class TwoRates(NamedTuple):
-        """The same, and the right rate over the left one."""
-
-        start: float
-        end: float
-        rate: float
-        delta_alpha: float
-        rise_time: float
         right_share: float
+        rise_time: float
 
         def has_two_rates(self) -> bool:
             return True
@@ -60,7 +36,9 @@ class SmoothStart(Turning):
             return self.right_share
 
         def angles(self, time: Any) -> Any:
-            return smoothly_turned(self, time)
+            missing = 1.0 - exp(-time / self.rise_time)
+            turned = self.start + self.rate * (time - self.rise_time * missing)
+            return turned_to(self, turned, self.rate * missing)
 
         def time_turned(self) -> Any:
             return time_turned(self)
@@ -69,10 +47,7 @@ class SmoothStart(Turning):
     def delay_s(self) -> float:
         return self.rise_time_s
 
-    def programme(self, simulation: Any, start: Any) -> Law | TwoRates:
+    def programme(self, simulation: Any, start: Any) -> Law:
         """The dimensionless programme."""
         rise = self.rise_time_s / simulation.robot.scales.time_s
-        numbers = *self.numbers(simulation, start), rise
-        if self.right_rate_rad_s is None:
-            return self.Law(*numbers)
-        return self.TwoRates(*numbers, self.right_share)
+        return self.Law(*self.numbers(simulation, start), self.right_share, rise)

@@ -6,7 +6,7 @@ branch's tangent and the acceleration its curvature.
 
 from typing import Any
 
-from snapjump.drive.constant_rate import ConstantRate
+from snapjump.drive.parts.two_rates import TwoRates
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.equilibrium import solve_equilibrium
 from snapjump.engine.model import Model
@@ -17,7 +17,7 @@ from snapjump.number.functions import negate, where
 
 CONTINUATION_STEPS = 16
 FIRST_TURN = 0.02  # of a step
-TURNING = ConstantRate.TwoRates  # what every drive's clamps do near the start, but for how fast
+TURNING = TwoRates  # what every drive's clamps do near the start, but for how fast
 DIFFERENCE_RAD = 2e-3  # clamp angle between the equilibria that velocity is taken from
 
 

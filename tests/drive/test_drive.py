@@ -9,6 +9,7 @@ from snapjump.checks import ParameterError
 from snapjump.composition import Simulation, with_tier
 from snapjump.drive.constant_rate import ConstantRate
 from snapjump.drive.hold_release import HoldRelease
+from snapjump.drive.parts.two_rates import TwoRates
 from snapjump.drive.smooth_start import SmoothStart
 from snapjump.drive.unload import Unload
 from snapjump.run.tasks.command_line import EXIT_BAD_INPUT
@@ -17,7 +18,7 @@ from snapjump.statics.arch import StaticArch
 from snapjump.statics.critical import find_snap
 
 CONSTANT = ConstantRate.Law(0.4, 1.5, 0.09, 0.1)
-SMOOTH = SmoothStart.Law(0.4, 1.5, 0.09, 0.1, 2.0)
+SMOOTH = SmoothStart.Law(0.4, 1.5, 0.09, 0.1, 1.0, 2.0)
 programmes = pytest.mark.parametrize("clamp", [CONSTANT, SMOOTH])
 
 
@@ -64,7 +65,7 @@ def test_smooth_start_begins_at_rest_and_becomes_a_late_constant_rate():
     assert sudden.angles(3.0).left == pytest.approx(CONSTANT.angles(3.0).left, abs=1e-9)
 
 
-UNLIKE = ConstantRate.TwoRates(*CONSTANT, 0.25)
+UNLIKE = TwoRates(*CONSTANT, 0.25)
 
 
 def test_clamps_with_rates_of_their_own_lag_at_the_beginning_and_stop_together():

@@ -146,7 +146,7 @@ def marched(straight, integrator, mode, place, speed, step, steps) -> tuple[floa
     state, velocity = straight.state.copy(), np.zeros_like(straight.state)
     state[3:-2:2] = AMPLITUDE * place * shape
     velocity[3:-2:2] = AMPLITUDE * speed * omega * shape
-    still = SmoothStart.Law(0.0, 1.0, 0.0, 0.0, 1.0)
+    still = SmoothStart.Law(0.0, 1.0, 0.0, 0.0, 1.0, 1.0)
     march = March(
         models=[bare_model(straight.beam.rod, FixedFrame.Body(0.5, 0.0), clamp=still)],
         masses=straight.beam.masses,

@@ -26,10 +26,6 @@ class Turning(DriveOptions):
     )  # fmt: skip
 
     @property
-    def in_common(self) -> tuple[str, bool]:
-        return "right_rate_rad_s given or null, as", self.right_rate_rad_s is not None
-
-    @property
     def right_share(self) -> Any:
         """The right clamp's rate over the left one's."""
         own = self.right_rate_rad_s
