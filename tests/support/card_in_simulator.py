@@ -16,7 +16,7 @@ from robots import DESIGNS, QUIET, small_march
 from snapjump.engine.cuda.plan import Plan
 from snapjump.engine.outcome import STATUS
 
-ROBOTS = (DESIGNS[1], DESIGNS[3])
+ROBOTS = (DESIGNS[1], DESIGNS[7])
 NO_START = 7.0
 
 
