@@ -5,7 +5,7 @@ of other mesh and steps that says how well it is known itself.
 """
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import islice
 from typing import Any, NamedTuple
 
@@ -33,12 +33,14 @@ LANES = 8
 
 
 class Found(NamedTuple):
-    """Of R robots at one setting: statuses, apexes (L), and what they claim (True, False, None)."""
+    """Of R robots at one setting: statuses, apexes (L), what they claim (True, False, None), and
+    Newton iterations."""
 
     status: list[str]
     x: Array
     y: Array
     within: list[bool | None]
+    iterations: Array
 
 
 def true_setting(chosen: dict[str, Any]) -> Simulation:
@@ -56,9 +58,10 @@ def true_setting(chosen: dict[str, Any]) -> Simulation:
 
 def jumped(
     base: Simulation, draws: Sequence[Values | None], most: float, threads: int
-) -> tuple[list[int], Batch | None]:
-    """The jumps of draws, and which of them make a robot."""
-    simulations, chosen = [], []
+) -> Iterator[tuple[list[int], Batch]]:
+    """The jumps of the draws that make a robot, with their places: a batch of each drive, since
+    clamps of two rates are another program than those of one."""
+    robots: dict[Any, dict[int, Simulation]] = {}
     for k, values in enumerate(draws):
         if values is None:
             continue
@@ -67,10 +70,9 @@ def jumped(
             jump_model(simulation)
         except ParameterError:
             continue
-        simulations.append(simulation)
-        chosen.append(k)
-    batch = simulate_batch(simulations, LANES, most, threads) if simulations else None
-    return chosen, batch
+        robots.setdefault(simulation.drive.in_common, {})[k] = simulation
+    for alike in robots.values():
+        yield list(alike), simulate_batch(list(alike.values()), LANES, most, threads)
 
 
 def drawn(kind: str, count: int, seed: int, threads: int) -> tuple[list[Values], Counter[str]]:
@@ -80,14 +82,11 @@ def drawn(kind: str, count: int, seed: int, threads: int) -> tuple[list[Values],
     kept: list[Values] = []
     while len(kept) < count:
         more = list(islice(draws, count - len(kept)))
-        chosen, batch = jumped(base, more, MOST_ITERATIONS, threads)
-        tally["refused"] += len(more) - len(chosen)
-        for k, status in zip(chosen, batch.statuses() if batch else (), strict=True):
-            values = more[k]
-            if status == "ok" and values is not None:
-                kept.append(values)
-            else:
-                tally[status] += 1
+        ended = dict(enumerate(["refused"] * len(more)))
+        for places, batch in jumped(base, more, MOST_ITERATIONS, threads):
+            ended.update(zip(places, batch.statuses(), strict=True))
+        tally.update(status for status in ended.values() if status != "ok")
+        kept += [values for k, values in enumerate(more) if values and ended[k] == "ok"]
     return kept, tally
 
 
@@ -95,13 +94,13 @@ def found(base: Simulation, robots: Sequence[Values], most: float, threads: int)
     """The jumps of robots at one setting; what it refuses is ``refused``."""
     count = len(robots)
     status, within = ["refused"] * count, list[bool | None]([None]) * count
-    x, y = np.full(count, np.nan), np.full(count, np.nan)
-    chosen, batch = jumped(base, robots, most, threads)
-    if batch is not None:
-        x[chosen], y[chosen] = batch.x_bar, batch.y_bar
-        for k, ended, told in zip(chosen, batch.statuses(), batch.within_tier, strict=True):
+    x, y, iterations = (np.full(count, np.nan) for _ in range(3))
+    for places, batch in jumped(base, robots, most, threads):
+        x[places], y[places] = batch.x_bar, batch.y_bar
+        iterations[places] = batch.newton_iterations
+        for k, ended, told in zip(places, batch.statuses(), batch.within_tier, strict=True):
             status[k], within[k] = ended, told
-    return Found(status, x, y, within)
+    return Found(status, x, y, within, iterations)
 
 
 def errors(of: Found, truth: Found) -> Array:
