@@ -1,8 +1,7 @@
 """Errors and cost by the integrator's spectral radius: ``python -m experiments.radius``.
 
-Of a tier (``--tier``), otherwise as it is, against a truth of other integrator, mesh and steps (that of
-:mod:`experiments.claims`): designs of the paper's ranges, of ranges twice as wide, and robots with
-inputs moved by up to a hundred times.
+Of a tier (``--tier``), otherwise as it is, against a truth of other integrator, mesh and steps
+(that of :mod:`experiments.claims`), for each of that command's kinds of robots.
 """
 
 import sys
