@@ -83,7 +83,7 @@ def derivatives(jump: March, numbers: Any, steps: Any, solutions: Any, correctio
     model = side_by_side(jump.models)
     load, drag = (numbers[:, places(model, family)] for family in ("load", "drag"))
     slopes = Slopes(flights[:, :, : numbers.shape[2]], load, drag, grazes)
-    found = apex_sensitivities(frozen.outcome_of(jump), model.load, model.drag, slopes)
+    found = apex_sensitivities(frozen.outcome_of(jump), model.load, model.drag, slopes, np.inf)
     return np.vstack([found.dx_bar, found.dy_bar]).T
 
 

@@ -15,6 +15,7 @@ from snapjump.scenes.flight_check import checked_status
 from snapjump.scenes.jump_outputs import JumpOutputs
 from snapjump.scenes.jump_start import jump_model
 from snapjump.scenes.march_outputs import side_by_side
+from snapjump.scenes.sensitivities import stick_zone
 from snapjump.units import Scales
 from snapjump.views.base import Shown
 
@@ -87,7 +88,8 @@ def batch_of(
     sensitivities = None
     if marched.slopes is not None:
         slopes = Slopes(*(ready.spread(values) for values in marched.slopes))
-        sensitivities = apex_sensitivities(outcome, model.load, model.drag, slopes)
+        zones = ready.spread(ready.of_each(stick_zone))
+        sensitivities = apex_sensitivities(outcome, model.load, model.drag, slopes, zones)
     passes = marched.lane_passes
     seconds = marched.kernel_seconds
     return Batch(base, model, outcome, seconds, passes, ready, sensitivities, designs)

@@ -9,6 +9,7 @@ from snapjump.arrays import Array, Flags
 from snapjump.engine import outcome as c
 from snapjump.engine.status import NO_JUMP, OK
 from snapjump.scenes.flight import flight
+from snapjump.scenes.sensitivities import SMALLEST_STICK_ZONE
 
 # A change of a parameter that makes or breaks a contact: nearer than this, on one side only are
 # the derivatives those of the map.
@@ -26,7 +27,9 @@ class Sensitivities:
     dx_bar, dy_bar (R, I): of x_bar and y_bar (L over the input's unit), NaN where there is no
     apex; they are those of the discrete steps, whose sizes (in the robot's own time) are frozen.
     graze_distance (R): how far an input must change, all gaps moving at their present slopes,
-    to make or break one of the contacts; differentiable (R): whether it is more than 1e-5.
+    to make or break one of the contacts; differentiable (R): whether it is more than 1e-5, and
+    steps resolve friction's stick zone: else the errors of steps have slopes of their own, and
+    derivatives are not those of the map.
     """
 
     dx_bar: Array
@@ -46,8 +49,11 @@ class Slopes(NamedTuple):
     grazes: Array
 
 
-def apex_sensitivities(outcome: Array, load: Any, drag: Any, slopes: Slopes) -> Sensitivities:
-    """Sensitivities from outcomes (R, COLUMNS), gravity and drag, arrays (R)."""
+def apex_sensitivities(
+    outcome: Array, load: Any, drag: Any, slopes: Slopes, stick_zones: Any
+) -> Sensitivities:
+    """Sensitivities from outcomes (R, COLUMNS), gravity and drag, arrays (R), and half widths (R)
+    of stick zones (L/T)."""
     status = outcome[:, c.STATUS]
     if drag.exists():
         dx, dy = through_air(outcome, load, drag, slopes)
@@ -58,7 +64,7 @@ def apex_sensitivities(outcome: Array, load: Any, drag: Any, slopes: Slopes) -> 
         dx_bar=np.where(known[:, None], dx, np.nan),
         dy_bar=np.where(known[:, None], dy, np.nan),
         graze_distance=np.where(known, slopes.grazes, np.nan),
-        differentiable=known & (slopes.grazes > NEAREST),
+        differentiable=known & (slopes.grazes > NEAREST) & (stick_zones >= SMALLEST_STICK_ZONE),
     )
 
 

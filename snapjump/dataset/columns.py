@@ -41,7 +41,7 @@ OUTPUTS = tuple(column_of(each) for each in Batch.declared())
 TIMINGS = {column.name for column in OUTPUTS if column.timing}
 JUDGED = (
     Column("graze_distance", "1", "change of a parameter that makes or breaks a contact"),
-    Column("differentiable", "", "whether that is more than 1e-5: no contact is grazed", FLAG),
+    Column("differentiable", "", "whether that is over 1e-5, and steps resolve sticking", FLAG),
 )
 
 

@@ -57,12 +57,13 @@ class Learned(NamedTuple):
 
 
 def check_slopes(options: SurrogateOptions, data: JumpData) -> None:
-    """Raise ParameterError for a surrogate that needs slopes and a dataset that has none."""
-    if options.network().needs_slopes and not data.dataset.specification["sensitivities"]:
+    """Raise ParameterError for a surrogate that needs slopes and a dataset that has none, or none
+    that are known to be the map's."""
+    if options.network().needs_slopes and bool(data.train.slopes.isnan().all()):
         name = member_group(options)["name"]
         allowed = (
-            f"a dataset with derivatives with surrogate={name} (dataset.sensitivities=true "
-            "friction.velocity_threshold_m_s=0.01 when it is made)"
+            f"a dataset with differentiable jumps with surrogate={name} "
+            "(dataset.sensitivities=true friction.velocity_threshold_m_s=0.01 when it is made)"
         )
         raise ParameterError("dataset.path", str(data.dataset.folder.path), allowed)
 

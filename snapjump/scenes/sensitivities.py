@@ -3,13 +3,14 @@
 import math
 from collections.abc import Sequence
 from itertools import count
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from snapjump.checks import ParameterError
 from snapjump.composition import Simulation
-from snapjump.declare.inputs import DEFAULT_INPUTS, value_at
+from snapjump.declare.inputs import DEFAULT_INPUTS
 from snapjump.declare.members import members_with
 from snapjump.engine.differentiate_start import StartSlopes, differentiate_starts
 from snapjump.engine.recorder.sensitivities import FAR, SensitivityRecorder
@@ -41,20 +42,23 @@ def check_differentiable(
         if not part.differentiable:
             able = " or ".join(members_with(part.group, "differentiable"))
             raise ParameterError(part.group, part.name, f"{able} with sensitivities")
-    if stick_zone(simulation) < SMALLEST_STICK_ZONE:
-        path = "friction.velocity_threshold_m_s"
-        smallest_m_s = SMALLEST_STICK_ZONE * simulation.robot.scales.velocity_m_s
-        raise ParameterError(
-            path,
-            value_at(simulation, path),
-            f"at least {smallest_m_s:.6g} m/s with sensitivities: steps do not resolve a smaller "
-            "stick zone (0.01 instead of 0.0001 moves x by 0.1 % in the median)",
-        )
 
 
-def stick_zone(simulation: Simulation) -> float:
+def unresolved(simulation: Simulation) -> list[str]:
+    """A line that says so where the steps of a simulation jump over its friction's stick zone."""
+    if stick_zone(simulation) >= SMALLEST_STICK_ZONE:
+        return []
+    smallest_m_s = SMALLEST_STICK_ZONE * simulation.robot.scales.velocity_m_s
+    return [
+        "steps jump over a friction.velocity_threshold_m_s below "
+        f"{smallest_m_s:.6g} m/s: sensitivities have slopes of their errors, and no jump is "
+        "marked as differentiable (0.01 instead of 0.001 moves x by 0.1 % in the median)"
+    ]
+
+
+def stick_zone(simulation: Simulation) -> Any:
     """Half width (L/T) of the stick zone of a simulation's friction, infinite without one."""
-    width_m_s: float = getattr(simulation.friction, "velocity_threshold_m_s", math.inf)
+    width_m_s = getattr(simulation.friction, "velocity_threshold_m_s", math.inf)
     return width_m_s / simulation.robot.scales.velocity_m_s
 
 

@@ -92,7 +92,7 @@ def test_gravity_and_drag_move_the_flight_too(share):
     ahead, behind = (flight(0.0, *at(way)) for way in (1e-6, -1e-6))
     load = np.array([slopes[4], 0.0, 0.0, 0.0])[None, :, None]
     given = Slopes(slopes[None, :4, None], load, slopes[None, 6 - len(air) :, None], np.ones(1))
-    found = apex_sensitivities(outcome, fall, air, given)
+    found = apex_sensitivities(outcome, fall, air, given, np.inf)
     close = 1e-6 if share else 1e-8
     assert found.dx_bar[0, 0] == pytest.approx((ahead.apex_x - behind.apex_x)[0] / 2e-6, rel=close)
     assert found.dy_bar[0, 0] == pytest.approx((ahead.apex_y - behind.apex_y)[0] / 2e-6, rel=close)
@@ -107,12 +107,23 @@ def test_inputs_that_are_none_of_the_four():
     assert alone.sensitivities.dx_bar[0, 0] == found.sensitivities.dx_bar[0, 1]
 
 
+def test_slopes_through_a_stick_zone_that_steps_jump_over_are_not_known(batch, curve):
+    """Those of the steps are told all the same, at the tiers' own zone. Of a batch in which the
+    zone varies every jump is judged by its own."""
+    told = simulate_designs(FINE, DESIGNS, curve=curve, threads=1, lanes=8, sensitivities=True)
+    assert np.isfinite(told.sensitivities.dx_bar[:6]).all()
+    assert not told.sensitivities.differentiable.any()
+    assert batch.sensitivities.differentiable[:4].all()
+    zones, inputs = np.array([[0.001], [0.01]]), ("friction.velocity_threshold_m_s",)
+    varied = simulate_designs(FINE, zones, inputs=inputs, sensitivities=True)
+    assert varied.status == ["ok"] * 2
+    assert varied.sensitivities.differentiable.tolist() == [False, True]
+
+
 UNKNOWN = {
     "frame": replace(BASE, frame="elastic"),
     "contact": replace(BASE, contact="signorini", integrator="implicit_euler"),
     "backend": replace(BASE, backend="cuda"),
-    # Steps jump over its stick zone.
-    "friction.velocity_threshold_m_s = 0.001": FINE,
 }
 
 

@@ -86,9 +86,13 @@ def test_slopes_must_be_there_for_what_needs_them(jump_set, tmp_path):
     with refused("dataset.path", how) as caught:
         check_slopes(options, jump_set())
     assert caught.value.value in str(caught.value)
+    sticky = small(100, 100, sensitivities=True)
+    unknown = smooth_dataset(tmp_path / "unknown", sticky, differentiable=False)
+    training = Training(epochs=2, batch_first=16, batch_last=16, validation_share=0.2)
+    with refused("dataset.path", how):
+        check_slopes(options, JumpData(unknown, training, 0))
     specification = small(100, 100, sensitivities=True, friction=WIDE_STICK)
     dataset = smooth_dataset(tmp_path / "slopes", specification)
-    training = Training(epochs=2, batch_first=16, batch_last=16, validation_share=0.2)
     with_slopes = JumpData(dataset, training, 0)
     assert len(learn(with_slopes, options, silent, None, tmp_path).curves) == 2
 

@@ -1,6 +1,6 @@
 """Groups that tell every key: config.yaml says all that a job was made of."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import is_dataclass
 from typing import Any
 
@@ -22,7 +22,12 @@ def check_complete(config: Mapping[str, Any], simulation: object, **others: Any)
 
 def warn_of_unusual(simulation: Any) -> None:
     """Say which inputs are far from what is built: another unit may be meant."""
-    for line in unusual(simulation):
+    warn(unusual(simulation))
+
+
+def warn(lines: Sequence[str]) -> None:
+    """Say what to beware of, before any work."""
+    for line in lines:
         notice(f"warning: {line}")
 
 

@@ -20,8 +20,9 @@ from snapjump.files.result_folder import ResultFolder
 from snapjump.files.sealed import sha256_of
 from snapjump.plan.parts.axes import Axis
 from snapjump.run.tasks.base import INTERRUPTED, OK, SIMULATION, Outcome, Progress, Task, stretch
-from snapjump.run.tasks.complete import check_complete, warn_of_unusual, whole
+from snapjump.run.tasks.complete import check_complete, warn, warn_of_unusual, whole
 from snapjump.run.tasks.names import given_overrides
+from snapjump.scenes.sensitivities import unresolved
 from snapjump.show.plots.dataset import draw_dataset, draw_status
 from snapjump.show.terminal.block import number
 from snapjump.tracking.base import DatasetUse
@@ -45,6 +46,8 @@ class GenerateDataset(Task):
         self._specification = specify(config, *self._options.contents)
         check_complete(config, self._specification.simulation)
         warn_of_unusual(self._specification.simulation)
+        if self._options.sensitivities:
+            warn(unresolved(self._specification.simulation))
         check_fixed(self._specification.axes, given_overrides())
         self._executor: Executor = make_member("executor", config.get("executor")).executor()
         self._executor.check()
