@@ -50,9 +50,9 @@ def unresolved(simulation: Simulation) -> list[str]:
         return []
     smallest_m_s = SMALLEST_STICK_ZONE * simulation.robot.scales.velocity_m_s
     return [
-        "steps jump over a friction.velocity_threshold_m_s below "
-        f"{smallest_m_s:.6g} m/s: sensitivities have slopes of their errors, and no jump is "
-        "marked as differentiable (0.01 instead of 0.001 moves x by 0.1 % in the median)"
+        f"steps jump over a stick zone of friction.velocity_threshold_m_s below {smallest_m_s:.3g} "
+        "m/s: slopes are then those of the steps' errors too, and no jump is marked as differentiable "
+        "(0.01 instead of 0.001 moves x by 0.1 % in the median)"
     ]
 
 
