@@ -51,8 +51,8 @@ def unresolved(simulation: Simulation) -> list[str]:
     smallest_m_s = SMALLEST_STICK_ZONE * simulation.robot.scales.velocity_m_s
     return [
         f"steps jump over a stick zone of friction.velocity_threshold_m_s below {smallest_m_s:.3g} "
-        "m/s: slopes are then those of the steps' errors too, and no jump is marked as differentiable "
-        "(0.01 instead of 0.001 moves x by 0.1 % in the median)"
+        "m/s: slopes are then those of the steps' errors too, and no jump is marked as "
+        "differentiable (0.01 instead of 0.001 moves x by 0.1 % in the median)"
     ]
 
 
