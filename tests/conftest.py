@@ -2,7 +2,7 @@
 
 import os
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -30,6 +30,17 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
     """``--dist loadgroup`` groups tests by their files, without marks in them."""
     return GroupScheduling(config, log) if config.getvalue("dist") == "loadgroup" else None
+
+
+@pytest.fixture(autouse=True, scope="session")
+def one_process_compiles() -> Iterator[None]:
+    """No second process compiles what a jump that is only checked would need: those side by side
+    have no core to spare."""
+    from snapjump.sim import jump
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(jump, "compile_ahead", lambda simulation: None)
+        yield
 
 
 @pytest.fixture
