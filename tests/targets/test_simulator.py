@@ -30,14 +30,19 @@ def test_an_apex_is_that_of_a_jump_on_its_own():
     assert simulator.simulations == 6
 
 
-def test_what_does_not_jump_has_neither_apex_nor_slopes():
+def test_what_does_not_jump_has_no_apex():
     simulator = JumpSimulator(BASE)
     assert np.isnan(simulator.apexes(DESIGNS[2:3])).all()
     failed = np.isnan(simulator.apexes(DESIGNS[[0, 2, 3]])).all(axis=1)
     assert failed.tolist() == [False, True, True]
+
+
+@pytest.mark.compiles
+def test_what_does_not_jump_has_no_slopes():
     assert np.isnan(JumpSimulator(BASE).slopes(DESIGNS[2:3])).all()
 
 
+@pytest.mark.compiles
 def test_slopes_are_those_with_a_wider_stick_zone():
     """The mesh is so fine that they do not depend on the last digits of a threshold."""
     base = with_tier("standard")
