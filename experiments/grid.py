@@ -32,11 +32,17 @@ def report(*overrides: str, tier: str = "standard", path: str = "") -> dict[str,
     dataset = load_dataset(folder)
     cores = len(own_cores())
     rate = dataset.rows / wall_seconds / cores
+    kernels = float(dataset.frame(["kernel_seconds"]).to_numpy().sum())
+    beside = wall_seconds - kernels / cores
     return {
         "tier": tier,
         "rows": dataset.rows,
         "wall_seconds": round(wall_seconds, 1),
         "cores": cores,
+        "kernel_seconds": round(kernels, 1),
+        # Starting Python, preparing, writing, and waiting for the last jumps.
+        "beside_kernels_percent": round(100.0 * beside / wall_seconds, 1),
+        "beside_kernels_percent_on_64_cores": round(100.0 * beside / (beside + kernels / 64), 1),
         "jumps_per_second_core": round(rate, 1),
         "times_fewer_core_seconds_than_released": round(RELEASED_SECONDS * rate),
         "peak_memory_mb": resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss // 1024,

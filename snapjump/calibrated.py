@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from snapjump.arrays import Flags
+from snapjump.arrays import Flags, distinct_rows
 from snapjump.composition import Simulation
 
 # By family and member: the factor by which errors are larger than with the default one.
@@ -59,9 +59,11 @@ def stick_zone(model: Any) -> Any:
     law = model.friction
     if not law:
         return 1e-3
-    with np.errstate(invalid="ignore"):  # of robots without a model, which are NaN
-        zones = np.vectorize(lambda *numbers: law._make(numbers).stick_speed(), [float])(*law)
-    return np.where(friction(model) > 0.0, zones, 1e-3)
+    numbers = np.array(np.broadcast_arrays(*law), dtype=float)
+    # A law of anybody's own is read one by one; many robots have the same.
+    laws, places = distinct_rows(numbers.reshape(len(law), -1).T)
+    zones = np.array([law._make(each).stick_speed() for each in laws.tolist()], dtype=float)
+    return np.where(friction(model) > 0.0, zones[places].reshape(numbers.shape[1:]), 1e-3)
 
 
 def mount_height(model: Any) -> Any:
@@ -163,10 +165,10 @@ def unknown_because(simulation: Simulation, model: Any) -> Any:
             return f"{family}={name} has not been calibrated"
     if getattr(simulation.sim, "start_fraction", 0.0) > 0.0:
         return "sim.start_fraction leaves out a part of the loading"
-    found: Any = ""
-    for group in reversed(GROUPS):
+    words = [f"{group.meaning} outside [{group.low:g}, {group.high:g}]" for group in GROUPS]
+    first: Any = -1  # the first group that is outside; the last word, if none is
+    for place, group in reversed([*enumerate(GROUPS)]):
         value = np.asarray(group.read(model), dtype=float)
         outside: Flags = ~((value >= group.low) & (value <= group.high))
-        why = f"{group.meaning} outside [{group.low:g}, {group.high:g}]"
-        found = np.where(outside, why, found)
-    return found
+        first = np.where(outside, place, first)
+    return np.array([*words, ""], dtype=object)[first]

@@ -119,9 +119,10 @@ def content_sha256(table: pa.Table) -> str:
 
 def _canonical(values: pa.Array) -> bytes:
     if pa.types.is_dictionary(values.type):
-        return "".join(f"{word}\n" for word in values.to_pylist()).encode()
+        words = np.array([f"{word}\n" for word in (*values.dictionary.to_pylist(), None)], object)
+        return "".join(words[values.indices.fill_null(-1).to_numpy()]).encode()
     if pa.types.is_boolean(values.type):
-        return bytes({None: 2}.get(flag, int(bool(flag))) for flag in values.to_pylist())
+        return bytes(values.cast(pa.uint8()).fill_null(2).to_numpy().tobytes())
     if pa.types.is_integer(values.type):
         return bytes(values.fill_null(-1).to_numpy().astype("<i8").tobytes())
     numbers = values.to_numpy(zero_copy_only=False).astype("<f8")

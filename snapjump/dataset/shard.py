@@ -54,7 +54,7 @@ def write_table(
         "content_sha256": content,
         "file_sha256": hashlib.sha256(whole).hexdigest(),
         "bytes": whole.size,
-        "statuses": dict(sorted(Counter(table["status"].to_pylist()).items())),
+        "statuses": dict(sorted(Counter(table["status"].to_numpy().tolist()).items())),
     }
     write_sealed(folder.entry(number), entry)
     return entry

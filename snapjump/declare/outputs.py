@@ -66,7 +66,7 @@ def known_of(statuses: tuple[str, ...], read: Callable[[Any], Any]) -> Callable[
 
     @wraps(read)
     def masked(found: "Outputs") -> Any:
-        known = np.isin(found.status, statuses)
+        known = found.ended_as(statuses)
         if not known.any():  # there may be nothing to read
             return np.full(known.shape, np.nan)
         return np.where(known, read(found), np.nan)
@@ -85,6 +85,14 @@ class Outputs:
     def status(self) -> list[str]:
         """How it ended: ok, no_jump, or the failure that explains what is missing."""
         return self.statuses()
+
+    @cached_property
+    def _words(self) -> NDArray[Any]:
+        return np.array(self.status)
+
+    def ended_as(self, statuses: tuple[str, ...]) -> NDArray[np.bool_]:
+        """Which of them ended in one of these statuses."""
+        return np.logical_or.reduce([self._words == status for status in statuses])
 
     @classmethod
     def declared(cls) -> list[Output[Any]]:

@@ -39,12 +39,19 @@ def provenance(command: str, seed: int, started_at: str) -> dict[str, Any]:
 
 def origin() -> dict[str, Any]:
     """The code, its versions and the machine."""
-    machine = {"system": platform.platform(), "processor": _processor(), "cores": os.cpu_count()}
+    return {**git_state(), "source_sha256": source_hash(), **_surroundings()}
+
+
+@cache
+def _surroundings() -> dict[str, Any]:
+    """What stays while a process runs; to look it up takes as long as tens of jumps."""
     return {
-        **git_state(),
-        "source_sha256": source_hash(),
         "versions": {"python": platform.python_version(), **{p: _version(p) for p in PACKAGES}},
-        "machine": machine,
+        "machine": {
+            "system": platform.platform(),
+            "processor": _processor(),
+            "cores": os.cpu_count(),
+        },
     }
 
 

@@ -1,12 +1,13 @@
 """Source files of the package and of plug-ins, and one hash of several.
 
 A process computes by the sources that it has imported, whatever becomes of the files while it
-runs: each is hashed as it was when it was first asked for.
+runs: each is hashed as it was when it was first asked for, and the package's are listed once.
 """
 
 import hashlib
 import os
 from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -35,9 +36,14 @@ class Source(NamedTuple):
 
 def package_files() -> list[Source]:
     """The package's Python, and its tableaux; not what only a wheel has within the package."""
+    return _files_in(PACKAGE)
+
+
+@cache
+def _files_in(package: Path) -> list[Source]:
     found = [
-        Source(path.relative_to(PACKAGE).as_posix(), path)
-        for folder, _, names in os.walk(PACKAGE)
+        Source(path.relative_to(package).as_posix(), path)
+        for folder, _, names in os.walk(package)
         for path in (Path(folder, name) for name in names if name.endswith(SUFFIXES))
     ]
     return [source for source in found if source.part not in BESIDE]
@@ -68,5 +74,6 @@ def combined_hash(sources: Iterable[Source], *more: str) -> str:
 
 def forget(folder: Path) -> None:
     """Have the files below a folder hashed anew: what was imported from them is again, too."""
+    _files_in.cache_clear()
     for path in [path for path in _seen if path.is_relative_to(folder)]:
         del _seen[path]

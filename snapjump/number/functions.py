@@ -1,12 +1,14 @@
 """Functions of one number that work on Python numbers, numba scalars and lanes.
 
-In plain Python they also take complex numbers, so that tests can differentiate by a complex step.
+In plain Python they also take complex numbers, so that tests can differentiate by a complex step,
+and arrays, for what is read off many robots.
 """
 
 import cmath
 import math
 from typing import Any
 
+import numpy as np
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.extending import intrinsic, overload
@@ -79,15 +81,27 @@ def _absolute_of_dual(magnitude: Any) -> Any:
     return lambda x: where(value_of(x) < 0.0, -x, x)
 
 
-sqrt = _elementwise(
-    "sqrt", lambda x: cmath.sqrt(x) if isinstance(x, complex) else math.sqrt(x), _sqrt_of_dual
-)
+def _sqrt_in_python(x: Any) -> Any:
+    if isinstance(x, np.ndarray):
+        return np.sqrt(x)
+    return cmath.sqrt(x) if isinstance(x, complex) else math.sqrt(x)
+
+
+def _absolute_in_python(x: Any) -> Any:
+    if isinstance(x, complex):
+        return x if x.real >= 0 else -x
+    return abs(x)
+
+
+sqrt = _elementwise("sqrt", _sqrt_in_python, _sqrt_of_dual)
 nearest = _elementwise("rint", lambda x: float(round(x.real)), _nearest_of_dual)
-absolute = _elementwise("fabs", lambda x: x if x.real >= 0 else -x, _absolute_of_dual)
+absolute = _elementwise("fabs", _absolute_in_python, _absolute_of_dual)
 
 
 def where(mask: Any, a: Any, b: Any) -> Any:
     """``a`` in the lanes where ``mask`` is true, ``b`` elsewhere."""
+    if isinstance(mask, np.ndarray):
+        return np.where(mask, a, b)
     return a if mask else b
 
 
@@ -185,7 +199,7 @@ overload(maximum, strict=False, jit_options=INLINED)(lambda a, b: lambda a, b: w
 
 def any_true(mask: Any) -> bool:
     """Whether the mask is true in at least one lane."""
-    return bool(mask)
+    return bool(mask.any() if isinstance(mask, np.ndarray) else mask)
 
 
 def negate(mask: Any) -> Any:

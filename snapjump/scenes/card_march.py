@@ -98,7 +98,7 @@ class CardMarch(March):
 
         robots = len(self.models)
         begun = self.card.kernel_seconds
-        common = self.card.send((self.models[0], self.masses)) + (self.memory_on_card(),)
+        common = self.card.send((self.model, self.masses)) + (self.memory_on_card(),)
         for part, queue in self.queues_on_card():
             if part.start == 0:
                 self.card.compile(kernels.find_starts, *common, queue, 0)
@@ -120,7 +120,7 @@ class CardMarch(March):
 
         robots = len(self.models)
         begun = self.card.kernel_seconds
-        fixed = (self.models[0], self.masses, self.method, self.recorder)
+        fixed = (self.model, self.masses, self.method, self.recorder)
         common = self.card.send(fixed) + (self.memory_on_card(),)
         for part, queue in self.queues_on_card():
             if part.start == 0:

@@ -38,13 +38,13 @@ class JumpOutputs(GroundOutputs):
     @cached_property
     def estimate(self) -> ErrorEstimate:
         """Estimated errors; none where no flight has an apex."""
-        steps = np.where(np.isin(self.status, FLOWN), self.outcome[:, c.ERROR_SUM], np.nan)
+        steps = np.where(self.ended_as(FLOWN), self.outcome[:, c.ERROR_SUM], np.nan)
         return error_estimate(self.simulation, self.model, steps)
 
     @cached_property
     def apexes(self) -> Array:
         """Both coordinates of the apex (R, 2), NaN unless the status is ok."""
-        flown = np.isin(self.status, FLOWN)[:, None]
+        flown = self.ended_as(FLOWN)[:, None]
         return np.where(flown, np.column_stack([self.x_bar, self.y_bar]), np.nan)
 
     @output("L", of=ENDED, show="apex: x {}")
@@ -103,7 +103,7 @@ class JumpOutputs(GroundOutputs):
         vx, vy = self.flight.liftoff_vx, self.flight.liftoff_vy
         with np.errstate(invalid="ignore", divide="ignore"):  # of what has not jumped
             half = vy / (np.sqrt(vx * vx + vy * vy) + vx)
-            return 2.0 * np.vectorize(arctan, [float])(half)  # whose bits are no processor's
+            return 2.0 * arctan(half)  # whose bits are no processor's
 
     @output("rad/s", of=FLOWN, unknown=True, show="lift-off: spin {}")
     def spin_rad_s(self) -> Array:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from snapjump.arrays import Array
+from snapjump.arrays import Array, distinct_rows
 from snapjump.composition import Simulation
 from snapjump.engine.model import Model
 from snapjump.scenes.frame_body import compression
@@ -28,7 +28,7 @@ def resting_guesses(base: Simulation, models: Sequence[Model], compressions: Arr
     gaps = resting_gaps(side.contact, weights, 2.0 * side.ground.corner_share)
     held, middle = frame.dofs(mesh), np.broadcast_to(frame.rest_middle(), robots)
     alike = np.column_stack([compressions, gaps - frame.foot_y, frame.mount_y, middle])
-    different, places = np.unique(alike, axis=0, return_inverse=True)
+    different, places = distinct_rows(alike)
     shortening, feet, mounts, middles = different.T[:, :, None]
     x, y = arches(base, rod, shortening[:, 0])
     beams = chain_state(rod, x + middles, y + feet + mounts)
@@ -50,7 +50,7 @@ def arches(base: Simulation, rod: Any, compressions: Array) -> tuple[Array, Arra
 def resting_gaps(contact: Any, weights: Array, points: Array) -> Array:
     """Gaps (R, in L) at which laws side by side carry weights (R) at so many points (R)."""
     loads = np.column_stack([*contact, weights, points])
-    different, places = np.unique(loads, axis=0, return_inverse=True)
+    different, places = distinct_rows(loads)
     found = [
         resting_gap(type(contact)(*law), weight, count)
         for *law, weight, count in different.tolist()

@@ -72,6 +72,7 @@ class March:
             counts=np.zeros(2, dtype=np.int64),
             carried=np.zeros(self.lanes, dtype=np.int64),
         )
+        self.model = self.models[0]
         self.scheme = self.simulation.integrator.scheme()
         self.stepping = self.simulation.stepping.control(self.scales)
         threads = max(1, min(self.threads, -(-robots // self.lanes)))
@@ -80,7 +81,7 @@ class March:
 
     def sizes(self, lanes: int) -> Sizes:
         """Of the memory of so many robots side by side."""
-        return sizes_of(self.models[0], len(self.masses), self.scheme.slots(), lanes, self.mesh)
+        return sizes_of(self.model, len(self.masses), self.scheme.slots(), lanes, self.mesh)
 
     def _worker(self, shared: Queue) -> Worker:
         """A thread's share of the queue and memory of its own."""
@@ -108,7 +109,7 @@ class March:
         """Share of the robots that have left the queue and their lanes; of one, its time's."""
         robots = len(self.models)
         if robots == 1:
-            limit = self.termination.time_limit(self.models[0])
+            limit = self.termination.time_limit(self.model)
             return float(min(self.memory.clock[TIME, 0] / limit, 1.0))
         under_way = sum(max(0, int(worker.queue.counts[0])) for worker in self.crew)
         return (min(int(self.queue.cursor[1]), robots) - under_way) / robots
@@ -118,7 +119,7 @@ class March:
 
         ``progress`` is told the share of the robots whose start is found, or being looked for.
         """
-        model, masses = self.models[0], self.masses
+        model, masses = self.model, self.masses
         lanes = (0,) * self.lanes
         robots = len(self.models)
         load(find_starts, model, masses, self.memory, self.queue, lanes, 0)
@@ -161,7 +162,7 @@ class March:
     def arguments(self, worker: Worker) -> tuple[Any, ...]:
         """What a march of a thread's lanes is called with, less the number of passes."""
         return (
-            self.models[0],
+            self.model,
             self.masses,
             self.method,
             worker.recorder,

@@ -74,7 +74,7 @@ def differentiated_starts(march: March, numbers: Array) -> Array:
     def arguments(worker: Worker, first: int, last: int) -> tuple[object, ...]:
         memory, tangent = singles[id(worker)]
         slopes = StartSlopes(numbers, starts)
-        fixed = (march.models[0], march.masses, memory, tangent, worker.queue, slopes)
+        fixed = (march.model, march.masses, memory, tangent, worker.queue, slopes)
         return (*fixed, first, last)
 
     def advance(worker: Worker) -> bool:

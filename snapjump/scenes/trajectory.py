@@ -44,7 +44,7 @@ def samples_of(march: March, recorder: TrajectoryRecorder) -> Samples:
 
 def trajectory_arrays(march: March, samples: Samples) -> dict[str, Array]:
     """Everything that ``trajectory.npz`` holds; S samples, N + 1 nodes, 4 corners."""
-    model, scales = march.models[0], march.scales
+    model, scales = march.model, march.scales
     times, states, velocities, works = samples
     dofs = model.frame.dofs(march.mesh)
     stride = model.discretization.node_dofs()
@@ -72,7 +72,7 @@ def trajectory_arrays(march: March, samples: Samples) -> dict[str, Array]:
 
 def read(march: March, times: Array, states: Array, velocities: Array) -> Readings:
     """What is read off states and velocities (S, D) at times (S) of a march's first robot."""
-    model, masses, mesh = march.models[0], march.masses, march.mesh
+    model, masses, mesh = march.model, march.masses, march.mesh
     points, nodes = point_count(model, masses, mesh), len(masses)
     shapes = ((), (), (2,), (4,), (CORNERS, 2), (points,), (points,), (points,), (nodes,), (2,))
     readings = Readings(*(np.zeros((len(times), *shape)) for shape in shapes))
@@ -85,7 +85,7 @@ def frame_arrays(
 ) -> dict[str, Array]:
     """Pose of the frame, its corners, and the centre of mass of frame and beam."""
     scales = march.scales
-    x, y, vx, vy = centre_of_mass(march.models[0], march.masses, march.mesh, states.T, velocities.T)
+    x, y, vx, vy = centre_of_mass(march.model, march.masses, march.mesh, states.T, velocities.T)
     frame_x, frame_y, sine, cosine = readings.pose.T
     corners = readings.corners
     return {
@@ -109,7 +109,7 @@ def contact_arrays(march: March, states: Array, readings: Readings) -> dict[str,
     Slave nodes have no forces; a node of an elastic frame counts to the nearest corner. The forces
     of a constraint are none of the state, and are left out.
     """
-    model, mesh = march.models[0], march.mesh
+    model, mesh = march.model, march.mesh
     scales, frame, nodes = march.scales, model.frame, len(march.masses)
     gaps = readings.gap
     belongs = np.zeros((gaps.shape[1] - nodes, 0))
@@ -144,7 +144,7 @@ def energy_arrays(
 
     What the integrator itself dissipated is what the other entries leave unexplained.
     """
-    model, mesh, masses = march.models[0], march.mesh, march.masses
+    model, mesh, masses = march.model, march.mesh, march.masses
     dofs = model.frame.dofs(mesh)
     stride = model.discretization.node_dofs()
     weights = np.outer(masses, [1.0, 1.0, ROTARY_INERTIA][:stride]).ravel()
