@@ -11,7 +11,7 @@ EXTRAS = {
     "data": ("pandas", "pyarrow"),
     "learn": (
         *("torch", "pytorch_lightning", "safetensors", "onnx", "onnxscript", "onnxruntime"),
-        *("shapely", "bayes_opt"),
+        *("shapely", "bayes_opt", "threadpoolctl"),
     ),
     "cluster": ("distributed", "dask", "cryptography", "submitit"),
     "cuda": ("numba_cuda",),

@@ -4,6 +4,7 @@ from typing import ClassVar
 
 import numpy as np
 from bayes_opt import BayesianOptimization
+from threadpoolctl import threadpool_limits
 
 from snapjump.checks import check_integer
 from snapjump.declare.fields import integer
@@ -21,6 +22,7 @@ class BayesianOptions(InverseOptions):
         super().__post_init__()
         check_integer("inverse.first", self.first, 1, self.simulations)
 
+    @threadpool_limits.wrap(limits=1)  # several wait for each other over matrices as small as these
     def solve(self, problem: Problem) -> list[Solution]:
         """The best of all simulated designs: ``first`` random ones, then one after the other."""
         how = {"random_state": problem.seed, "verbose": 0, "allow_duplicate_points": True}
