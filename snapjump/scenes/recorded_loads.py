@@ -9,24 +9,30 @@ import numpy as np
 from snapjump.arrays import Array
 from snapjump.engine.recorder import clamps, elastic, ground, momentum, strain
 from snapjump.engine.recorder.both import BothRecorders
+from snapjump.engine.recorder.running import Running, make_running
 from snapjump.scenes.runner import March
 
 
 class Kind(NamedTuple):
-    """Of a recorder: how many figures it keeps of a robot, and what makes one of so many lanes, for
-    an array (R, figures) and chains of so many nodes."""
+    """Of a recorder: how many figures it keeps of a robot, and what makes one of figures that run
+    along, for chains of so many nodes."""
 
     figures: int
-    make: Callable[[int, Array, int], Any]
+    make: Callable[[Running, int], Any]
+
+
+def whatever_the_chain(recorder: Callable[[Running], Any]) -> Callable[[Running, int], Any]:
+    """What makes a recorder that is the same for all chains."""
+    return lambda running, nodes: recorder(running)
 
 
 # By what outputs say that they read.
 KINDS = {
     "bending": Kind(strain.FIGURES, strain.make_strain_recorder),
-    "clamping": Kind(clamps.FIGURES, clamps.make_clamp_recorder),
-    "push": Kind(ground.FIGURES, ground.make_ground_recorder),
-    "impulse": Kind(momentum.FIGURES, momentum.make_momentum_recorder),
-    "release": Kind(elastic.FIGURES, elastic.make_elastic_recorder),
+    "clamping": Kind(clamps.FIGURES, whatever_the_chain(clamps.ClampRecorder)),
+    "push": Kind(ground.FIGURES, whatever_the_chain(ground.GroundRecorder)),
+    "impulse": Kind(momentum.FIGURES, whatever_the_chain(momentum.MomentumRecorder)),
+    "release": Kind(elastic.FIGURES, whatever_the_chain(elastic.ElasticRecorder)),
 }
 
 
@@ -36,6 +42,7 @@ def record_loads(march: March, reads: Sequence[str]) -> dict[str, Array]:
     robots, nodes = len(march.models), len(march.masses)
     kept = {read: np.full((robots, KINDS[read].figures), np.nan) for read in reads}
     for worker in march.crew:
-        recorders = [KINDS[read].make(march.lanes, kept[read], nodes) for read in reads]
+        running = [make_running(march.lanes, kept[read]) for read in reads]
+        recorders = [KINDS[r].make(own, nodes) for r, own in zip(reads, running, strict=True)]
         worker.recorder = reduce(BothRecorders, recorders)
     return kept

@@ -3,20 +3,9 @@ work, by the quadrature of the integrator itself."""
 
 from typing import Any, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from snapjump.engine.clock import STAGE, STEP, TIME
 from snapjump.engine.powers import held_beam
-from snapjump.engine.recorder.base import Recorder
-from snapjump.engine.recorder.running import (
-    Running,
-    about_to_begin,
-    figures_of,
-    forget,
-    keep,
-    make_running,
-)
+from snapjump.engine.recorder.running import Running, RunningRecorder, about_to_begin, figures_of
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import absolute, any_true, maximum, where
 
@@ -32,14 +21,17 @@ from snapjump.number.functions import absolute, any_true, maximum, where
 FIGURES = 7
 
 
-@Recorder.member
+@RunningRecorder.member
 class ClampRecorder(NamedTuple):
     """``running``: the figures."""
 
     running: Running
 
-    def record_robot(self, lane: Any, robot: Any) -> None:
-        forget(self.running, lane)
+    def record_beginning(self, model: Any, masses: Any, work: Any, begins: Any) -> None:
+        figures = figures_of(self.running)
+        look(figures, model, work.mesh, work.clock[TIME], work.start, work.velocity[0], begins)
+        for to, read in ((POWER_AT_START, POWER_NOW), (POWER, POWER_NOW), (TORQUE, TORQUE_NOW)):
+            figures[to] = where(begins, figures[read], figures[to])
 
     def record_stage(
         self, model: Any, masses: Any, motion: Any, scheme: Any, work: Any, converged: Any
@@ -48,9 +40,7 @@ class ClampRecorder(NamedTuple):
         stage, step = work.clock[STAGE], work.clock[STEP]
         begins = about_to_begin(work, converged)
         if any_true(begins):
-            look(figures, model, work.mesh, work.clock[TIME], work.start, work.velocity[0], begins)
-            for to, read in ((POWER_AT_START, POWER_NOW), (POWER, POWER_NOW), (TORQUE, TORQUE_NOW)):
-                figures[to] = where(begins, figures[read], figures[to])
+            self.record_beginning(model, masses, work, begins)
         for k in range(1, scheme.stage_count() + 1):
             here = converged & (stage == 1.0 * k)
             if any_true(here):
@@ -68,14 +58,6 @@ class ClampRecorder(NamedTuple):
         if not scheme.ends_in_a_stage():
             look(figures, model, work.mesh, work.clock[TIME], work.start, work.velocity[0], good)
         rise_to(figures, good)
-
-    def record_end(self, model: Any, masses: Any, lane: Any, robot: Any) -> None:
-        keep(self.running, lane, robot)
-
-
-def make_clamp_recorder(lanes: int, kept: NDArray[np.float64], nodes: int) -> ClampRecorder:
-    """A recorder; ``kept`` (R, FIGURES)."""
-    return ClampRecorder(make_running(lanes, kept))
 
 
 @routine

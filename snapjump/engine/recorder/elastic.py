@@ -2,21 +2,10 @@
 
 from typing import Any, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from snapjump.engine.centre_of_mass import mean_of
 from snapjump.engine.clock import LAST_CONTACT, TIME
 from snapjump.engine.read_out import elastic_energy
-from snapjump.engine.recorder.base import Recorder
-from snapjump.engine.recorder.running import (
-    Running,
-    about_to_begin,
-    figures_of,
-    forget,
-    keep,
-    make_running,
-)
+from snapjump.engine.recorder.running import Running, RunningRecorder, figures_of
 from snapjump.frame.base import Rotations
 from snapjump.number.dispatch import routine
 from snapjump.number.functions import any_true, where
@@ -25,38 +14,23 @@ HEIGHT, START, LAST = range(3)  # of the centre of mass (L); energies (EI/L)
 FIGURES = 3
 
 
-@Recorder.member
+@RunningRecorder.member
 class ElasticRecorder(NamedTuple):
     """``running``: the figures."""
 
     running: Running
 
-    def record_robot(self, lane: Any, robot: Any) -> None:
-        forget(self.running, lane)
-
-    def record_stage(
-        self, model: Any, masses: Any, motion: Any, scheme: Any, work: Any, converged: Any
-    ) -> None:
-        begins = about_to_begin(work, converged)
-        if any_true(begins):
-            figures = figures_of(self.running)
-            look(figures, model, work, begins)
-            figures[START] = where(begins, figures[LAST], figures[START])
-            _, y = mean_of(model, masses, work.mesh, work.start)
-            figures[HEIGHT] = where(begins, y, figures[HEIGHT])
+    def record_beginning(self, model: Any, masses: Any, work: Any, begins: Any) -> None:
+        figures = figures_of(self.running)
+        look(figures, model, work, begins)
+        figures[START] = where(begins, figures[LAST], figures[START])
+        _, y = mean_of(model, masses, work.mesh, work.start)
+        figures[HEIGHT] = where(begins, y, figures[HEIGHT])
 
     def record_step(self, model: Any, masses: Any, scheme: Any, work: Any, good: Any) -> None:
         touching = good & (work.clock[LAST_CONTACT] == work.clock[TIME])
         if any_true(touching):
             look(figures_of(self.running), model, work, touching)
-
-    def record_end(self, model: Any, masses: Any, lane: Any, robot: Any) -> None:
-        keep(self.running, lane, robot)
-
-
-def make_elastic_recorder(lanes: int, kept: NDArray[np.float64], nodes: int) -> ElasticRecorder:
-    """A recorder; ``kept`` (R, FIGURES)."""
-    return ElasticRecorder(make_running(lanes, kept))
 
 
 @routine

@@ -2,22 +2,11 @@
 
 from typing import Any, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from snapjump.engine.centre_of_mass import centre_of_mass
 from snapjump.engine.clock import LAST_STEP
-from snapjump.engine.recorder.base import Recorder
-from snapjump.engine.recorder.running import (
-    Running,
-    about_to_begin,
-    figures_of,
-    forget,
-    keep,
-    make_running,
-)
+from snapjump.engine.recorder.running import Running, RunningRecorder, figures_of
 from snapjump.number.dispatch import routine
-from snapjump.number.functions import any_true, where
+from snapjump.number.functions import where
 
 (
     HEIGHT,  # of the centre of mass at the start (L)
@@ -28,33 +17,18 @@ from snapjump.number.functions import any_true, where
 FIGURES = 4
 
 
-@Recorder.member
+@RunningRecorder.member
 class MomentumRecorder(NamedTuple):
     """``running``: the figures."""
 
     running: Running
 
-    def record_robot(self, lane: Any, robot: Any) -> None:
-        forget(self.running, lane)
-
-    def record_stage(
-        self, model: Any, masses: Any, motion: Any, scheme: Any, work: Any, converged: Any
-    ) -> None:
-        begins = about_to_begin(work, converged)
-        if any_true(begins):
-            begin(self, model, masses, work, begins)
+    def record_beginning(self, model: Any, masses: Any, work: Any, begins: Any) -> None:
+        begin(self, model, masses, work, begins)
 
     def record_step(self, model: Any, masses: Any, scheme: Any, work: Any, good: Any) -> None:
         if model.drag.exists():
             add_air(self, model, masses, work, good)
-
-    def record_end(self, model: Any, masses: Any, lane: Any, robot: Any) -> None:
-        keep(self.running, lane, robot)
-
-
-def make_momentum_recorder(lanes: int, kept: NDArray[np.float64], nodes: int) -> MomentumRecorder:
-    """A recorder; ``kept`` (R, FIGURES)."""
-    return MomentumRecorder(make_running(lanes, kept))
 
 
 @routine

@@ -7,15 +7,7 @@ from numpy.typing import NDArray
 
 from snapjump.engine.bending import fill_turnings
 from snapjump.engine.clock import TIME
-from snapjump.engine.recorder.base import Recorder
-from snapjump.engine.recorder.running import (
-    Running,
-    about_to_begin,
-    figures_of,
-    forget,
-    keep,
-    make_running,
-)
+from snapjump.engine.recorder.running import Running, RunningRecorder, figures_of
 from snapjump.frame.base import Rotations
 from snapjump.number.dispatch import routine
 from snapjump.number.functions import absolute, any_true, where
@@ -27,7 +19,7 @@ TURNING, NODE, WHEN = range(3)
 FIGURES = 3
 
 
-@Recorder.member
+@RunningRecorder.member
 class StrainRecorder(NamedTuple):
     """``running``: the figures; ``turnings`` (N + 1, W): of the state at hand."""
 
@@ -37,15 +29,8 @@ class StrainRecorder(NamedTuple):
     def watches(self) -> bool:
         return False
 
-    def record_robot(self, lane: Any, robot: Any) -> None:
-        forget(self.running, lane)
-
-    def record_stage(
-        self, model: Any, masses: Any, motion: Any, scheme: Any, work: Any, converged: Any
-    ) -> None:
-        begins = about_to_begin(work, converged)
-        if any_true(begins):
-            look(self, model, work.mesh, work.clock[TIME], work.start, begins)
+    def record_beginning(self, model: Any, masses: Any, work: Any, begins: Any) -> None:
+        look(self, model, work.mesh, work.clock[TIME], work.start, begins)
 
     def follow(
         self, model: Any, masses: Any, motion: Any, scheme: Any, work: Any, course: Any, good: Any
@@ -53,13 +38,10 @@ class StrainRecorder(NamedTuple):
         if any_true(good):
             look(self, model, work.mesh, work.clock[TIME], work.state, good)
 
-    def record_end(self, model: Any, masses: Any, lane: Any, robot: Any) -> None:
-        keep(self.running, lane, robot)
 
-
-def make_strain_recorder(lanes: int, kept: NDArray[np.float64], nodes: int) -> StrainRecorder:
-    """A recorder of chains with so many nodes; ``kept`` (R, FIGURES)."""
-    return StrainRecorder(make_running(lanes, kept), aligned_zeros((nodes, lanes)))
+def make_strain_recorder(running: Running, nodes: int) -> StrainRecorder:
+    """A recorder of chains with so many nodes; ``running``: FIGURES of them."""
+    return StrainRecorder(running, aligned_zeros((nodes, len(running.lanes))))
 
 
 @routine
