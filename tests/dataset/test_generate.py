@@ -53,6 +53,7 @@ def test_rows_are_those_of_the_batch_of_designs(undisturbed):
     assert not frame[jumped].drop(columns=[*own]).isna().to_numpy().any()
 
 
+@pytest.mark.compiles
 def test_derivatives_of_every_apex(tmp_path, undisturbed):
     asked = small(6, 3, friction=WIDE_STICK, sensitivities=True)
     generated(tmp_path / "asked", asked)
