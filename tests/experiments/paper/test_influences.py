@@ -11,16 +11,8 @@ from experiments.paper.base import CONFIRMED, LIMITED, NOT_CONFIRMED
 from experiments.paper.cells import furthest, jump_rows
 from experiments.paper.influences import part as module
 from experiments.paper.influences import words
-from experiments.paper.influences.part import (
-    MOUNT_HEIGHT,
-    SWEEPS,
-    Height,
-    Influences,
-    friction_statements,
-    height,
-    height_verdicts,
-    levels_off,
-)
+from experiments.paper.influences.heights import MOUNT_HEIGHT, Height, height, height_verdicts
+from experiments.paper.influences.part import SWEEPS, Influences, friction_statements, levels_off
 from experiments.paper.limits import judged
 from experiments.paper.settings import BASELINE
 from experiments.trends import plateau
