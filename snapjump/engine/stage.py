@@ -6,6 +6,7 @@ from snapjump.engine.air import feel_air
 from snapjump.engine.assemble import Motion
 from snapjump.engine.clock import BACKTRACKS, ITERATION, LAST_STEP, SHARE, SIZE, STAGE, STEP, TIME
 from snapjump.engine.gaps import frame_gap_share, keeps_gaps, limited
+from snapjump.engine.view import alone
 from snapjump.integrator.base import Rates, Reached
 from snapjump.number.dispatch import kernel, routine
 from snapjump.number.functions import any_true, fma, maximum, sqrt, where
@@ -151,16 +152,10 @@ def move_on(
     share = where(mask, share, 1.0)
     for i in range(dofs):
         work.state[i] = work.state[i] - where(mask, work.correction[i], 0.0)
-    per_node = model.discretization.node_dofs()
-    for node in range(masses.shape[0]):
-        for axis in range(per_node):
-            i = dofs + per_node * node + axis
-            commit_coordinate(scheme, work, i, ended.size, ended.rates, good)
-            origin, fall = begin_coordinate(scheme, work, i, stage, rates, mask)
-            if axis == 1:
-                if keeps_gaps(model):
-                    if masses[node] > 0.0:
-                        share = limited(share, origin, fall)
+    if alone(work):
+        share = move_coordinates(model, scheme, masses, work, ended, good, mask, share)
+    else:
+        share = move_nodes(model, scheme, masses, work, ended, good, mask, share)
     if any_true(share < 1.0):
         for i in range(work.state.shape[0]):
             work.state[i] = work.state[i] + (1.0 - share) * work.correction[i]
@@ -171,6 +166,49 @@ def move_on(
         time = clock[TIME] + scheme.abscissa(stage) * step
         angles = model.clamp.angles(time)
         model.frame.place_ends(mesh, model.discretization, angles, work.state)
+
+
+@kernel
+def move_nodes(
+    model: Any, scheme: Any, masses: Any, work: Any, ended: Ended, good: Any, mask: Any, share: Any
+) -> Any:
+    """Move the beam's nodes on; returns the share of their way that keeps gaps open."""
+    stage = work.clock[STAGE]
+    rates = scheme.stage_rates(work.clock[STEP], step_ratio(work))
+    dofs = model.frame.dofs(work.mesh)
+    per_node = model.discretization.node_dofs()
+    for node in range(masses.shape[0]):
+        for axis in range(per_node):
+            i = dofs + per_node * node + axis
+            commit_coordinate(scheme, work, i, ended.size, ended.rates, good)
+            origin, fall = begin_coordinate(scheme, work, i, stage, rates, mask)
+            if axis == 1:
+                if keeps_gaps(model):
+                    if masses[node] > 0.0:
+                        share = limited(share, origin, fall)
+    return share
+
+
+@kernel
+def move_coordinates(
+    model: Any, scheme: Any, masses: Any, work: Any, ended: Ended, good: Any, mask: Any, share: Any
+) -> Any:
+    """The same of one robot, in two sweeps: one of coordinates, which the compiler takes several
+    at a time of, then one of gaps. Where nodes begin is kept in the residual, which is over."""
+    stage = work.clock[STAGE]
+    rates = scheme.stage_rates(work.clock[STEP], step_ratio(work))
+    dofs = model.frame.dofs(work.mesh)
+    for i in range(dofs, work.state.shape[0]):
+        commit_coordinate(scheme, work, i, ended.size, ended.rates, good)
+        origin, _ = begin_coordinate(scheme, work, i, stage, rates, mask)
+        work.residual[i - dofs] = origin
+    if keeps_gaps(model):
+        for node in range(masses.shape[0]):
+            if masses[node] > 0.0:
+                i = model.discretization.node_dofs() * node + 1
+                fall = where(mask, work.correction[dofs + i], 0.0)
+                share = limited(share, work.residual[i], fall)
+    return share
 
 
 @kernel

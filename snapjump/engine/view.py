@@ -16,11 +16,12 @@ from numba.core.typing.templates import (
     infer_global,
     signature,
 )
-from numba.extending import models, register_model
+from numba.extending import models, overload, register_model
 
 from snapjump.discretization.base import HALF_BANDWIDTH
 from snapjump.engine.work import EXACT, FIELDS, WINDOWS, Memory, Shape, Sizes
 from snapjump.number.array import INDEX, NumberArray, View, contiguous, seen_as
+from snapjump.number.dispatch import INLINED
 from snapjump.number.lane import LaneType
 from snapjump.number.nowhere import NOWHERE, Nowhere
 from snapjump.number.scopes import SCOPES
@@ -189,6 +190,19 @@ def _view_work(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     block = builder.bitcast(view.data, context.get_value_type(types.CPointer(kind.number)))
     apart = view.strides[0] if kind.strided else INDEX(1)
     return taken_apart(context, builder, kind, block, apart, sizes, mesh)
+
+
+def alone(work: Any) -> bool:
+    """Whether a memory is of one robot whose neighbouring numbers are adjacent, so that the
+    processor takes several coordinates at once; a constant while compiling."""
+    return False
+
+
+@overload(alone, strict=False, jit_options=INLINED)
+def _alone(work: Any) -> Any:
+    one = isinstance(work, WorkType) and work.number == types.float64
+    found = one and not (work.lanes or work.strided)
+    return lambda work: found
 
 
 def without_matrix(work: Any) -> Any:
