@@ -195,7 +195,7 @@ def _view_work(context: Any, builder: Any, sig: Any, args: Any) -> Any:
 def alone(work: Any) -> bool:
     """Whether a memory is of one robot whose neighbouring numbers are adjacent, so that the
     processor takes several coordinates at once; a constant while compiling."""
-    return False
+    return True
 
 
 @overload(alone, strict=False, jit_options=INLINED)
