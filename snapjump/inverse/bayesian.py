@@ -1,5 +1,6 @@
 """``inverse=bayesian``: Bayesian optimisation on the simulator, one of the paper's comparisons."""
 
+from contextlib import redirect_stdout
 from typing import ClassVar
 
 import numpy as np
@@ -33,8 +34,9 @@ class BayesianOptions(InverseOptions):
         shares = np.random.default_rng(problem.seed).random((self.first, 2))
         for left in range(self.simulations - self.first, -1, -1):
             misses = np.nan_to_num(problem.misses(search.simulate(shares)), nan=farthest)
-            for share, miss in zip(shares, misses.tolist(), strict=True):
-                optimizer.register(dict(zip(CONTROLS, share, strict=True)), -miss)
+            with redirect_stdout(None):  # where it says of every design tried again that it is one
+                for share, miss in zip(shares, misses.tolist(), strict=True):
+                    optimizer.register(dict(zip(CONTROLS, share, strict=True)), -miss)
             if left:
                 suggested = optimizer.suggest()
                 shares = np.array([[suggested[name] for name in CONTROLS]])

@@ -142,3 +142,10 @@ def test_of_none_that_reaches_it_there_is_the_nearest():
     controls = np.array([[0.1, 0.2], [0.1, 0.3], [0.1, 0.1]])
     (found,) = predicted_solutions(problem([0.0, 100.0], model), model, controls)
     np.testing.assert_array_equal(found.controls, [0.1, 0.3])
+
+
+def test_a_design_that_is_tried_again_is_no_news(capfd):
+    """A target far beyond a corner, for which it is suggested over and over."""
+    given = problem((60.0, 12.0), MadeUpModel())
+    BayesianOptions(simulations=40).solve(given)
+    assert capfd.readouterr().out == ""
